@@ -112,8 +112,8 @@ def test_faces_of_few_corners_points_and_lines_are_left_out_by_name(tmp_path):
     made, notes = read(tmp_path, CUBE + "f 1 2\nf\nl 1 2 3\np 4\ncstype bezier\ndeg 3\nfo 1 2 3\n")
     assert len(made.faces) == 7
     note, = [note for note in notes if "left out" in note]
-    assert note == "model.obj: left out 2 x faces of fewer than three corners, 1 x lines, 1 x points, 2 x statements of curves and surfaces of " \
-        "free form (first: model.obj:21)"
+    assert note == 'model.obj: left out 2 x "faces of fewer than three corners", 1 x lines, 1 x points, 2 x "statements of curves and surfaces ' \
+        'of free form" (first: model.obj:21)'
 
 
 @pytest.mark.parametrize("text, what", [("p 1 2 3\n", "only points"), ("l 1 2\nf 1 2\n", "only lines and faces of fewer than three corners"),

@@ -169,7 +169,7 @@ def test_a_text_with_edges_and_lines_behind_its_end(tmp_path):
     made, notes = read(tmp_path, b"\n".join([head + b"end_header", *rows[:count], b"0 1", b"", b"1 2", *rows[count:], b"7 7", b""]))
     assert made.faces == mesh.faces and made.vertices == mesh.vertices
     assert any("left out what stands behind the end: 2 words" in note for note in notes)
-    assert any("left out element edge" in note for note in notes)
+    assert any('left out "element edge"' in note for note in notes)
     made, notes = read(tmp_path, whole + b"the end, 1 2\n")
     assert made.faces == mesh.faces and any("left out what stands behind the end: 4 words" in note for note in notes)
 
@@ -188,7 +188,7 @@ def test_a_binary_file_with_other_elements_and_kinds(tmp_path):
     plain, _ = read(tmp_path, text(*SQUARE))
     assert (mesh.vertices, mesh.faces) == (plain.vertices, plain.faces) and not any("behind" in note for note in notes)
     note, = [note for note in notes if "left out" in note]
-    assert note == "model.ply: left out element edge, mark of vertex, marks of face"
+    assert note == 'model.ply: left out "element edge", "mark of vertex", "marks of face"'
 
 
 NORMALS = [(0, 0, 2), (0, 1, 1), (-3, 0, 0), (0.5, 0.5, 0.5)]

@@ -86,7 +86,9 @@ BAD = {
     "short": (b"xyz", ["3 bytes are fewer"]),
     "NaN": (make([(float("nan"), 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]), ["triangle 0", "x of corner 0 is nan"]),
     "huge": (make([(0, 0, 1e30), (1, 0, 0), (0, 1, 0), (0, 0, 1)]), ["triangle 0", "z of corner 0"]),
-    "word": (stl_text().replace(b"endfacet", b"nonsense", 1), ["model.stl:8", '"nonsense"']),
+    "word": (stl_text().replace(b"vertex 0 0 0", b"vertx 0 0 0", 1), ["model.stl:7", "this one has 2"]),
+    "one line": (stl_text().replace(b"\n", b" "), ["no face", "line of its own"]),
+    "no facet": (b"solid thing\nendsolid thing\n", ["no face"]),
     "number": (stl_text().replace(b"vertex 0 0 0", b"vertex 0 zero 0", 1), ["model.stl:4", '"zero" is not a number']),
     "nan": (stl_text().replace(b"vertex 0 0 0", b"vertex 0 nan 0", 1), ["model.stl:4", '"nan" is not a number']),
     "two": (stl_text().replace(b"vertex 0 0 0\n", b"", 1), ["model.stl:6", "this one has 2"]),
@@ -98,3 +100,13 @@ BAD = {
 @pytest.mark.parametrize("kind", BAD)
 def test_what_is_wrong_is_said_in_one_sentence(tmp_path, kind):
     assert_refused(read, tmp_path, *BAD[kind])
+
+
+def test_statements_of_a_text_that_are_not_known_are_told_once(tmp_path):
+    text = stl_text()
+    plain, _ = read(tmp_path, text)
+    made, notes = read(tmp_path, text.replace(b"facet normal", b"color 1 0 0\nfacet normal").replace(b"endloop", b"END LOOP")
+                       .replace(b"endfacet", b"end facet").replace(b"solid thing\n", b"solid thing\nexported by hand\n", 1))
+    assert (made.vertices, made.faces) == (plain.vertices, plain.faces)
+    note, = [note for note in notes if "not known" in note]
+    assert f"1 x exported, {len(made.faces)} x color (first: model.stl:2)" in note

@@ -9,7 +9,6 @@ import re
 from fixel.base.reading import quoted
 
 _MARKS = ((codecs.BOM_UTF8, "utf-8"), (codecs.BOM_UTF16_LE, "utf-16-le"), (codecs.BOM_UTF16_BE, "utf-16-be"))
-_PLAIN = re.compile("[A-Za-z_][A-Za-z_0-9]{0,22}(?: [A-Za-z_0-9 ]{1,48})?")     # a word, or what a reader says of some
 KINDS_MAX = 20          # words that a note lists
 _CONTINUED = re.compile(r"^[^#]*[\s\d.]\\$|^\\$")      # not a folder, which ends so in a name
 _COMMENT = re.compile(r"(?:^|\s)#")
@@ -76,6 +75,6 @@ class LeftOut:
         shown = list(self.counts.items())[:KINDS_MAX]
         more = f" and {len(self.counts) - len(shown):,} other words" if len(self.counts) > len(shown) else ""
         listed = ", ".join((f"{times} x " if counted else "") +
-                           (word if _PLAIN.fullmatch(word) else quoted(word)) for word, times in shown)
+                           (word if word.isidentifier() and word.isascii() and len(word) < 24 else quoted(word)) for word, times in shown)
         first = next(filter(None, self.first.values()), None)
         return [f"{name}: {kind} {listed}{more}" + (f" (first: {first})" if first else "")]

@@ -90,38 +90,69 @@ def _number(word, where):
     return value
 
 
+def _words(line):
+    """The words of a line, the first in lower case; one that begins with end may be two, as in end loop."""
+    word, *rest = line.split() or [""]
+    word = word.lower()
+    if word == "end" and rest and word + rest[0].lower() in _SKIPPED:
+        return [word + rest[0].lower(), *rest[1:]]
+    return [word, *rest]
+
+
+class _Text:
+    """What a text says, line by line."""
+
+    def __init__(self, name):
+        self.name, self.points, self.places, self.begun = name, [], [], None
+        self.is_over, self.after, self.unknown = False, 0, model_text.LeftOut()
+
+    def line(self, line, where):
+        """A line. Between facets stands what other programs wrote there, such as a colour."""
+        word, *rest = _words(line)
+        if word in _SKIPPED or word == "vertex":
+            self.is_over = word == "endsolid"
+        if word == "vertex":
+            if len(rest) != 3:
+                raise ToolError(f"{where}: vertex needs 3 numbers, found {len(rest)}")
+            self.points.append([_number(each, where) for each in rest])
+        elif word == "facet":
+            self.begun = where
+        elif word == "endloop":
+            if len(self.points) != 3 * len(self.places) + 3:
+                raise ToolError(f"{where}: a facet has three vertices; this one has {len(self.points) - 3 * len(self.places)}")
+            self.places.append(self.begun or where)
+            _refuse_many(self.name, len(self.places))
+        elif word and word not in _SKIPPED and self.is_over:
+            self.after += 1
+        elif word and word not in _SKIPPED:
+            self.unknown.add(word, where)
+
+    def notes(self):
+        """What was left out."""
+        return self.unknown.notes(self.name, "left out statements that are not known:") + (
+            [f"{self.name}: left out lines after the last endsolid: {self.after:,}"] if self.after else [])
+
+
 def _text(blob, name, progress):
-    points, places, begun, ended, after = [], [], 0, False, 0
+    made = _Text(name)
     for number, line in model_text.lines_of(blob):
-        words, where = line.split(), f"{name}:{number}"
         if progress and number % 4096 == 0:
             progress(f"{name}: line {number:,}")
-        word = words[0].lower() if words else ""
-        if word in _SKIPPED:
-            ended = word == "endsolid"
-        if ended and word not in _SKIPPED:
-            after += bool(word)
-        elif word == "vertex":
-            if len(words) != 4:
-                raise ToolError(f"{where}: vertex needs 3 numbers, found {len(words) - 1}")
-            points.append([_number(each, where) for each in words[1:]])
-        elif word == "facet":
-            begun = number
-        elif word == "endloop":
-            if len(points) != 3 * len(places) + 3:
-                raise ToolError(f"{where}: a facet has three vertices; this one has {len(points) - 3 * len(places)}")
-            places.append(f"{name}:{begun or number}")
-            _refuse_many(name, len(places))
-        elif word and word not in _SKIPPED:
-            raise ToolError(f"{where}: unknown statement {quoted(words[0])}; is this an STL file?")
-    if len(points) != 3 * len(places):
+        made.line(line, f"{name}:{number}")
+    if len(made.points) != 3 * len(made.places):
         raise ToolError(f"{name}: the file ends within a facet: its last lines are missing")
-    return points, places, None, [f"{name}: left out lines after the last endsolid: {after:,}"] if after else []
+    return made.points, made.places, None, made.notes()
 
 
 def _is_text(blob):
     start = "".join(line for _, line in model_text.lines_of(blob[:_START])).lower()
-    return re.match(r"\s*solid\b", start) and "vertex" in start
+    return re.match(r"\s*solid\b", start) and ("vertex" in start or "endsolid" in start or len(blob) < _HEAD)
+
+
+def is_whole(start, size):
+    """Whether a binary file of this many bytes, with this start, has the triangles that its header says, and no more."""
+    count = int.from_bytes(start[80:_HEAD], "little")
+    return count > 0 and size == _HEAD + count * _TRIANGLE.itemsize
 
 
 def _is_binary(blob, count):
@@ -146,7 +177,8 @@ def read(path, name=None, progress=None, sources=None):
         raise ToolError(f"{name}: the header promises {count:,} triangles, which take {_HEAD + 50 * count:,} bytes; the file "
                         f"has {len(blob):,}: it is damaged, or no STL file")
     if not places:
-        raise ToolError(f"{name}: there is no face in this file")
+        raise ToolError(f"{name}: there is no face in this file" + (
+            "" if count == 0 else "; in a text each statement stands on a line of its own"))
     vertices = [(exact(x), exact(z), exact(y)) for x, y, z in points]
     faces = [[3 * face + 2, 3 * face + 1, 3 * face] for face in range(len(places))]
     return Mesh(vertices, faces, places, surfaces, surfaces.uvs if surfaces else []), [f"{name}: {_CONVENTION}", *notes]
