@@ -71,20 +71,25 @@ def test_the_recorded_play_is_the_recorded_one(played):
     assert digest(drawn) == SHA256[screen]
 
 
+def played_on(driver, board, image, folder):
+    """The frames of the game on a board, and what the wires of a display's driver say of them."""
+    elf = made(f"build/boards/{board}/game-on-{driver}{'' if board == firmware.HOST else '.elf'}", f"BOARD={board}",
+               "PROGRAM=game", f"DRIVER={driver}")
+    file, record = folder / "board.fxld", folder / "wires.bin"
+    flash_memory.flash(board, elf, image, folder / "board.bin")
+    emulator.run(board, folder / "board.bin", elf, file, record=record)
+    drawn = dump.read_dump(file)
+    return drawn, wires.compare(record, driver, drawn)
+
+
 @pytest.mark.parametrize("screen", SHA256)
 @pytest.mark.parametrize("board", BOARDS)
 def test_every_board_plays_the_same_game_and_sends_it(tmp_path, image, board, screen):
     """Before conversion the frames are the recorded ones; then by pump and driver, in bands of eight rows (three on the
     microbit at 320x240), to a controller that shows every one of them."""
     driver, sha256 = WIRES[screen]
-    elf = made(f"build/boards/{board}/game-on-{driver}{'' if board == firmware.HOST else '.elf'}", f"BOARD={board}",
-               "PROGRAM=game", f"DRIVER={driver}")
-    file, record = tmp_path / "board.fxld", tmp_path / "wires.bin"
-    flash_memory.flash(board, elf, image(screen), tmp_path / "board.bin")
-    emulator.run(board, tmp_path / "board.bin", elf, file, record=record)
-    drawn = dump.read_dump(file)
+    drawn, found = played_on(driver, board, image(screen), tmp_path)
     assert digest(drawn) == SHA256[screen]
-    found = wires.compare(record, driver, drawn)
     assert found.equal == len(found.hashes) == FRAMES
     assert hashlib.sha256("".join(found.hashes).encode()).hexdigest() == sha256
 
@@ -179,16 +184,10 @@ def test_every_board_plays_it_in_rgb565_also_on_a_display(tmp_path, played, rgb5
     """Faces and words have the colours of the palette that the recorded frames are of; black and white is made of these colours."""
     screen, recorded = played
     driver, _ = WIRES[screen]
-    elf = made(f"build/boards/{board}/game-on-{driver}{'' if board == firmware.HOST else '.elf'}", f"BOARD={board}",
-               "PROGRAM=game", f"DRIVER={driver}")
-    file, record = tmp_path / "board.fxld", tmp_path / "wires.bin"
-    flash_memory.flash(board, elf, rgb565_image(screen), tmp_path / "board.bin")
-    emulator.run(board, tmp_path / "board.bin", elf, file, record=record)
-    drawn = dump.read_dump(file)
+    drawn, found = played_on(driver, board, rgb565_image(screen), tmp_path)
     colours = wires.rgb565(recorded.palette)
     assert all((frame.pixels == colours[indices.pixels]).all()
                for frame, indices in zip(drawn.frames, recorded.frames, strict=True))
-    found = wires.compare(record, driver, drawn)
     assert found.equal == len(found.hashes) == FRAMES
 
 

@@ -283,6 +283,17 @@ void test_light_in_rgb565_takes_a_part_of_the_colour_in_the_beam(void)
     }
 }
 
+/* Draws the surface opaque, and then blended, each with the beam. */
+static void draw_blended(const way *into, uint8_t opaque[PIXELS])
+{
+    walls.surface[0].flags = 0;
+    draw_all(into);
+    memcpy(opaque, shown, sizeof shown);
+    walls.surface[0].flags = FXL_SURFACE_BLEND;
+    start(into, true, lit);
+    draw(into, shown, HEIGHT);
+}
+
 /* What is blended is the colour in the beam, over what is beneath in the beam. */
 /* beams 6.2, 6.4 */
 void test_the_beam_comes_before_blending(void)
@@ -294,12 +305,7 @@ void test_the_beam_comes_before_blending(void)
     walls.set.blend_count = 2 * TEXELS;
     for (uint32_t i = 0; i < 3; i++) {
         uint32_t lit_pixels = 0;
-        walls.surface[0].flags = 0;
-        draw_all(&ways[i]);
-        memcpy(opaque, shown, sizeof opaque);
-        walls.surface[0].flags = FXL_SURFACE_BLEND;
-        start(&ways[i], true, lit);
-        draw(&ways[i], shown, HEIGHT);
+        draw_blended(&ways[i], opaque);
         for (uint32_t k = 0; k < PIXELS; k++) {
             if (is_wall(k)) {
                 TEST_ASSERT_EQUAL_UINT8(blend[256 * (opaque[k] - TEXEL) + behind[k]], shown[k]);
@@ -321,12 +327,7 @@ void test_a_lit_piece_that_the_blend_table_lacks_is_opaque(void)
     for (uint32_t i = 0; i < 3; i++) {
         static uint8_t opaque[PIXELS];
         uint32_t lit_pixels = 0, dark_pixels = 0;
-        walls.surface[0].flags = 0;
-        draw_all(&ways[i]);
-        memcpy(opaque, shown, sizeof opaque);
-        walls.surface[0].flags = FXL_SURFACE_BLEND;
-        start(&ways[i], true, lit);
-        draw(&ways[i], shown, HEIGHT);
+        draw_blended(&ways[i], opaque);
         for (uint32_t k = 0; k < PIXELS; k++) {
             if (is_wall(k)) {
                 const bool is_lit = opaque[k] >= TEXEL + LIT;
@@ -341,38 +342,35 @@ void test_a_lit_piece_that_the_blend_table_lacks_is_opaque(void)
     }
 }
 
-/* A texel of 16 bits has no number that lit[] knows. */
-/* beams 6.5 */
-void test_texels_of_16_bits_are_refused(void)
+/* What the surface has and a beam cannot change: refused until the beams are detached. */
+static void expect_refused_in_rgb565(const char *what)
 {
     const char *names[2] = {NULL, NULL};
-    walls_make_texture(FXL_TEXTURE_565);
     for (uint32_t i = 3; i < TARGETS; i++) {
         start(&ways[i], true, lit);
         TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_frame_begin(&walls.renderer, &walls_eye));
         TEST_ASSERT_TRUE(fxl_renderer_conflict(&walls.renderer, names));
-        TEST_ASSERT_EQUAL_STRING("textures of RGB565", names[0]);
+        TEST_ASSERT_EQUAL_STRING(what, names[0]);
         TEST_ASSERT_EQUAL_STRING("beams", names[1]);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&walls.renderer, NULL, NULL, 0));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &walls_eye));
     }
 }
 
+/* A texel of 16 bits has no number that lit[] knows. */
+/* beams 6.5 */
+void test_texels_of_16_bits_are_refused(void)
+{
+    walls_make_texture(FXL_TEXTURE_565);
+    expect_refused_in_rgb565("textures of RGB565");
+}
+
 /* Nor has a colour between those of corners. */
 void test_colours_at_corners_are_refused(void)
 {
-    const char *names[2] = {NULL, NULL};
     walls.surface[0] = (fxl_surface){.flags = FXL_SURFACE_COLOURS, .opacity = 16};
     memset(walls.mapped[0].texels, 0, sizeof walls.mapped[0].texels);
-    for (uint32_t i = 3; i < TARGETS; i++) {
-        start(&ways[i], true, lit);
-        TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_frame_begin(&walls.renderer, &walls_eye));
-        TEST_ASSERT_TRUE(fxl_renderer_conflict(&walls.renderer, names));
-        TEST_ASSERT_EQUAL_STRING("colours at corners", names[0]);
-        TEST_ASSERT_EQUAL_STRING("beams", names[1]);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&walls.renderer, NULL, NULL, 0));
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &walls_eye));
-    }
+    expect_refused_in_rgb565("colours at corners");
 }
 
 /* Beside the walls, a beam changes no pixel of them. */

@@ -293,20 +293,26 @@ static void deepen(void)
     deepen_to(DEEP);
 }
 
+/* The frame and its counters are the same after the tree has been changed. */
+static void expect_no_change(const fxl_lens *lens, const fxl_pose *pose, void (*change)(void))
+{
+    start(&choice_tree, lens);
+    draw(whole, pose, HEIGHT);
+    const fxl_counters counters = renderer.workspace.counters;
+    change();
+    start(&choice_tree, lens);
+    draw(other, pose, HEIGHT);
+    TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+    TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
+}
+
 void test_nodes_without_faces_change_nothing(void)
 {
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     for (uint32_t round = 0; round < UNIT_REPEAT / 1000; round++) {
         made = bsp_make();
         const fxl_pose pose = bsp_shuffle(made);
-        start(&choice_tree, &lens);
-        draw(whole, &pose, HEIGHT);
-        const fxl_counters counters = renderer.workspace.counters;
-        deepen();
-        start(&choice_tree, &lens);
-        draw(other, &pose, HEIGHT);
-        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
-        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
+        expect_no_change(&lens, &pose, deepen);
     }
 }
 
@@ -458,13 +464,6 @@ void test_nodes_with_nothing_behind_them_change_nothing(void)
             made->tiny->models[1].radius = Q16(20);
             pose = (fxl_pose){{0, 0, Q16(14)}, 0, 0, 0};
         }
-        start(&choice_tree, &lens);
-        draw(whole, &pose, HEIGHT);
-        const fxl_counters counters = renderer.workspace.counters;
-        deepen_in_front();
-        start(&choice_tree, &lens);
-        draw(other, &pose, HEIGHT);
-        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
-        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
+        expect_no_change(&lens, &pose, deepen_in_front);
     }
 }

@@ -8,7 +8,6 @@ COVERAGE_CFLAGS := $(filter-out $(WARNINGS) -g -f%,$(UNIT_CFLAGS)) -w -fPIC
 COVERAGE_COUNTERS := -O1 -fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc
 COVERAGE_LIBRARY := $(COVERAGE_OUT)/libfixel-coverage.so
 COVERAGE_TESTS := $(UNIT_PROGRAMS:$(UNIT_OUT)/%=$(COVERAGE_OUT)/%)
-COVERAGE_REPLAYS := $(FUZZ_TARGETS:%=$(COVERAGE_OUT)/replay_%)
 COVERAGE_HELPERS := $(UNIT_HELPER_OBJECTS:$(UNIT_OUT)/%=$(COVERAGE_OUT)/%) $(UNIT_PART_OBJECTS:$(UNIT_OUT)/%=$(COVERAGE_OUT)/%)
 
 $(eval $(call LIB_RULES,$(COVERAGE_OUT)/lib,\

@@ -24,9 +24,6 @@
 #define FXL_OBJECT(pointer) __CPROVER_is_fresh(pointer, sizeof *(pointer))
 /* In FXL_REQUIRES: a pointer to an object that may be part of another. */
 #define FXL_READABLE(pointer) __CPROVER_r_ok(pointer, sizeof *(pointer))
-/* In FXL_REQUIRES: a pointer to so many elements. */
-#define FXL_OBJECTS(pointer, count) __CPROVER_is_fresh(pointer, (count) * sizeof *(pointer))
-#define FXL_OLD(value)              __CPROVER_old(value)
 /* A pointer to components of at most 1 and 4 units of 2^-30. */
 #define FXL_DIRECTION(d) \
     (FXL_BELOW((d)->x, FXL_Q2_30_ONE + 4) && FXL_BELOW((d)->y, FXL_Q2_30_ONE + 4) && \

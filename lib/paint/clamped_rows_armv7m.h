@@ -122,19 +122,7 @@
 /* .Lbegin of a row that is within; the reciprocal is kept in w. */
     .align  2
 .Lwithin_begin:
-    ldrd    r2, r3, [sp, #8]
-    umull   u_low, u, r2, r12
-    mla     u, r3, r12, u
-    ldrd    r2, r3, [r1, #PAINT_ROW_U]
-    adds    u_low, u_low, r2
-    adc     u, u, r3
-    ldr     r2, [sp, #16]
-    ldr     r3, [sp, #F_V_HIGH]
-    umull   v_low, v, r2, r12
-    mla     v, r3, r12, v
-    ldrd    r2, r3, [r1, #PAINT_ROW_V]
-    adds    v_low, v_low, r2
-    adc     v, v, r3
+    begin_coordinates
     ldr     r2, [r1, #PAINT_ROW_WEIGHT + 4]
     ldr     w, [sp, #F_RECIPROCAL]
     ldrd    r4, r5, [sp, #F_U_DROP]

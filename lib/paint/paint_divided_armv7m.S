@@ -95,6 +95,21 @@ most    .req r10 /* 2^30 - 1 */
     b       .Lfound_\word
     .endm
 
+/* Goes r0 pixels on, those of the segment before column r10. r0 becomes how many are painted from there
+ * on, and r11 the column after them, which the frame has too. */
+    .macro  begin_within
+    mla     w, w_step, r0, w
+    mla     u, u_step, r0, u
+    mla     v, v_step, r0, v
+    rsb     r0, r0, #16
+    sub     r11, r11, r10
+    cmp     r11, r0
+    it      lo
+    movlo   r0, r11
+    add     r11, r10, r0
+    str     r11, [sp, #FRAME_X]
+    .endm
+
 /* r0: face, r1: row, r2: x0, r3: x1 */
 fxl_paint_divided:
     push    {r4-r11, lr}
@@ -187,16 +202,7 @@ fxl_paint_divided:
 
     /* The last pixels of the code: as many as are painted. r0: those of the segment that are before them. */
 .Lpartial:
-    mla     w, w_step, r0, w
-    mla     u, u_step, r0, u
-    mla     v, v_step, r0, v
-    rsb     r0, r0, #16
-    sub     r11, r11, r10
-    cmp     r11, r0
-    it      lo
-    movlo   r0, r11
-    add     r11, r10, r0
-    str     r11, [sp, #FRAME_X]
+    begin_within
     rsb     r0, r0, #16
     movs    r1, #PIXEL
     mul     r0, r0, r1
@@ -215,16 +221,7 @@ fxl_paint_divided:
 /* The segment's pixels from r10 on, up to r11 at most; r0: how many it has before them; r12: the face. Pixels
  * are counted in r10, from bit 8 on; below are the bits of v, by which a shift goes. */
 .Lother_kind:
-    mla     w, w_step, r0, w
-    mla     u, u_step, r0, u
-    mla     v, v_step, r0, v
-    rsb     r0, r0, #16
-    sub     r11, r11, r10
-    cmp     r11, r0
-    it      lo
-    movlo   r0, r11
-    add     r11, r10, r0
-    str     r11, [sp, #FRAME_X]
+    begin_within
     ldr     r3, [r12, #DIVIDED_FACE_KEY]
     cmp     r1, #2
     bne     1f

@@ -153,19 +153,7 @@ fxl_paint_lit_runs:
 /* Which segments its columns have. r10, r11: the weight at the first 16 columns; r12, lr: at the end
  * of the last. */
     ldr     r0, [r1, #PAINT_ROW_SEGMENTS]
-    lsr     r4, r2, #4
-    add     r5, r3, #15
-    lsr     r5, r5, #4
-    ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
-    ldrd    r8, r9, [r1, #PAINT_ROW_WEIGHT]
-    umull   r10, r11, r6, r4
-    mla     r11, r7, r4, r11
-    adds    r10, r10, r8
-    adc     r11, r11, r9
-    umull   r12, lr, r6, r5
-    mla     lr, r7, r5, lr
-    adds    r12, r12, r8
-    adc     lr, lr, r9
+    weights_at_ends
     ldr     r9, [r0, #SEGMENT_FACE_LEAST]
     movs    r4, #4
     cmp     r11, r9

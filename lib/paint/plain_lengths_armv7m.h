@@ -11,19 +11,7 @@
     .align  2
 .Lface_weights:
     ldrd    r1, r0, [sp, #F_ROW]
-    lsr     r4, r2, #4
-    add     r5, r3, #15
-    lsr     r5, r5, #4
-    ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
-    ldrd    r8, r9, [r1, #PAINT_ROW_WEIGHT]
-    umull   r10, r11, r6, r4
-    mla     r11, r7, r4, r11
-    adds    r10, r10, r8
-    adc     r11, r11, r9
-    umull   r12, lr, r6, r5
-    mla     lr, r7, r5, lr
-    adds    r12, r12, r8
-    adc     lr, lr, r9
+    weights_at_ends
     cmp     lr, r11
     it      gt
     movgt   lr, r11
@@ -63,14 +51,8 @@
     str     r3, [sp, #F_GO]
     ldr     pc, [sp, #F_BEGIN]
 
-    .align  2
-.Lbegin:
-    ldrd    r2, r3, [sp]
-    umull   w_low, w, r2, r12
-    mla     w, r3, r12, w
-    ldrd    r2, r3, [r1, #PAINT_ROW_WEIGHT]
-    adds    w_low, w_low, r2
-    adc     w, w, r3
+/* u and v, which are not divided, where segment r12 begins. r1: row. Overwrites r2 and r3. */
+    .macro  begin_coordinates
     ldrd    r2, r3, [sp, #8]
     umull   u_low, u, r2, r12
     mla     u, r3, r12, u
@@ -84,7 +66,10 @@
     ldrd    r2, r3, [r1, #PAINT_ROW_V]
     adds    v_low, v_low, r2
     adc     v, v, r3
-    str     w_low, [sp, #F_W_LOW]
+    .endm
+
+/* Divides u and v by w, and goes on with the segment. Overwrites r1 to r5. */
+    .macro  divide_and_resume
     mvn     r3, #0x80000000
     reciprocal r3, r1, w, r3, r2, r5
     ldrd    r4, r5, [sp, #F_U_DROP]
@@ -97,6 +82,19 @@
     smull   r1, v_0, v, r3
     asr     v_0, v_0, r5
     ldr     pc, [sp, #F_RESUME]
+    .endm
+
+    .align  2
+.Lbegin:
+    ldrd    r2, r3, [sp]
+    umull   w_low, w, r2, r12
+    mla     w, r3, r12, w
+    ldrd    r2, r3, [r1, #PAINT_ROW_WEIGHT]
+    adds    w_low, w_low, r2
+    adc     w, w, r3
+    begin_coordinates
+    str     w_low, [sp, #F_W_LOW]
+    divide_and_resume
 .Lfar_start:
     smull   r1, r2, u, r3
     shift_down r2, r1, r4

@@ -148,18 +148,7 @@
     cmp     pixels, r3
     bhi     .Lrun_end
     next_values
-    mvn     r3, #0x80000000
-    reciprocal r3, r1, w, r3, r2, r5
-    ldrd    r4, r5, [sp, #F_U_DROP]
-    subs    r4, r4, r1
-    subs    r5, r5, r1
-    orrs    r2, r4, r5
-    bmi     .Lfar_start
-    smull   r1, u_0, u, r3
-    asr     u_0, u_0, r4
-    smull   r1, v_0, v, r3
-    asr     v_0, v_0, r5
-    ldr     pc, [sp, #F_RESUME]
+    divide_and_resume
     .align  2
 .Leach:
     ubfx    p, v_0, #4, #16

@@ -45,6 +45,24 @@
 2:
     .endm
 
+/* r10, r11: the weight at the first of the 16 columns that column r2 is in; r12, lr: at the end of
+ * those that column r3 - 1 is in. r0: face, r1: row. Overwrites r4 to r9. */
+    .macro  weights_at_ends
+    lsr     r4, r2, #4
+    add     r5, r3, #15
+    lsr     r5, r5, #4
+    ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
+    ldrd    r8, r9, [r1, #PAINT_ROW_WEIGHT]
+    umull   r10, r11, r6, r4
+    mla     r11, r7, r4, r11
+    adds    r10, r10, r8
+    adc     r11, r11, r9
+    umull   r12, lr, r6, r5
+    mla     lr, r7, r5, lr
+    adds    r12, r12, r8
+    adc     lr, lr, r9
+    .endm
+
 /* offset = that of the texel at a position, in a texture of 2^log columns that is no higher. */
     .macro  texel_offset offset, mask, position, log
     .if     \log == 8

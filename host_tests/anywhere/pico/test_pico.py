@@ -2,13 +2,15 @@
 """The board pico, where its tools are: the frames of scenes, a display's wires, the second boot stage, UF2 files, ends of
 programs that went wild, and unit tests."""
 
+import functools
 import json
 import subprocess
 
+import own_tools
 import pytest
 from board_programs import ROOT, built, read_uf2
 from conftest import run_cli, run_make
-from fixel.board import benchmarking, dump, emulator, firmware, rp2040, unit_tests
+from fixel.board import benchmarking, dump, emulator, firmware, rp2040
 
 NEEDED = subprocess.run([ROOT / "tools/setup.sh", "--missing", "pico"], capture_output=True, text=True, check=True).stdout.split()
 READY = not NEEDED and (rp2040.PACKAGE / "package.json").is_file()
@@ -16,28 +18,19 @@ here = pytest.mark.skipif(not READY, reason=f"needs {' '.join(NEEDED) or 'rp2040
 STAGE = 252     # bytes of the second boot stage, before its CRC
 
 
-def run(out, *words):
-    """make run on this board: (what it said, its summary)."""
-    done = run_make("run", "BOARD=pico", f"OUT={out}", *words)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout, json.loads((out / "summary.json").read_text())
+run = functools.partial(own_tools.run, "pico")
 
 
 @here
-@pytest.mark.parametrize("scene, words", [
-    ("plaza", []), ("spin", []), ("room", ["PIXELS=rgb565"]), ("gallery", ["DEPTH=16"]), ("knot", [])])
+@pytest.mark.parametrize("scene, words", own_tools.SCENES)
 def test_scenes_are_equal_to_the_host(tmp_path, scene, words):
-    said, summary = run(tmp_path / "out", f"SCENE=scenes/{scene}.toml", "FRAMES=3", *words)
-    assert "equal to host          yes" in said and summary["host_frames_equal"] and summary["frames"] == 3
-    assert summary["pixels_unexplained"] == 0 and summary["cpu"] == "cortex-m0plus" and len(set(summary["frame_crc"])) > 1
+    assert own_tools.draw_scene("pico", tmp_path / "out", scene, words)["cpu"] == "cortex-m0plus"
 
 
 @here
-@pytest.mark.parametrize("words", [["DRIVER=st7789"], ["PIXELS=rgb565", "DEPTH=16"]])
+@pytest.mark.parametrize("words", own_tools.GAMES)
 def test_the_game_is_equal_and_a_display_shows_it(tmp_path, words):
-    _, summary = run(tmp_path / "out", "PROGRAM=game", "FRAMES=12", *words)
-    assert summary["host_frames_equal"]
-    assert summary["wires_frames_equal"] == (12 if words[0].startswith("DRIVER") else None)
+    own_tools.draw_game("pico", tmp_path / "out", words)
 
 
 @here
@@ -69,13 +62,9 @@ def test_the_showcase_says_cycles(tmp_path):
 
 
 @here
-@pytest.mark.parametrize("name", ["test_crc", "test_render", "test_project", "test_plane", "test_clip_view", "test_depth"])
+@pytest.mark.parametrize("name", own_tools.UNITS)
 def test_unit_tests_pass(name):
-    """Some of them; make test BOARD=pico runs all."""
-    linked = json.loads(built("pico/unit/units.json").read_text(encoding="utf-8"))
-    elf, = [each for each, names in linked["programs"].items() if name in names]
-    file, = unit_tests.run(ROOT / "build/boards/pico/unit" / elf, [name], every=False)
-    assert file.passed > 0 and file.failed == 0, file.output
+    own_tools.run_unit("pico", name)
 
 
 @here

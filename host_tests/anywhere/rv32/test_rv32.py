@@ -1,53 +1,40 @@
 # SPDX-License-Identifier: MIT
 """The board rv32, where its tools are: the frames of scenes, a display's wires, faults, the first program, and unit tests."""
 
-import json
+import functools
 import shutil
 import subprocess
 
+import own_tools
 import pytest
-from board_programs import ROOT, built
+from board_programs import ROOT
 from conftest import run_make
-from fixel.board import dump, unit_tests
+from fixel.board import dump
 
 NEEDED = subprocess.run([ROOT / "tools/setup.sh", "--missing", "riscv"], capture_output=True, text=True, check=True).stdout.split()
 here = pytest.mark.skipif(bool(NEEDED), reason=f"needs {' '.join(NEEDED)}")
 
 
-def run(out, *words):
-    """make run on this board: (what it said, its summary)."""
-    done = run_make("run", "BOARD=rv32", f"OUT={out}", *words)
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout, json.loads((out / "summary.json").read_text())
+run = functools.partial(own_tools.run, "rv32")
 
 
 @here
-@pytest.mark.parametrize("scene, words", [
-    ("plaza", []), ("spin", []), ("room", ["PIXELS=rgb565"]), ("gallery", ["DEPTH=16"]), ("knot", [])])
+@pytest.mark.parametrize("scene, words", own_tools.SCENES)
 def test_scenes_are_equal_to_the_host(tmp_path, scene, words):
-    said, summary = run(tmp_path / "out", f"SCENE=scenes/{scene}.toml", "FRAMES=3", *words)
-    assert "equal to host          yes" in said and summary["host_frames_equal"] and summary["frames"] == 3
-    assert summary["pixels_unexplained"] == 0 and summary["instructions_per_frame"]["min"] > 0
-    assert summary["cpu"] == "rv32imc" and len(set(summary["frame_crc"])) > 1
+    summary = own_tools.draw_scene("rv32", tmp_path / "out", scene, words)
+    assert summary["cpu"] == "rv32imc" and summary["instructions_per_frame"]["min"] > 0
 
 
 @here
-@pytest.mark.parametrize("words", [["DRIVER=st7789"], ["PIXELS=rgb565", "DEPTH=16"]])
+@pytest.mark.parametrize("words", own_tools.GAMES)
 def test_the_game_is_equal_and_a_display_shows_it(tmp_path, words):
-    _, summary = run(tmp_path / "out", "PROGRAM=game", "FRAMES=12", *words)
-    assert summary["host_frames_equal"]
-    assert summary["wires_frames_equal"] == (12 if words[0].startswith("DRIVER") else None)
+    own_tools.draw_game("rv32", tmp_path / "out", words)
 
 
 @here
-@pytest.mark.parametrize("name", ["test_crc", "test_render", "test_project", "test_plane", "test_clip_view", "test_depth"])
+@pytest.mark.parametrize("name", own_tools.UNITS)
 def test_unit_tests_pass(name):
-    """Some of them; make test BOARD=rv32 runs all."""
-    linked = json.loads(built("rv32/unit/units.json").read_text(encoding="utf-8"))
-    assert linked["left_out"] == {}
-    elf, = [each for each, names in linked["programs"].items() if name in names]
-    file, = unit_tests.run(ROOT / "build/boards/rv32/unit" / elf, [name])
-    assert file.passed > 0 and file.failed == 0, file.output
+    assert own_tools.run_unit("rv32", name)["left_out"] == {}
 
 
 @here

@@ -7,11 +7,10 @@
 
 #include "fixel/scene.h"
 
-#define SCENE_WIDTH       64
-#define SCENE_HEIGHT      40
-#define SCENE_BACKGROUND  3
-#define SCENE_COLOUR      9
-#define SCENE_OBJECTS_MAX 8
+#define SCENE_WIDTH      64
+#define SCENE_HEIGHT     40
+#define SCENE_BACKGROUND 3
+#define SCENE_COLOUR     9
 
 typedef struct {
     uint32_t words[1024]; /* aligned as an image must be */

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from fixel.image.fields import entry
 from fixel.image.image_tree import NORMAL_SQUARE_MAX_ERROR, RADIUS_MAX, SORTED, fail
 
-CLUSTERS_MAX = 65535
 APEX_MAX = 2 * (8191 << 16)     # of a coordinate, in 16.16
 CUTOFF_MAX = (1 << 32) - 1
 NO_CONE = (0, 0, 0)

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: MIT
+"""What the tests of boards share that need tools of their own: frames of scenes and of the game, and unit tests."""
+
+import json
+
+from board_programs import ROOT, built
+from conftest import run_make
+from fixel.board import unit_tests
+
+SCENES = [("plaza", []), ("spin", []), ("room", ["PIXELS=rgb565"]), ("gallery", ["DEPTH=16"]), ("knot", [])]
+GAMES = [["DRIVER=st7789"], ["PIXELS=rgb565", "DEPTH=16"]]
+UNITS = ["test_crc", "test_render", "test_project", "test_plane", "test_clip_view", "test_depth"]    # make test BOARD=<name> runs all
+
+
+def run(board, out, *words):
+    """make run: (what it said, its summary)."""
+    done = run_make("run", f"BOARD={board}", f"OUT={out}", *words)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout, json.loads((out / "summary.json").read_text())
+
+
+def draw_scene(board, out, scene, words):
+    """The summary of three frames, which must be those of the host."""
+    said, summary = run(board, out, f"SCENE=scenes/{scene}.toml", "FRAMES=3", *words)
+    assert "equal to host          yes" in said and summary["host_frames_equal"] and summary["frames"] == 3
+    assert summary["pixels_unexplained"] == 0 and len(set(summary["frame_crc"])) > 1
+    return summary
+
+
+def draw_game(board, out, words):
+    """Twelve frames, which must be those of the host; a display shows them if the words name its driver."""
+    _, summary = run(board, out, "PROGRAM=game", "FRAMES=12", *words)
+    assert summary["host_frames_equal"]
+    assert summary["wires_frames_equal"] == (12 if words[0].startswith("DRIVER") else None)
+
+
+def run_unit(board, name):
+    """A unit test must pass. Returns what was linked."""
+    linked = json.loads(built(f"{board}/unit/units.json").read_text(encoding="utf-8"))
+    elf, = [each for each, names in linked["programs"].items() if name in names]
+    file, = unit_tests.run(ROOT / "build/boards" / board / "unit" / elf, [name], every=False)
+    assert file.passed > 0 and file.failed == 0, file.output
+    return linked
