@@ -5,7 +5,7 @@ import numpy
 import pytest
 from PIL import Image
 
-from fixel.image import image
+from fixel.image import image, image_surface
 from fixel.model import texture_image
 from fixel.scene import compiler, image_cut, image_parts, look
 from fixel.scene.palette import rgb565
@@ -137,6 +137,8 @@ def test_all_cells_of_a_palette_of_256_colours_have_their_own(tmp_path, pixels):
         found = numpy.array([value >> 11, value >> 5 & 63, value & 31]) * 255 / bits
         assert abs(found - row[0, cell]).max() < 9, cell
     assert made.surfaces is None or [(each.log_width, each.log_height, each.levels) for each in made.surfaces.textures] == [(4, 4, 1)]
+    divisions = {each.division for each in made.surfaces.surfaces if each.texture} if made.surfaces else {image_surface.AFFINE}
+    assert divisions == {image_surface.AFFINE}      # one texel all over a face
 
 
 def test_what_is_clear_keeps_its_texture():

@@ -202,12 +202,19 @@ def test_colour_index_gives_exact_palette_entries(tmp_path):
     assert colours == [[253, 254, 255, 1, 2, 3], [4, 5, 6, 7, 8, 9]]
 
 
+def test_what_would_help_where_colours_are_merged_in_rgb565(tmp_path):
+    many = "".join(f'[[objects]]\nsolid = "tile"\nposition = [{i}, 0, 9]\ncolour = "#{i * 7 % 256:02x}{i // 2:02x}{i % 2 * 99:02x}"\n' for i in range(300))
+    for light, words in (("", "light at run time"), ("[light]\nlevels = 4\n", "bits = 16")):
+        notes = build(tmp_path, '[view]\npixels = "rgb565"\n' + light + many + PATH)[1]
+        assert any("colours were merged into the 255 " in note and words in note for note in notes)
+
+
 def test_all_colours_fit_the_palette(tmp_path):
     many = "".join(f'[[objects]]\nsolid = "sphere"\nposition = [{i}, 0, 9]\n'
                    f'colour = "#{i * 40 % 256:02x}{i * 70 % 256:02x}{i * 110 % 256:02x}"\n'
                    for i in range(12))
     scene, notes = build(tmp_path, many + PATH)
-    assert any("colours were merged" in note for note in notes)
+    assert any("colours were merged into the 255 " in note and 'pixels = "rgb565"' in note for note in notes)
     assert len(scene.palette) == 256
     assert all(1 <= f.colour <= 255 for m in scene.models for f in m.faces)
     full = '[[objects]]\nsolid = "floor"\ncells = [16, 16]\ncolour_index = 1\ncolour_step = 1\n'

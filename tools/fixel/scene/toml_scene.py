@@ -315,6 +315,17 @@ def _palette(background, instances, reserved, light, lit):
     return colours, indices, merged, _lit_table(instances, indices, lit)
 
 
+def _merged_text(merged, room, is_565, at_run_time):
+    """What there is to say of colours that were merged, and what would help."""
+    if not is_565:
+        helps = 'RGB565 (pixels = "rgb565" under [view], or no --palette of a model by itself) needs none for light and for images'
+    elif not at_run_time:
+        helps = "light at run time (levels under [light]) needs one for a colour, whatever way its faces look"
+    else:
+        helps = "texels of RGB565 (bits = 16 of images or textures) need none"
+    return f"{merged:,} colours were merged into the {room} for which the palette has entries; {helps}"
+
+
 def _models(instances, indices, records):
     """Models, objects, and of each model its billboard or None; equal models are made once. An object's position in
     the list is its number in the order of drawing. records: a surfaces.Records."""
@@ -408,7 +419,7 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
     except ToolError as error:
         raise ToolError(f"{name}: {error}") from error
     if merged and not (_is_565(top) and len(_count_colours(instances, None)) < palette.ENTRIES - len(reserved)):
-        notes.append(f"{name}: {merged} colours were merged into what the palette holds")
+        notes.append(f"{name}: {_merged_text(merged, palette.ENTRIES - 1 - len(reserved), _is_565(top), isinstance(light, toml_light.RunTime))}")
     records = Records(indices)
     models, placed, boards = _models(instances, indices, records)
     scene = SceneImage(*lens[:-1], 0, colours, models, placed, kind, entries, start, gait)

@@ -357,7 +357,9 @@ class Wish:
             return Look(None, (), 0, self._flags(), opacity, corners, ((0, 0),) * 3, own)
         # Light at run time marks colours, whatever way the face looks.
         colours = baked(paint, None if self.lit else face.normal) if baked else self._own_of(paint)
-        return Look(paint, colours, self.division, self._flags(), opacity, corners, texels, own)
+        # What is one texel all over the face needs no division, which rounds.
+        division = image_surface.AFFINE if len(set(texels)) == 1 else self.division
+        return Look(paint, colours, division, self._flags(), opacity, corners, texels, own)
 
     def _is_flat(self, face, normals, opacity):
         """Whether a face without a texture looks like one without a surface: it is opaque, and not lit, or, among edges that
