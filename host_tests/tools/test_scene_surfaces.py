@@ -414,7 +414,7 @@ def test_what_is_wrong_is_named(tmp_path):
             (own + 'pattern = "checker"\nwrap = "mirror"\n', ["wrap", '"mirror"']),
             (own + 'file = "gone.png"\n', ["there is no file", "gone.png"]),
             (own + 'file = "bad.png"\n', ["bad.png", "cannot be read", "PNG"]),
-            (own + 'file = "odd.dds"\n', ["odd.dds", "cannot be read", "PNG"]),
+            (own + 'file = "odd.dds"\n', ["odd.dds", "DDS", "save it as PNG", "PNG"]),
             (own + 'file = "odd.png"\nsize = [4, 4]\n', ["size", "power of two"]),
             (TEXTURE + TEXTURE, ['there is a texture "t" already']),
             ('[[textures]]\npattern = "checker"\n', ['"name" is missing'])):
