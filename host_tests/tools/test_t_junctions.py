@@ -3,6 +3,7 @@
 
 from fractions import Fraction
 import random
+import time
 
 import numpy
 import pytest
@@ -89,6 +90,56 @@ def test_a_texture_goes_on_through_a_vertex_on_an_edge(tmp_path):
     assert sorted(sides) == [3] * 5 + [4]       # the triangle at whose edge the vertex lies
 
 
-def test_a_model_with_very_many_open_edges_is_left_as_it_is(monkeypatch):
-    monkeypatch.setattr(t_junctions, "EDGES_MAX", 8)
-    assert [len(face.corners) for face in shape_of(*SIDE_BY_SIDE).faces] == [4, 4, 4]
+@pytest.mark.parametrize("limit", ["LONG_MAX", "PAIRS_MAX"])
+def test_a_model_with_very_many_open_edges_is_left_as_it_is_and_said(monkeypatch, limit):
+    monkeypatch.setattr(t_junctions, "_CELLS_MAX", 0 if limit == "LONG_MAX" else 1 << 60)
+    monkeypatch.setattr(t_junctions, limit, 2)
+    made = shape_of(*SIDE_BY_SIDE)
+    assert [len(face.corners) for face in made.faces] == [4, 4, 4] and any("too many to look for" in note for note in made.notes)
+
+
+def bricks(columns, rows, digits, turn):
+    """A wall whose courses lie half a brick beside each other; coordinates of so many decimals."""
+    points, faces = [], []
+    for row in range(rows):
+        for column in range(columns):
+            left = column + row % 2 / 2
+            base = len(points)
+            points += [tuple(repr(round(float(c), digits)) for c in turn @ (u, v, 0)) for u, v in
+                       ((left, row), (left, row + 1), (left + 1, row + 1), (left + 1, row))]
+            faces.append([base, base + 1, base + 2, base + 3])
+    return points, faces
+
+
+@pytest.mark.parametrize("turn, digits", [(numpy.eye(3), 2), (numpy.linalg.qr(numpy.array([[1, 2, 0], [0.5, 1, 3], [2, 0, 1.0]]))[0], 4)])
+def test_a_wall_of_bricks_has_no_open_edge_inside(turn, digits):
+    """Every edge along the wall has a vertex on it, also where the file's decimals put it off the edge."""
+    columns, rows = 12, 9
+    made = shape_of(*bricks(columns, rows, digits, turn))
+    ends = 2 * rows + (rows - 1) * 2        # the ends of courses, and the half bricks that stand out
+    assert made.open_edges == 2 * columns + ends
+    assert any("edges had vertices of other faces on them" in note for note in made.notes)
+
+
+def test_thousands_of_edges_take_seconds():
+    started = time.process_time()
+    made = shape_of(*bricks(80, 60, 2, numpy.eye(3)))
+    assert made.open_edges == 2 * 80 + 4 * 60 - 2 and time.process_time() - started < 20
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_grid_finds_what_a_look_at_all_finds(seed):
+    """Random edges and vertices, some on the edges, against every pair."""
+    chance = numpy.random.default_rng(seed)
+    ends = chance.integers(-1 << 20, 1 << 20, (300, 2, 3)).astype(float)
+    ends[:200, 1] = ends[:200, 0] + chance.integers(-5000, 5000, (200, 3))
+    on = [ends[i, 0] + (ends[i, 1] - ends[i, 0]) * t for i in range(300) for t in chance.uniform(-0.1, 1.1, 3)]
+    points = numpy.round(numpy.concatenate([ends.reshape(-1, 3), on, chance.integers(-1 << 20, 1 << 20, (500, 3))]))
+    near = t_junctions._Near(range(len(points)), points, 3)
+    found = near.found(ends[:, 0], ends[:, 1])
+    every = {}
+    for edge, (one, other) in enumerate(ends):
+        along, hit = near._on(one[None].repeat(len(points), 0), other[None].repeat(len(points), 0), points)
+        if hit.any():
+            every[edge] = [int(place) for place in sorted(numpy.flatnonzero(hit), key=lambda place: (along[place], place))]
+    assert found == every and sum(map(len, found.values())) > 300

@@ -9,8 +9,13 @@ import numpy as np
 from fixel.image.image import Face
 from fixel.model import mesh
 
-OFF_MAX = mesh.DENT_MAX     # 1/65536: how far off the edge rounding puts a vertex
-EDGES_MAX = 1 << 14         # without a partner, among which vertices are looked for; a model with more is left as it is
+OFF_MIN = mesh.DENT_MAX     # 1/65536: how far off the edge rounding to 16.16 puts a vertex
+OFF_PART = 1 << 16          # of the model's extent, as decimals of five digits do; farther off, many faces would no longer be flat
+LONG_MAX = 1 << 14          # edges of many cells of the grid, among which vertices are looked for; a model with more is left as it is
+PAIRS_MAX = 1 << 27         # of an edge and a vertex that is looked at: likewise
+_CELLS_MAX = 64             # of the grid, that a short edge takes
+_CELLS_ACROSS = 1 << 20     # of the grid: so the number of a cell is an integer of 64 bits
+_AT_A_TIME = 1 << 20        # pairs
 
 
 def _open_edges(faces):
@@ -25,28 +30,88 @@ def _open_edges(faces):
 
 
 class _Near:
-    """The vertices at the ends of open edges, by each axis."""
+    """The vertices at the ends of open edges, by each axis and by the cells of a grid."""
 
-    def __init__(self, numbers, vertices):
-        self.numbers = np.array(sorted(numbers))
+    def __init__(self, numbers, vertices, off):
+        self.numbers, self.off = np.array(sorted(numbers)), off
         self.points = np.array([vertices[number] for number in self.numbers], dtype=float)
         self.orders = [np.argsort(self.points[:, axis], kind="stable") for axis in range(3)]
         self.sorted = [self.points[order, axis] for axis, order in enumerate(self.orders)]
+        self.origin = self.points.min(axis=0)
 
-    def between(self, one, other):
-        """The vertices that lie on the way from one point to another, in order."""
-        ends = [(np.searchsorted(values, min(a, b) - OFF_MAX), np.searchsorted(values, max(a, b) + OFF_MAX, "right"))
+    def _on(self, starts, ends, points):
+        """(where along each edge its point lies, 0..1; whether it lies on the edge and is none of its ends)."""
+        way, apart = ends - starts, points - starts
+        square = (way * way).sum(axis=1)
+        along = (apart * way).sum(axis=1) / square
+        across = np.cross(apart, way)
+        margin = 2 * self.off / np.sqrt(square)     # an end of the edge itself, or what rounding made of it
+        return along, (along > margin) & (along < 1 - margin) & ((across * across).sum(axis=1) <= self.off * self.off * square)
+
+    def _of_long(self, one, other):
+        """Places of the vertices that may lie on one edge: those of the axis that has fewest beside it."""
+        ends = [(np.searchsorted(values, min(a, b) - self.off), np.searchsorted(values, max(a, b) + self.off, "right"))
                 for values, a, b in zip(self.sorted, one, other)]
         axis = min(range(3), key=lambda i: ends[i][1] - ends[i][0])
-        some = self.orders[axis][ends[axis][0]:ends[axis][1]]
-        way = np.array(other, dtype=float) - one
-        square = way @ way
-        apart = self.points[some] - one
-        along = apart @ way / square
-        off = np.cross(apart, way)
-        margin = 2 * OFF_MAX / square ** 0.5    # an end of the edge itself, or what rounding made of it
-        found = (along > margin) & (along < 1 - margin) & ((off * off).sum(axis=1) <= OFF_MAX * OFF_MAX * square)
-        return [int(number) for _, number in sorted(zip(along[found].tolist(), self.numbers[some[found]].tolist()))]
+        return self.orders[axis][ends[axis][0]:ends[axis][1]]
+
+    def _cells(self, points, size):
+        return np.floor((points - self.origin) / size).astype(np.int64) + 1     # from 0, as edges reach off beyond the points
+
+    def _of_short(self, low, high, size):
+        """Pairs of an edge and a vertex in a cell of its box, in parts: (numbers of edges, places of vertices)."""
+        def keys(cells):
+            return (cells[:, 0] * across[1] + cells[:, 1]) * across[2] + cells[:, 2]
+        first, last = self._cells(low, size), self._cells(high, size)
+        across = np.maximum(last.max(axis=0), self._cells(self.points, size).max(axis=0)) + 2
+        of_points = keys(self._cells(self.points, size))
+        order = np.argsort(of_points, kind="stable")
+        in_order, spans = of_points[order], last - first + 1
+        counts = spans.prod(axis=1)
+        edges = np.repeat(np.arange(len(low)), counts)
+        step = np.arange(len(edges)) - np.repeat(np.cumsum(counts) - counts, counts)
+        wide = spans[edges]
+        cells = first[edges] + np.column_stack([step // (wide[:, 1] * wide[:, 2]), step // wide[:, 2] % wide[:, 1], step % wide[:, 2]])
+        begins, ends = (np.searchsorted(in_order, keys(cells), side) for side in ("left", "right"))
+        there = np.flatnonzero(ends > begins)
+        edges, begins, counts = edges[there], begins[there], (ends - begins)[there]
+        sums = np.cumsum(counts)
+        if len(sums) and sums[-1] > PAIRS_MAX:
+            raise _TooMany
+        at = 0
+        while at < len(sums):
+            until = max(at + 1, int(np.searchsorted(sums, (sums[at - 1] if at else 0) + _AT_A_TIME, "right")))
+            some = counts[at:until]
+            inside = np.arange(some.sum()) - np.repeat(np.cumsum(some) - some, some)
+            yield np.repeat(edges[at:until], some), order[np.repeat(begins[at:until], some) + inside]
+            at = until
+
+    def found(self, starts, ends):
+        """{number of an edge: the vertices that lie on it, in order}. starts, ends: arrays of points."""
+        low, high = np.minimum(starts, ends) - self.off, np.maximum(starts, ends) + self.off
+        sides = (high - low).max(axis=1)
+        size = max(np.median(sides), sides.max() / _CELLS_ACROSS, np.ptp(self.points, axis=0).max() / _CELLS_ACROSS)
+        is_short = (self._cells(high, size) - self._cells(low, size) + 1).prod(axis=1) <= _CELLS_MAX
+        short, long = np.flatnonzero(is_short), np.flatnonzero(~is_short)
+        if len(long) > LONG_MAX:
+            raise _TooMany
+        result = {}
+        for edges, places in self._of_short(low[short], high[short], size) if len(short) else ():
+            self._add(result, starts, ends, short[edges], places)
+        for edge in long:
+            places = self._of_long(starts[edge], ends[edge])
+            self._add(result, starts, ends, np.full(len(places), edge), places)
+        return {edge: [number for _, number in sorted(each)] for edge, each in result.items()}
+
+    def _add(self, result, starts, ends, edges, places):
+        """Adds to the result what lies on edges of pairs."""
+        along, found = self._on(starts[edges], ends[edges], self.points[places])
+        for edge, where, place in zip(edges[found].tolist(), along[found].tolist(), places[found].tolist()):
+            result.setdefault(edge, set()).add((where, int(self.numbers[place])))
+
+
+class _TooMany(Exception):
+    """There are more edges or vertices than are looked at."""
 
 
 def _split(face, inserted):
@@ -57,23 +122,35 @@ def _split(face, inserted):
     return corners
 
 
+def _inserted(shape, edges, off):
+    """{number of a face: {place of a corner: the vertices that lie on the edge behind it}}."""
+    vertices, corners = shape.vertices, [shape.faces[number].corners for number, _ in edges]
+    pairs = [(each[place], each[(place + 1) % len(each)]) for (_, place), each in zip(edges, corners)]
+    near = _Near({corner for pair in pairs for corner in pair}, vertices, off)
+    found, inserted = near.found(*(np.array([vertices[corner] for corner in side], dtype=float) for side in zip(*pairs))), {}
+    for edge in sorted(found):
+        number, place = edges[edge]
+        kept = [corner for corner in found[edge] if corner not in corners[edge]]
+        if kept:
+            inserted.setdefault(number, {})[place] = kept
+    return inserted
+
+
 def mend(shape, name):
     """Splits the edges of a shape on which vertices of other faces lie, and says so in its notes."""
     edges = _open_edges(shape.faces) if shape.open_edges else []
-    if not edges or len(edges) > EDGES_MAX:
+    if not edges:
         return
-    ends = {corner for number, place in edges for corners in [shape.faces[number].corners]
-            for corner in (corners[place], corners[(place + 1) % len(corners)])}
-    near, inserted, splits = _Near(ends, shape.vertices), {}, 0
-    for number, place in edges:
-        corners = shape.faces[number].corners
-        a, b = corners[place], corners[(place + 1) % len(corners)]
-        found = [each for each in near.between(shape.vertices[a], shape.vertices[b]) if each not in corners]
-        if found:
-            inserted.setdefault(number, {})[place] = found
-            splits += 1
+    extent = max(max(axis) - min(axis) for axis in zip(*shape.vertices))
+    try:
+        inserted = _inserted(shape, edges, max(OFF_MIN, extent // OFF_PART))
+    except _TooMany:
+        shape.notes.append(f"{name}: {len(edges):,} edges have no partner, too many to look for vertices of other faces on them (T-junctions): the "
+                           "background may show between the faces; weld the vertices in the model, or split it")
+        return
     if not inserted:
         return
+    splits = sum(map(len, inserted.values()))
     faces, sources = [], []
     for number, (face, source) in enumerate(zip(shape.faces, shape.sources)):
         made = [face] if number not in inserted else [
