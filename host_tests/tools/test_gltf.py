@@ -85,6 +85,20 @@ def test_colours_of_materials(tmp_path):
     assert mesh.surfaces.colours()[0] == (255, 128, 0)      # the factor is light, the colour a screen's
 
 
+def test_a_part_without_a_material_is_white_and_has_the_colours_of_its_vertices(tmp_path):
+    assert read(tmp_path, glb(*make()))[0].surfaces.colours()[0] == (255, 255, 255)
+    assert read(tmp_path, glb(*make(colours=[(255, 0, 255, 255)] * 4)))[0].surfaces.colours()[0] == (255, 0, 255)
+
+
+@pytest.mark.parametrize("down", [False, True])
+def test_a_plane_that_looks_down_shows_its_back(tmp_path, down):
+    """The circle lies above the model, so nothing at all would be seen."""
+    points = [(0, 0, 0), (1, 0, 0), (1, 0, 1), (0, 0, 1)]
+    (tmp_path / "model.glb").write_bytes(glb(*make(points, [(0, 1, 2), (0, 2, 3)] if down else [(0, 2, 1), (0, 3, 2)])))
+    made, notes = compiler.compile_scene(str(tmp_path / "model.glb"), 4)
+    assert len(made.models[0].faces) == (2 if down else 1) and any("the circle sees no face from its front" in note for note in notes) == down
+
+
 def test_colours_of_vertices(tmp_path):
     mesh, _ = read(tmp_path, glb(*make(colours=[(255, 0, 0, 255)] * 4, material={})))
     assert mesh.surfaces.colours()[1] == (255, 0, 0)

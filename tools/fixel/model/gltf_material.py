@@ -11,7 +11,7 @@ import numpy as np
 
 from fixel.model import gltf_check, gltf_glow, gltf_left_out, model_text
 from fixel.model.gltf_glow import srgb
-from fixel.model.surface import Material
+from fixel.model.surface import WHITE, Material
 
 _TRANSFORM, _UNLIT = "KHR_texture_transform", "KHR_materials_unlit"
 _STRENGTH, _GLOSS = "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness"
@@ -188,7 +188,7 @@ class Materials:
     def get(self, part, where):
         """The Read of a part's material."""
         if "material" not in part:
-            return self.found.setdefault(None, Read(Material("none")))
+            return self.found.setdefault(None, Read(Material("none", WHITE)))
         number, entry = self.checked.entry("materials", part, "material", where)
         if number not in self.found:
             self.found[number] = self._read(entry, number, self.checked.label("material", number))

@@ -27,6 +27,7 @@ LEVELS = 4          # of a texture
 RAMP = 32           # levels of light at run time
 SURFACES_MAX = 65_535   # faces of an image that may be smooth or have a texture
 _FLAT = 1 - 1e-6    # the cosine between normals from which an edge is flat
+_EYES = 24          # of a circle from which fronts are looked for
 REACH_MAX = 4       # radii from the middle: as far as parts that move are followed
 YAWS_MAX = 120      # directions that are tried; between them a model reaches 0.04 % farther
 
@@ -165,10 +166,28 @@ def _look_of(mesh, look, moves, place, radius):
     return thing, {"levels": RAMP} if thing or moves else _BAKED, notes
 
 
-def _sides(mesh, played):
-    """The value of two_sided. Parts of a closed model may be open where they were cut off: they show their fronts alone."""
+def _turns_its_back(mesh, points, distance):
+    """Whether a circle about a mesh sees the front of no face. points: its vertices about the middle of the circle."""
+    corners = np.array([face[:3] for face in mesh.faces])
+    first, second, third = (points[corners[:, place]] for place in range(3))
+    normals, rise = np.cross(second - first, third - first), math.radians(RISE)
+    for yaw in np.linspace(0, 2 * math.pi, _EYES, endpoint=False):
+        eye = distance * np.array([math.cos(rise) * math.sin(yaw), math.sin(rise), math.cos(rise) * math.cos(yaw)])
+        if (((eye - first) * normals).sum(axis=1) > 0).any():
+            return False
+    return True
+
+
+def _sides(mesh, played, points, distance):
+    """(the value of two_sided, notes). Parts of a closed model may be open where they were cut off: they show their fronts alone."""
     if mesh.scenery:
-        return "file"
+        if _turns_its_back(mesh, points, distance):
+            return "open", ["the circle sees no face from its front: all faces show from both sides"]
+        return "file", []
+    return _open_sides(mesh, played), []
+
+
+def _open_sides(mesh, played):
     if len(played.parts) == 1:
         return "open"
     numbers = {}
@@ -204,6 +223,7 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN, p
     place = Place(middle, float(scale))
     thing, light, notes = _look_of(mesh, look, any(part.pose is not None for part in played.parts), place, radius)
     played.uses |= {"lights"} if "strength" in light else set()
+    sides, more_notes = _sides(mesh, played, points * float(scale), float(distance))
     view = ({"pixels": "rgb565"} if look.pixels == "rgb565" else {}) | ({"depth": look.depth} if look.depth else {})
     seen = {"fov": FOV, "near": max(Fraction(3, 10), (distance - reach) * Fraction(9, 10)), "far": (distance + reach) * Fraction(11, 10)}
     path = {"orbit": {"radius": flat, "height": rise, "start": framing.start, "frames": frames or FRAMES}}
@@ -218,10 +238,10 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN, p
         "view": {**seen, **view},
         "background": "#1b2a38",
         "light": {"direction": list(framing.light), "ambient": AMBIENT, **light},
-        "objects": model_parts.objects(played, mesh, name, scale, {"two_sided": _sides(mesh, played), **thing, **more,
+        "objects": model_parts.objects(played, mesh, name, scale, {"two_sided": sides, **thing, **more,
                                                                    **({} if mesh.surfaces else {"colour": "#e8a860"})}),
         "path": path,
-    }, [f"{shortened(name)}: {note}" for note in notes]
+    }, [f"{shortened(name)}: {note}" for note in notes + more_notes]
 
 
 def _side_of_path(scene):
