@@ -194,11 +194,34 @@ REPEAT, CLAMP, MIRROR = 10497, 33071, 33648
     ((CLAMP, CLAMP), [(0.1, 0), (0.4, 0), (0.4, 1), (0.1, 1)], False, False),      # nothing is beyond
     ((CLAMP, CLAMP), [(1.1, 0), (1.4, 0), (1.4, 1), (1.1, 1)], True, False),
     ((CLAMP, REPEAT), [(1.1, 0), (1.4, 0), (1.4, 1), (1.1, 1)], True, False),      # upward nothing is beyond
-    ((CLAMP, REPEAT), [(1.1, 0), (1.4, 0), (1.4, 2), (1.1, 2)], False, True)])
+    ((CLAMP, REPEAT), [(1.1, 0), (1.4, 0), (1.4, 2), (1.1, 2)], True, False),
+    ((CLAMP, REPEAT), [(1.1, 0), (1.4, 0), (1.4, 2000), (1.1, 2000)], False, True)])    # its image would be 16,000 pixels high
 def test_samplers_clamp_where_faces_are_beyond_the_image(tmp_path, wraps, uvs, clamped, note):
     mesh, notes = read(tmp_path, striped(uvs, with_sampler(*wraps)))
     assert mesh.surfaces.materials[0].clamp == clamped
     assert any("clamping of an image along one side alone" in each for each in notes) == note
+
+
+@pytest.mark.parametrize("across, down", [(CLAMP, REPEAT), (CLAMP, MIRROR), (REPEAT, CLAMP), (MIRROR, CLAMP), (CLAMP, CLAMP), (MIRROR, REPEAT)])
+def test_a_sampler_that_goes_on_differently_across_and_down(tmp_path, across, down):
+    """Each point shows the texel that glTF's rules say, computed here one by one."""
+    rows = numpy.arange(16 * 3, dtype=numpy.uint8).reshape(4, 4, 3) * 5
+    uvs = [(-1.3, -0.6), (2.2, -0.6), (2.2, 1.7), (-1.3, 1.7)]
+    mesh, notes = read(tmp_path, striped(uvs, with_sampler(across, down), image=png(rows)))
+    material, found = mesh.surfaces.materials[0], dict(zip((mesh.vertices[c] for c in mesh.faces[0]), mesh.surfaces.uvs[0]))
+    ends = [found[x * UNIT, y * UNIT, 0] for x, y in ((0, 0), (1, 1))]
+
+    def place(part, mode):
+        part = min(max(part, 0.0), 0.999) if mode == CLAMP else part % 1 if mode == REPEAT or int(part // 1) % 2 == 0 else 1 - part % 1
+        return int(min(part, 0.999) * 4)
+    for i, j in numpy.ndindex(17, 19):
+        right, low = (i + 0.5) / 17, (j + 0.5) / 19
+        u, v = (first + (last - first) * part for first, last, part in zip(*ends, (right, low)))
+        u, v = (numpy.clip(each, 0, 0.9999) if material.clamp else each % 1 for each in (u, v))
+        shown = material.image.pixels[int(v * material.image.height), int(u * material.image.width), :3]
+        wanted = rows[place(-0.6 + 2.3 * low, down), place(-1.3 + 3.5 * right, across)]
+        assert (shown == wanted).all(), (i, j)
+    assert not any("clamping" in note for note in notes)
 
 
 def test_a_sampler_that_mirrors(tmp_path):
@@ -480,6 +503,35 @@ def test_everything_that_is_left_out_is_told_in_a_line_each(tmp_path):
                   "left out other materials (KHR_materials_variants): the model has those that it has without; Blender",
                   'left out what the extensions "X_other" say', '1 x "normal maps", 1 x "occlusion maps", 1 x "metallic and roughness maps"'):
         assert sum(words in note for note in notes) == 1, words
+
+
+def test_a_deep_tree_of_nodes_that_all_move(tmp_path):
+    """As deep as is read: no part of the tool calls itself once a node."""
+    count = 1000
+    data, blob = make(*TETRAHEDRON, nodes=[*({"children": [number + 1], "translation": [0, 0, 0.01]} for number in range(count - 1)), {"mesh": 0}])
+    data["bufferViews"].append({"buffer": 0, "byteOffset": len(blob), "byteLength": 32})
+    blob += struct.pack("<8f", 0, 1, 0, 0, 0, 1, 0, 0)
+    data["buffers"][0]["byteLength"] = len(blob)
+    for offset, kind in ((0, "SCALAR"), (8, "VEC3")):
+        data["accessors"].append({"bufferView": len(data["bufferViews"]) - 1, "byteOffset": offset, "count": 2, "type": kind, "componentType": 5126})
+    last = len(data["accessors"])
+    data["animations"] = [{"samplers": [{"input": last - 2, "output": last - 1}],
+                           "channels": [{"sampler": 0, "target": {"node": number, "path": "translation"}} for number in range(count)]}]
+    mesh, _ = read(tmp_path, glb(data, blob))
+    nodes, frames, _ = mesh.scenery.play(None)
+    assert frames == 30 and nodes["node_999"].poses()[15, 0, 3] == pytest.approx(500)
+    place = data["bufferViews"][-1]["byteOffset"] + 4
+    blob = blob[:place] + struct.pack("<f", 299.9) + blob[place + 4:]
+    mesh, _ = read(tmp_path, glb(data, blob))
+    with pytest.raises(ToolError, match="animation 0: it moves more nodes in 8,997 frames than the limit of 4,194,304 places"):
+        mesh.scenery.play(None)[0]["node_999"].poses()
+
+
+def test_normals_of_another_number_are_left_out_unread(tmp_path):
+    data, blob = make(*SQUARE)
+    data["accessors"].append({"count": 1 << 31, "type": "VEC3", "componentType": 5126})
+    data["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = len(data["accessors"]) - 1
+    assert read(tmp_path, glb(data, blob))[0].normals == []
 
 
 # --- refusals -----------------------------------------------------------------------

@@ -166,8 +166,8 @@ class _Reader:
     def _add_normals(self, attributes, triangles, matrix, count, where):
         """The normals of the corners of faces that were added. Those that are no directions are left out."""
         try:
-            values = self.checked.accessor(attributes["NORMAL"], where, ("VEC3",), _PARTS).astype(float)[:count] \
-                if "NORMAL" in attributes else np.zeros((0, 3))
+            values = self.checked.accessor(attributes["NORMAL"], where, ("VEC3",), _PARTS).astype(float) \
+                if "NORMAL" in attributes and self.checked.count(attributes["NORMAL"], "") == count else np.zeros((0, 3))
         except ToolError:
             values = np.zeros((0, 3))
         if len(values) != count or abs(np.linalg.det(matrix[:3, :3])) < 1e-30:

@@ -187,12 +187,20 @@ class Checked:
         changed[rows] = self._array(sparse["values"], values.dtype, values.shape[1], count, where)
         return changed
 
-    def accessor(self, number, where, kinds, components):
-        """The values of an accessor as a numpy array, a row each; normalised ones as doubles."""
+    def _entry_of(self, number, where):
+        """An entry of accessors."""
         rows = self.rows("accessors")
         if isinstance(number, bool) or not isinstance(number, int) or not 0 <= number < len(rows):
             self.fail(where, f"accessor {quoted(number)} does not exist; there are {len(rows)}")
-        table, where = rows[number], f"{where}: accessor {number}"
+        return rows[number]
+
+    def count(self, number, where):
+        """How many values an accessor has."""
+        return self.whole(self._entry_of(number, where), "count", where)
+
+    def accessor(self, number, where, kinds, components):
+        """The values of an accessor as a numpy array, a row each; normalised ones as doubles."""
+        table, where = self._entry_of(number, where), f"{where}: accessor {number}"
         numbers_of, width, count = self._layout(table, kinds, components, where)
         values = self._array(table, numbers_of, width, count, where)
         if "sparse" in table:

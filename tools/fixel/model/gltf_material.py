@@ -17,6 +17,7 @@ _TRANSFORM, _UNLIT = "KHR_texture_transform", "KHR_materials_unlit"
 _STRENGTH, _GLOSS = "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness"
 _WEBP, _KTX = "EXT_texture_webp", "KHR_texture_basisu"
 _REPEAT, _CLAMP, _MIRROR = 10497, 33071, 33648
+_TILED_MAX = 8192       # pixels along a side of an image that is stored several times
 _ROUNDING = 1e-5        # of an image: so far beyond it a coordinate is on its edge
 _LEFT_OUT = {"normalTexture": "normal maps", "occlusionTexture": "occlusion maps"}
 _METAL = "metallicRoughnessTexture"
@@ -208,17 +209,26 @@ class Materials:
             uvs = uvs @ read.matrix[:, :2].T + read.matrix[:, 2]
         low, high = uvs.min(axis=0), uvs.max(axis=0)
         beyond = [wrap if low[axis] < -_ROUNDING or high[axis] > 1 + _ROUNDING else _REPEAT for axis, wrap in enumerate(read.wraps)]
+        if beyond.count(_CLAMP) == 1:
+            return self._clamped_along(read, uvs, 1 - beyond.index(_CLAMP), where)
         material = read.material
         mirrored = [wrap == _MIRROR for wrap in beyond]
         if any(mirrored):
             material = self._variant(material, image=material.image.mirrored(*mirrored))
             uvs = uvs / [2 if each else 1 for each in mirrored]
-        if beyond.count(_CLAMP) == 2 or (_CLAMP in beyond and not any(mirrored) and self._is_inside(uvs, 1 - beyond.index(_CLAMP))):
+        if beyond.count(_CLAMP) == 2:
             return self._variant(material, clamp=True), uvs
-        if _CLAMP in beyond:
-            self.left_out.add("clamping of an image along one side alone", where)
         return material, uvs
 
-    @staticmethod
-    def _is_inside(uvs, axis):
-        return uvs[:, axis].min() >= -_ROUNDING and uvs[:, axis].max() <= 1 + _ROUNDING
+    def _clamped_along(self, read, uvs, axis, where):
+        """(material, coordinates) of a part whose image goes on beyond its edges along an axis, and along the other one is clamped: the
+        image is stored as often as faces show it along the axis."""
+        first, end = math.floor(uvs[:, axis].min() + _ROUNDING), math.ceil(uvs[:, axis].max() - _ROUNDING)
+        count, material = max(end - first, 1), read.material
+        if count * (material.image.width, material.image.height)[axis] > _TILED_MAX:
+            self.left_out.add("clamping of an image along one side alone", where)
+            return material, uvs
+        image = material.image.tiled(axis, first, count, read.wraps[axis] == _MIRROR)
+        places = uvs.copy()
+        places[:, axis] = (uvs[:, axis] - first) / count
+        return self._variant(material, image=image, clamp=True), places

@@ -13,6 +13,7 @@ from fixel.model.nodes import FRAMES_MAX, RATE, Node, Scenery
 from fixel.base.reading import shortened
 
 _FLIP = np.diag([1.0, 1.0, -1.0, 1.0])     # z is negated
+_MOVES_MAX = 1 << 22    # matrices of nodes, one a frame
 _LEAST = 1e-6           # of the largest size of a matrix: a smaller one is none
 
 
@@ -201,16 +202,19 @@ class _Moves:
 
     def world(self, number):
         """Matrices of 4x4 of a node in the file, one a frame; one matrix for what does not move."""
-        if number is None:
-            return np.eye(4)
-        if number not in self.known:
-            above = self.world(self.nodes.parents[number])
-            if self.is_target(number):
-                own = self.animation.local(number, self.nodes.checked.rows("nodes")[number], self.count)
-            else:
-                own = self.nodes.locals[number]
-            self.known[number] = above @ own
-        return self.known[number]
+        chain = []
+        while number is not None and number not in self.known:
+            chain.append(number)
+            number = self.nodes.parents[number]
+        made = np.eye(4) if number is None else self.known[number]
+        for each in reversed(chain):
+            if len(self.known) * self.count > _MOVES_MAX:
+                self.nodes.checked.fail(self.animation.where, f"it moves more nodes in {self.count:,} frames than the limit of {_MOVES_MAX:,} "
+                                        "places together; give it fewer nodes, or a shorter animation")
+            own = self.animation.local(each, self.nodes.checked.rows("nodes")[each], self.count) if self.is_target(each) else \
+                self.nodes.locals[each]
+            self.known[each] = made = made @ own
+        return made
 
     def poses(self, number):
         """Of each frame the matrix that takes what was read to its place."""

@@ -68,6 +68,16 @@ class Texture:
             return np.concatenate([wide, wide[::-1]], axis=0) if down else wide
         return self.once(("mirrored", across, down), make)
 
+    def tiled(self, axis, first, count, mirrors):
+        """The image count times one after the other, along 0 across or 1 down. mirrors: each odd one is mirrored; first: the number of the
+        first."""
+        def make():
+            along = 1 - axis
+            return np.concatenate([np.flip(self.pixels, along) if mirrors and number % 2 else self.pixels
+                                   for number in range(first, first + count)], along)
+        is_same = count == 1 and not (mirrors and first % 2)
+        return self if is_same else self.once(("tiled", axis, mirrors and first % 2, count, mirrors), make)
+
     def _of_triangles(self, corners, clamp):
         """What lies at some places of each triangle, of (count, 3 corners, 2) coordinates. clamp: beyond its edges the image shows them;
         else it repeats."""
