@@ -124,7 +124,7 @@ BOARD_DEFINES = -DWALK_BAND_BYTES=$(BOARD_BAND_BYTES.$(1)) -DWALK_ORDER_ENTRIES=
     -DWALK_LIST_BYTES=$(BOARD_LIST_BYTES.$(1)) -DWALK_CACHE_ENTRIES=$(BOARD_CACHE_ENTRIES.$(1)) \
     -DBOARD_NAME='"$(1)"' -DBOARD_CPU='"$(BOARD_CPU.$(1))"' -DBOARD_QEMU='"$(BOARD_QEMU.$(1))"' \
     -DBOARD_OPENOCD='"$(BOARD_OPENOCD.$(1))"' \
-    -DBOARD_NOTE='"$(subst $(space),,$(BOARD_NOTE.$(1):%=%\n))"' \
+    -DBOARD_NOTE='"$(subst $(space),,$(BOARD_NOTE.$(1):%=%\n))$(if $(filter -O% -DFXL_%,$(BOARD_CORE.$(1))),code=own\n)"' \
     $(BOARD_SETTINGS.$(1):%=-D%) $(BOARD_OWN_FLAGS.$(1))
 BOARD_PARTS_OF = $(BOARD_SOURCES.$(1):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
 BOARD_FAULTS_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/faults/*.c))

@@ -2,6 +2,7 @@
 """A model without a scene file looks as its author made it: what is chosen, on which board, and how one chooses otherwise."""
 
 import json
+import re
 import types
 
 import numpy
@@ -9,7 +10,7 @@ import pytest
 
 from conftest import CHECKOUT, assert_one_sentence, run_cli, without_progress
 from fixel.base.errors import ToolError
-from fixel.board import model_look, order_check
+from fixel.board import firmware, model_look, order_check
 from fixel.image import image
 from fixel.model.mesh import cross, dot
 from fixel.scene import compiler, corner_normals, look, making, target, toml_scene, toml_text
@@ -116,6 +117,16 @@ def test_the_scene_file_that_is_written_gives_the_same_frames(tmp_path, words, f
     assert (tmp_path / "one.fxls").read_bytes() == (tmp_path / "two.fxls").read_bytes()
 
 
+def test_a_scene_file_that_somebody_changed_is_not_written_over(tmp_path):
+    words = "build", CUBE, "-o", tmp_path / "one.fxls", "--write", tmp_path / "s.toml"
+    for _ in range(2):
+        assert "the same as a scene file" in run_cli(*words).stdout
+    mine = (tmp_path / "s.toml").read_text() + "# mine\n"
+    (tmp_path / "s.toml").write_text(mine)
+    assert_one_sentence(run_cli(*words), "s.toml", "is there already", "--write")
+    assert (tmp_path / "s.toml").read_text() == mine
+
+
 def test_export_has_the_surfaces_that_run_shows(tmp_path):
     round_model(tmp_path / "m.glb")
     for words, wanted in (([], True), (["--flat", "--no-textures"], False)):
@@ -141,6 +152,11 @@ def test_a_model_that_an_image_cannot_hold_as_it_is_gets_smaller_textures_and_th
 def test_text_of_a_scene():
     from fractions import Fraction
     import tomllib
+    from fixel.model import quantity
+    for number, written in ((Fraction(4, 5), "0.8"), (Fraction(-3, 8), "-0.375"), (Fraction(1, 3), '"1/3"'), (Fraction(7), "7"),
+                            (Fraction(1, 2 ** 14), "0.00006103515625"), (Fraction(1, 2 ** 15), '"1/32768"'), (Fraction(0), "0")):
+        assert toml_text.text({"x": number}) == f"x = {written}\n"
+        assert quantity.fraction(tomllib.loads(f"x = {written}", parse_float=quantity.decimal)["x"], "x") == number
     data = {"a": "q\"\\\n\x7fü𝄞", "v": {"x": Fraction(1, 3), "y": Fraction(4), "z": True}, "o": [{"b": [1, "c"], "d": {"e": 2.5}}, {"b": []}]}
     assert tomllib.loads(toml_text.text(data)) == {**data, "v": {"x": "1/3", "y": 4, "z": True}}
 
@@ -239,7 +255,53 @@ def test_a_model_of_more_faces_than_a_board_can_order_is_refused_with_what_helps
     with pytest.raises(ToolError) as error:
         model_look.choose(options_of(tmp_path, monkeypatch), replaced(order=faces), tmp_path, tmp_path)
     assert f"its {faces:,} faces need {faces + 1:,} entries" in str(error.value)
-    assert f"LOOK='--simplify {faces // 100 * 100}'" in str(error.value)
+    assert faces % 2 == 0   # the bowl shows both sides: each triangle of the file is two faces
+    assert f"LOOK='--simplify {(faces - 1) // 2 // 10 * 10}'" in str(error.value)
+
+
+@pytest.mark.parametrize("room", [301, 200, 57])
+def test_as_many_faces_as_a_refusal_names_are_drawn(tmp_path, monkeypatch, room):
+    options = options_of(tmp_path, monkeypatch)
+    with pytest.raises(ToolError) as error:
+        model_look.choose(options, replaced(order=room), tmp_path, tmp_path)
+    named, = re.findall(r"--simplify (\d+)'", str(error.value))
+    options.look = look.Asked(simplify=int(named))
+    scene = image.load(model_look.choose(options, replaced(order=room), tmp_path, tmp_path))
+    assert room // 2 < len(scene.models[0].faces) < room
+
+
+def test_a_model_of_too_many_faces_is_refused_soon(tmp_path, monkeypatch):
+    """Each size of its textures need not be tried."""
+    made, build = [], making.build
+    monkeypatch.setattr(model_look.making, "build", lambda *words, **more: made.append(more["looks"]) or build(*words, **more))
+    with pytest.raises(ToolError, match="entries of the order"):
+        model_look.choose(options_of(tmp_path, monkeypatch), replaced(order=10), tmp_path, tmp_path)
+    assert len(made) == 4   # with and without smooth light; two other targets
+
+
+@pytest.mark.parametrize("program, core", [
+    ({"cpu": "cortex-m3"}, "m3"), ({"cpu": "cortex-m0"}, "m0"), ({"cpu": "cortex-m0plus"}, "m0"), ({"cpu": "cortex-m55"}, "m3"),
+    ({"cpu": "cortex-m3", "code": "own"}, None), ({"cpu": "rv32imc"}, None), ({"cpu": "host"}, None)])
+def test_instructions_are_told_of_code_that_has_been_measured(tmp_path, monkeypatch, program, core):
+    made = firmware.Program(tmp_path, "b", qemu=(), openocd=(), segments=(), **program)
+    assert model_look._core_of(made) == core
+    options = options_of(tmp_path, monkeypatch)
+    monkeypatch.setattr(model_look, "_predicted", lambda *_: (True, 1000.0))
+    drawn, _ = model_look._Chooser(options, replaced(core=core), tmp_path, tmp_path).choose()
+    assert ("1.0 K instructions" in model_look._line(drawn, drawn, "")) == bool(core) == ("--palette: 1.0 K" in model_look._line(drawn, drawn, ""))
+
+
+def test_a_board_built_for_size_says_so_in_its_program(build):
+    assert {name: firmware.load(build / "boards" / name / "walk.elf").code for name in ("netduino2", "mps2-an385")} == \
+        {"netduino2": "own", "mps2-an385": ""}
+
+
+def test_a_scene_is_named_without_an_option_and_a_board_need_not_be(build, tmp_path):
+    done = run_cli("run", CUBE, "--frames", 1, "--out", tmp_path / "run", "--allow-outside")
+    assert done.returncode == 0 and "mps2-an385" in done.stdout, done.stderr
+    assert_one_sentence(run_cli("run", CUBE, "--scene", "other.obj"), "cube.obj", "other.obj", "one scene")
+    assert_one_sentence(run_cli("run"), "no scene is named", ".glb")
+    assert_one_sentence(run_cli("run", CUBE, "--build", tmp_path), "walk.elf", "no such program", "make run BOARD=")
 
 
 def test_textures_get_smaller_before_they_go(tmp_path, monkeypatch):

@@ -13,7 +13,7 @@ from fixel.base.errors import ToolError
 
 SHELLS = ("bash", "zsh")
 # What commands call the files and folders that they take.
-FILES = {"a", "b", "baseline", "build", "commands", "current", "document", "dump", "dumps", "elf", "font", "image", "json",
+FILES = {"a", "b", "baseline", "build", "commands", "current", "document", "dump", "dumps", "elf", "file", "font", "image", "json",
          "keep", "library", "out", "picture", "replay", "run", "scene", "scenes", "tests", "usage"}
 
 

@@ -140,6 +140,14 @@ def write_file(path, data):
     replace(path, data.encode() if isinstance(data, str) else data)
 
 
+def write_new(path, text, option):
+    """Writes text as a file, unless another text is there: somebody may have changed it. option: what names it."""
+    target = target_of(path)
+    if target.exists() and target.read_bytes() != text.encode():
+        raise ToolError(f"{path}: is there already and has another text, perhaps yours: remove it, or name another file after {option}")
+    write_file(path, text)
+
+
 def write_json(path, value):
     """Writes a value as indented JSON."""
     write_file(path, json.dumps(value, indent=2) + "\n")

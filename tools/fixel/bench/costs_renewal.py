@@ -8,12 +8,13 @@ import sys
 import numpy as np
 
 from fixel.base import output, parallel, scratch
-from fixel.scene import making, target
+from fixel.scene import look as looks, making, target
 from fixel.bench import bench_plan, bench_run, frame_costs
 from fixel.board import fleet, methods, qemu
 from fixel.image import image, memory_needed
 from fixel.base.errors import ToolError
 from fixel.base.table import table
+from fixel.report import showcase_models
 
 OWN = ("", "_sphere", "_surfaces", "_rooms", "_lights", "_lamps", "_turned", "_turned_lit", "_depth", "_depth_textures", "_smooth",
        "_glass", "_pane", "_billboards", "_wood", "_beams", "_tree", "_texels", "_colours", "_all")
@@ -27,6 +28,10 @@ WIDE = tuple(f"bench/costs{name}.toml" for name in ("", "_surfaces", "_rooms", "
 DEEP = tuple(f"bench/costs{name}.toml" for name in ("_sphere", "_surfaces", "_rooms", "_turned_lit", "_wood", "_beams")) + TEXTURED[1:]
 TREES = (*(f"bench/costs{name}.toml" for name in ("", "_surfaces", "_rooms", "_lights")), "scenes/plaza.toml", "scenes/landscape.toml",
          "scenes/w1.toml")
+# Models of the showcase by themselves: large smooth faces, large textures in RGB565, many parts.
+BARE = ("crate", "village", "city", "bracket", "badge", "car", "character", "quilt", "gem", "rainbow", "vase", "knot", "cover", "plant",
+        "lantern", "sign", "pawn", "column", "photo", "relief", "planets", "house")
+BARE_FRAMES = 8
 STACK_SCENES = ("scenes/tiny.toml", "bench/costs.toml", "scenes/plaza-turned.toml")
 STACK_LOOKS = ("bench/costs_lights.toml", "bench/costs_surfaces.toml", "bench/costs_all.toml", "bench/costs_glass.toml",
                "bench/costs_beams.toml", "bench/costs_tree.toml", "bench/costs_deepest.toml", "bench/costs_deepest_tree.toml")
@@ -41,15 +46,26 @@ def room_of(words):
 
 @dataclasses.dataclass(frozen=True)
 class Source:
-    """A scene of the fit, and what it is drawn as. layers: of its tree, instead of what it says."""
+    """A scene of the fit, and what it is drawn as. layers: of its tree, instead of what it says. look: of a model of the
+    showcase, whose name the scene then is."""
     scene: str
     asked: target.Target = target.Target()
     layers: str = None
+    look: looks.Look = None
 
     @property
     def name(self):
         """What people know it by."""
-        return " ".join([self.scene, *([self.asked.text] if self.asked else [])])
+        return " ".join([self.scene, *([self.asked.text] if self.asked else []), *([f"by itself, {self.look.pixels}"] if self.look else [])])
+
+    def build(self, file):
+        """Writes the scene image."""
+        if not self.look:
+            making.build(self.scene, file, layers=self.layers, asked=self.asked)
+            return
+        with scratch.folder("costs") as folder:
+            model = next(each for each in showcase_models.MODELS if each.name == self.scene)
+            making.build(str(showcase_models.write(model, folder)), file, BARE_FRAMES, looks=(self.look,))
 
 
 def scenes_of(plan):
@@ -61,7 +77,8 @@ def sources_of(plan):
     """The scenes, and some of them drawn as something else."""
     return [*(Source(scene) for scene in dict.fromkeys(scenes_of(plan))), *(Source(scene, target.Target(pixels="rgb565")) for scene in WIDE),
             *(Source(scene, target.Target(depth="16")) for scene in DEEP), *(Source(scene, target.Target("rgb565", depth="16")) for scene in DEEP),
-            *(Source(scene, target.Target(order="tree", depth="0"), "all") for scene in TREES)]
+            *(Source(scene, target.Target(order="tree", depth="0"), "all") for scene in TREES),
+            *(Source(name, look=look) for name in BARE for look in (looks.Look(), looks.Look(pixels="palette")))]
 
 
 def measure(plan, core, size, settings, file, frames):
@@ -98,7 +115,7 @@ def build_scenes(plan, folder, known):
     files = {}
     for number, source in enumerate(sources_of(plan)):
         file = pathlib.Path(folder) / f"{number}.fxls"
-        making.build(source.scene, file, layers=source.layers, asked=source.asked)
+        source.build(file)
         if not known or counts_new(plan, file, known):
             files[source.name] = file
     return files

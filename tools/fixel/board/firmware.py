@@ -52,6 +52,7 @@ class Program:
     window_size: int = 0    # of the memory that QEMU can share with a viewer; 0: none
     emulator: str = "qemu-system-arm"
     counts: str = "instructions"    # what its clock counts; "cycles" are the emulator's
+    code: str = ""          # "own": its core's code is not that of other boards with the core (-Os, -DFXL_SMALL)
     uf2: int = 0            # the family of its UF2 files; 0: it takes none
     keys: dict = dataclasses.field(default_factory=dict)  # of a player: bit -> QEMU's names of what is pressed for it
 
@@ -149,6 +150,8 @@ def load(path, board=None):
     path = pathlib.Path(path)
     try:
         state = path.stat()
+    except FileNotFoundError:
+        raise ToolError(f"{path}: there is no such program; make run BOARD=NAME builds the one of a board") from None
     except (OSError, ValueError):
         return _load(path, board)   # which says what is wrong
     return _known(path, board, (state.st_dev, state.st_ino, state.st_mtime_ns, state.st_ctime_ns, state.st_size))
@@ -169,7 +172,8 @@ def _load(path, board):
         common = dict(path=path, board=note["board"], cpu=note.get("cpu", "unknown"),
                       qemu=tuple(shlex.split(note.get("qemu", ""))),
                       openocd=tuple(shlex.split(note.get("openocd", ""))),
-                      window_size=int(note.get("window", "0")), emulator=note.get("emulator", Program.emulator), counts=note.get("counts", Program.counts), uf2=int(note.get("uf2", "0"), 16),
+                      window_size=int(note.get("window", "0")), emulator=note.get("emulator", Program.emulator), counts=note.get("counts", Program.counts), code=note.get("code", Program.code),
+                      uf2=int(note.get("uf2", "0"), 16),
                       keys=read_keys(note.get("keys", "")))
         if note["board"] == HOST:
             return Program(segments=(), **common)

@@ -5,7 +5,8 @@ of that as fits (scene/look.py has the steps).
 A board draws a Look if it holds the whole frame; or bands of at least ROWS_MIN rows, with a display list that holds the
 frame; or if its frames are predicted to take at most DEARER_MAX times those of a palette by distance. A program's file
 says how much memory it has and what it draws. The predictions are those of make predict; where its program is not
-built, the memory alone decides."""
+built, the memory alone decides. Of a board whose code bench/costs.json has no costs of, those of CORE compare two looks, and no
+instructions are told."""
 
 import pathlib
 import sys
@@ -26,6 +27,7 @@ ROWS_MIN = 16
 DEARER_MAX = 2
 CHEAPER_FACES_MAX = 8192    # of a model whose frames in a palette are predicted too, for the line alone
 HOST_LIST_MOST = 4096       # WALK_LIST_MOST of the host
+CORE = "m3"
 _ARRAYS = {"band": "band_pixels", "order": "order", "list": "list", "cache": "cache"}
 _ENTRY = {"order": 12, "cache": 40}     # bytes
 
@@ -33,7 +35,7 @@ _ENTRY = {"order": 12, "cache": 40}     # bytes
 @dataclass(frozen=True)
 class Room:
     """What a program has room for: bytes of a band, of the display list and of a scene; entries of the order and of the
-    cache; the targets that it draws, (bits of a pixel, bits of its depth); the core whose costs it has."""
+    cache; the targets that it draws, (bits of a pixel, bits of its depth); the core whose costs it has, or None."""
     band: int
     order: int
     list: int
@@ -58,13 +60,18 @@ def room_of(elf):
                           if f"fxl_{kind}" + (f"_depth_{depth}" if depth else "") in symbols}
     return Room(sizes["band"], sizes["order"] // _ENTRY["order"], sizes["list"], sizes["cache"] // _ENTRY["cache"],
                 IMAGE_MAX if program.hosted else program.scene_size, HOST_LIST_MOST if program.hosted else 0,
-                "fxl_attach_surfaces" in symbols, frozenset(targets), "m0" if program.cpu.lower().endswith("m0") else "m3")
+                "fxl_attach_surfaces" in symbols, frozenset(targets), _core_of(program))
+
+
+def _core_of(program):
+    """The core of bench/costs.json that has the code of a program, or None."""
+    return None if program.code else frame_costs.core_of(f"-mcpu={program.cpu} -mfloat-abi=soft")     # as all boards have
 
 
 @dataclass(frozen=True)
 class Drawn:
     """A Look as a board draws it: its scene image, rows of a band, whether the list holds every frame, instructions of a
-    mean frame or None, or why it cannot."""
+    mean frame or None, whether they are the board's own, or why it cannot."""
     look: looks.Look
     image: object
     scene: object
@@ -72,7 +79,13 @@ class Drawn:
     rows: int = 0
     is_held: bool = False
     instructions: float = None
+    is_told: bool = True
     why_not: str = ""
+
+    @property
+    def cost(self):
+        """The instructions for people, or ""."""
+        return _short(self.instructions) if self.instructions and self.is_told else ""
 
     @property
     def is_whole(self):
@@ -85,7 +98,7 @@ def _predicted(room, build, file):
     if not (pathlib.Path(build) / "host" / "predict").exists():
         return None, None
     names, counts = frame_costs.count(build, file, room.band, room.order, room.list, room.cache, room.list_most)
-    costs = frame_costs.load()["cores"][room.core]
+    costs = frame_costs.load()["cores"][room.core or CORE]
     spilled = counts[:, [names.index("spilled_faces")]].sum()
     return spilled == 0, float(frame_costs.instructions(costs, names, counts).mean())
 
@@ -110,6 +123,16 @@ def _order_refusal(room, scene):
     return f"its {_faces(scene):,} faces need {needed:,} entries of the order of drawing, and the board has {room.order:,}"
 
 
+def _faces_that_fit(room, scene):
+    """How many faces of a model's file the order of drawing has room for, of a scene that has too many. Faces that show from
+    both sides are two."""
+    largest = max(len(model.faces) for model in scene.models if model.kind == images.SORTED)
+    sheets = sum(len({frozenset(face.corners) for face in model.faces}) for model in scene.models)
+    found = max(room.order - len(scene.objects), 0) * sheets // largest
+    step = 100 if found >= 1000 else 10
+    return max(found // step * step, 4)
+
+
 def _faces(scene):
     return sum(len(model.faces) for model in scene.models)
 
@@ -120,6 +143,7 @@ class _Chooser:
     def __init__(self, options, room, build, folder):
         self.options, self.room, self.build, self.folder = options, room, build, pathlib.Path(folder)
         self.tried = {}
+        self.has_too_many = False   # faces for the order of drawing: then no texture is too large
 
     def draw(self, look):
         """The Drawn of a Look, made once."""
@@ -147,16 +171,19 @@ class _Chooser:
         except frame_costs.NoRoom as error:
             return Drawn(**drawn, why_not=str(error).rpartition(": ")[2])
         return Drawn(**drawn, is_held=bool(is_held) if is_held is not None else drawn["rows"] >= ROWS_MIN,
-                     instructions=instructions)
+                     instructions=instructions, is_told=self.room.core is not None)
 
     def largest(self, pixels, depth):
         """The first Look of a target that the board draws at all; else the last one."""
         wanted = looks.smaller(self.options.look, pixels, depth)
+        wanted = wanted[-1:] if self.has_too_many else wanted
         while True:
             drawn = self.draw(wanted[0])
             wanted = wanted[1:] if drawn.scene is None else looks.after(wanted, drawn.scene)
             if not drawn.why_not or not wanted:
                 return drawn
+            if drawn.scene and _order_refusal(self.room, drawn.scene):
+                self.has_too_many, wanted = True, wanted[-1:]   # flat faces of many corners stay whole
 
     def is_good(self, drawn, plain):
         """Whether a board is to draw a Look. plain: answers the Drawn of a palette by distance."""
@@ -173,15 +200,25 @@ class _Chooser:
         for pixels, depth in wanted:
             found = self.largest(pixels, depth)
             if (pixels, depth) == wanted[-1] or self.is_good(found, lambda: self.largest(*wanted[-1])):
-                return found, why
-            why.append(f"{_target_text(pixels, depth)}: {found.why_not or _dear(found)}")
+                return found, why + self.left_out(pixels, depth, found)
+            why.append(f"in {_target_text(pixels, depth)}: {found.why_not or _dear(found)}")
         raise AssertionError("there is a last one")
+
+
+    def left_out(self, pixels, depth, found):
+        """[why a board draws less of a target than there is], or nothing. found: the Drawn that it draws."""
+        first = next((self.tried[look] for look in looks.smaller(self.options.look, pixels, depth) if look in self.tried), found)
+        if first is found or not first.why_not:
+            return []
+        less = _parts(first.scene) if first.scene else [f"textures of {first.look.texels} texels a side"]
+        return [f"with {' and '.join(part for part in less if part not in _parts(found.scene))}: {first.why_not}"] \
+            if less != _parts(found.scene) else []
 
 
 def _dear(drawn):
     """What is against a Look that a board could draw."""
     how = "" if drawn.is_held else ", and the display list does not hold a frame"
-    cost = f", {_short(drawn.instructions)} instructions a frame" if drawn.instructions else ""
+    cost = f", {drawn.cost} instructions a frame" if drawn.cost else ""
     return f"bands of {drawn.rows} rows{how}{cost}"
 
 
@@ -198,14 +235,14 @@ def _target_text(pixels, depth):
 
 
 def _parts(scene):
-    """What is shown beside colours."""
+    """What is shown beside colours, as a list."""
     found = []
     if scene.surfaces and scene.surfaces.textures:
         most = max(1 << max(each.log_width, each.log_height) for each in scene.surfaces.textures)
         found.append(f"textures of at most {most} texels a side")
     if scene.light:
         found.append("light at run time")
-    return "".join(f", {part}" for part in found)
+    return found
 
 
 def _line(drawn, cheaper, order):
@@ -215,10 +252,10 @@ def _line(drawn, cheaper, order):
     taken = scene.width * drawn.rows * (scene.pixel_bits + scene.depth_bits) // 8
     bands = f"whole frame {scene.width}x{scene.height}" if drawn.is_whole else \
         f"bands of {drawn.rows} rows of {scene.width}x{scene.height}"
-    text = f"{_target_text(pixels, scene.depth_bits)}, {bands}{_parts(scene)}: {-(-taken // 1024):,} KB of RAM for pixels" \
+    text = f"{_target_text(pixels, scene.depth_bits)}, {', '.join([bands, *_parts(scene)])}: {-(-taken // 1024):,} KB of RAM for pixels" \
         f"{' and depth' if scene.depth_bits else ''}, an image of {drawn.made.size:,} bytes"
-    text += f"; {_short(drawn.instructions)} instructions a frame" if drawn.instructions else ""
-    text += f"; --palette: {_short(cheaper.instructions)}" if cheaper and cheaper.instructions else ""
+    text += f"; {drawn.cost} instructions a frame" if drawn.cost else ""
+    text += f"; --palette: {cheaper.cost}" if cheaper and cheaper.cost else ""
     return text + (f"; {order}" if order else "")
 
 
@@ -230,19 +267,19 @@ def choose(options, room, build, folder):
         raise ToolError(drawn.why_not)
     too_many = _order_refusal(room, drawn.scene)
     if too_many:
-        most = max(100 * (room.order // 100), 4)
+        most = _faces_that_fit(room, drawn.scene)
         raise ToolError(f"{one_line(options.scene)}: {too_many}; LOOK='--simplify {most}' keeps {most} faces")
     for note in drawn.made.notes:
         print(f"  {one_line(note)}", file=sys.stderr)
     cheaper = None
     is_small = _faces(drawn.scene) <= CHEAPER_FACES_MAX
-    if drawn.instructions and drawn.scene.pixel_bits == 16 and is_small and not options.target.pixels:
+    if drawn.cost and drawn.scene.pixel_bits == 16 and is_small and not options.target.pixels:
         cheaper = chooser.draw(replace(drawn.look, pixels="palette"))
     for each in why:
-        print(f"  {one_line(options.scene)}: not in {each}", file=sys.stderr)
+        print(f"  {one_line(options.scene)}: not {each}", file=sys.stderr)
     print(f"  {one_line(options.scene)}: {_line(drawn, cheaper, order_check.text(build, drawn.image))}", file=sys.stderr)
     if options.look.write:
-        output.write_file(options.look.write, drawn.made.text.encode())
+        output.write_new(options.look.write, drawn.made.text, "--write")
         print(f"  the same as a scene file: {one_line(options.look.write)}", file=sys.stderr)
     return drawn.image
 

@@ -17,7 +17,7 @@ from fixel.scene import scene_options
 def parser():
     """The options of the command."""
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    made.add_argument("--board", required=True)
+    scene_options.add_board(made)
     scene_options.add(made)
     methods.add_options(made)
     made.add_argument("--driver", help="a driver of a display, whose wires are recorded and read back")

@@ -12,7 +12,7 @@ from fixel.scene import scene_options
 def parser():
     """The options of the command."""
     made = argparse.ArgumentParser(description=__doc__)
-    made.add_argument("--board", required=True, help="an emulated board with a screen")
+    scene_options.add_board(made)
     scene_options.add(made)
     methods.add_options(made)
     made.add_argument("--device", help="a display to add to the board, in the words of QEMU's -device")

@@ -114,5 +114,6 @@ def main(argv):
         made = making.build(arguments.scene, arguments.out, *common, **how)
     making.tell(arguments.out, made, has_path=arguments.command == "build" or arguments.frames is not None)
     if wanted.write:
-        output.write_file(wanted.write, made.text.encode())
+        output.write_new(wanted.write, made.text, "--write")
+        print(f"the same as a scene file: {one_line(wanted.write)}")
     return 0

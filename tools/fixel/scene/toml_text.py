@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
 """A scene as a dictionary of TOML's shape, as the text of a scene file."""
 
+from decimal import Decimal
 from fractions import Fraction
 import json
 import re
 
+DIGITS = 14     # behind the point, and before it: a model's scale has at most these
 
 def _key(name):
     return name if re.fullmatch("[A-Za-z0-9_-]+", name) else _string(name)
@@ -15,11 +17,20 @@ def _string(text):
     return "".join(json.dumps(c)[1:-1] if ord(c) < 128 else c for c in text).join('""').replace("\x7f", "\\u007f")
 
 
+def _number(value):
+    """A Fraction exactly: with a decimal point where it has few digits behind it."""
+    scaled = value * 10 ** DIGITS
+    if scaled.denominator != 1 or abs(value) >= 10 ** DIGITS:
+        return f'"{value.numerator}/{value.denominator}"'
+    found = f"{Decimal(scaled.numerator).scaleb(-DIGITS):f}".rstrip("0").rstrip(".")
+    return found or "0"
+
+
 def _value(value):
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, Fraction):
-        return str(value.numerator) if value.denominator == 1 else f'"{value.numerator}/{value.denominator}"'
+        return _number(value)
     if isinstance(value, str):
         return _string(value)
     if isinstance(value, list):

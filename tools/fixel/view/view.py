@@ -16,7 +16,7 @@ from fixel.scene import scene_options
 def parser():
     """The options of the command."""
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    made.add_argument("--board", required=True)
+    scene_options.add_board(made)
     scene_options.add(made, frames=False)
     methods.add_options(made)
     made.add_argument("--port", help="port on 127.0.0.1 (default: 8065, or a free one)")
