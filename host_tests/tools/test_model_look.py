@@ -245,7 +245,9 @@ ROW = 2 * 320
 def test_what_a_board_draws_by_its_memory_and_by_predicted_instructions(tmp_path, monkeypatch, room, costs, expected):
     drawn, why = chosen(tmp_path, room, monkeypatch, costs)
     assert kind(drawn) == expected
-    assert len(why) == [(16, 16), (8, 16), (8, 0)].index(expected[:2])
+    targets, less = [(16, 16), (8, 16), (8, 0)].index(expected[:2]), [each for each in why if each.startswith("with ")]
+    assert len(why) == targets + len(less) and len(less) == (expected[2:] != (256, 40)), why
+    assert all("light at run time: " in each and ("no surfaces" in each or "room for 60,000" in each) for each in less) or expected[3], less
 
 
 def test_a_model_of_more_faces_than_a_board_can_order_is_refused_with_what_helps(tmp_path, monkeypatch):
@@ -330,6 +332,9 @@ def test_a_bare_model_is_drawn_as_double_draws_it_and_in_the_right_order(build, 
     assert summary["pixels_unexplained"] == 0 and summary["order_wrong_pixels"] == 0 and summary["host_frames_equal"]
     line, = [line for line in without_progress(done.stderr) if "RAM for pixels" in line]
     assert "RGB565" in line and "whole frame 320x240" in line
+    number, unit = re.search(r"; ([0-9.]+) ([MK]) instructions a frame", line).groups()
+    told, taken = float(number) * {"M": 1e6, "K": 1e3}[unit], summary["instructions_per_frame"]["mean"]
+    assert abs(told / taken - 1) < 0.15, (told, taken)      # what make predict promises
     again = run_cli("run", "--board", "mps2-an385", "--scene", tmp_path / "s.toml", "--out", tmp_path / "again", "--allow-outside")
     assert again.returncode == 0, again.stderr
     assert json.loads((tmp_path / "again" / "summary.json").read_text())["frame_sha256"] == summary["frame_sha256"]
