@@ -44,7 +44,7 @@ CORE_OUT := $(BUILD)/core
 # --- settings ------------------------------------------------------------------
 
 # Drivers that DRIVER= may name, which a board's memory may look at.
-DRIVERS_OF_COLOUR := st7789 ili9341 st7735 st7796 gc9a01 ssd1351
+DRIVERS_OF_COLOUR := st7789 ili9341 ili9488 st7735 st7796 gc9a01 ssd1351
 DRIVERS_OF_PAGES := ssd1306 ssd1309 sh1106 sh1107
 # Modules of lib/include/fixel/modules.h, which it may name too.
 DISPLAY_MODULES := $(shell sed -n 's/^extern const fxl_display_module fxl_module_\([a-z0-9_]*\);.*/\1/p' lib/include/fixel/modules.h)
@@ -308,7 +308,7 @@ endef
 # The driver's panel stands beside those of the board: the linker sends who asks for board_panels to
 # driver_panel.c, which asks the board.
 BOARD_WIRES_OF = $(or $(BOARD_WIRES.$(1)),boards/parts/recorded_wires $(if $(BOARD_HOSTED.$(1)),boards/host/wires,boards/parts/semihosting_wires))
-DRIVER_DEFINES = -DDRIVER_NAME=$(DRIVER_RECORD) $(if $(filter $(DRIVER),$(DISPLAY_MODULES)),-DDRIVER_IS_MODULE) -DDRIVER_BITS=$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),1,16) $(if $(filter st7796%,$(DRIVER)),-DDRIVER_WIDEST=480)
+DRIVER_DEFINES = -DDRIVER_NAME=$(DRIVER_RECORD) $(if $(filter $(DRIVER),$(DISPLAY_MODULES)),-DDRIVER_IS_MODULE) -DDRIVER_BITS=$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),1,$(if $(filter ili9488%,$(DRIVER)),24,16)) $(if $(filter st7796% ili9488%,$(DRIVER)),-DDRIVER_WIDEST=480)
 
 define DRIVER_RULES
 $(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o: boards/parts/driver_panel.c firmware/firmware.mk boards/$(1)/board.mk

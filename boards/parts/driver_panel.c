@@ -14,17 +14,17 @@
 #include "parts/wires.h"
 
 #if DRIVER_BITS == 1
-#define WIDEST        128u
-#define ROWS          8u /* a page */
-#define QUARTER_TURNS 0u
+#define WIDEST          128u
+#define ROWS            8u /* a page */
+#define TURNS_BY_HALVES true
 #else
 #ifdef DRIVER_WIDEST
 #define WIDEST DRIVER_WIDEST
 #else
 #define WIDEST 320u
 #endif
-#define ROWS          DRIVER_ROWS
-#define QUARTER_TURNS 1u /* the long side is the upper one */
+#define ROWS            DRIVER_ROWS
+#define TURNS_BY_HALVES false
 #endif
 #ifdef DRIVER_IS_MODULE
 #define CONFIG_OF fxl_display_config_turned
@@ -41,11 +41,19 @@ static uint8_t pixel_bytes; /* 1 or 2 */
 
 /* --- the panel ----------------------------------------------------------------------------- */
 
-static fxl_status open_display(const panel_format *format)
+/* The long side of the glass is where that of the frame is. A square frame lies on an upright glass. */
+static fxl_display_config config_for(const panel_format *format)
 {
     const bool is_upright = format->height > format->width;
-    const fxl_display_config config =
-        CONFIG_OF(&DRIVER_NAME, is_upright ? 0u : QUARTER_TURNS);
+    const fxl_display_config config = CONFIG_OF(&DRIVER_NAME, 0);
+    const bool is_glass_upright = config.height >= config.width;
+
+    return TURNS_BY_HALVES || is_upright == is_glass_upright ? config : CONFIG_OF(&DRIVER_NAME, 1);
+}
+
+static fxl_status open_display(const panel_format *format)
+{
+    const fxl_display_config config = config_for(format);
     const uint16_t rows = format->height < ROWS ? format->height : (uint16_t)ROWS;
     const fxl_pump_config bands = {&display.pixels, format->width, format->height, rows, NULL};
     fxl_status status = fxl_display_open(&display, &config, &wires_port, format->palette);

@@ -17,7 +17,7 @@ MOCK = CHECKOUT / "host_tests" / "boards" / "displays"
 WARNINGS = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wpedantic", "-Werror"]
 INCLUDES = [f"-I{CHECKOUT / 'boards'}", f"-I{CHECKOUT / 'lib' / 'include'}"]
 SCREEN = CHECKOUT / "lib" / "screen"
-LIBRARY = [SCREEN / f"{name}.c" for name in ("colour", "display", "grey", "grey4", "modules", "mono", "pages", "pixels", "rgb332", "rgb565",
+LIBRARY = [SCREEN / f"{name}.c" for name in ("colour", "display", "grey", "grey4", "modules", "mono", "pages", "pixels", "rgb332", "rgb565", "rgb666",
                                             "row_to_16", "ssd1351")]
 # A frame of an OLED by a pump; the messages go to stdout, each with its length before it.
 OLED = """
@@ -65,6 +65,35 @@ int main(void)
     return 0;
 }
 """
+WINDOWS = """
+#include <stdio.h>
+#include <stdlib.h>
+#include <fixel/display.h>
+#include "wires_mock.h"
+extern const fxl_display_port wires;
+extern const fxl_display_driver ili9225;
+bool wires_open(void);
+static uint8_t palette[768], frame[200 * 200];
+static fxl_display display;
+static fxl_pump pump;
+static uint64_t memory[FXL_PUMP_MEMORY(200, 8, 16)];
+int main(int argc, char **argv)
+{
+    const fxl_display_module module = {.driver = &ili9225, .width = 160, .height = 200, .left = 5, .top = 9, .columns = 176, .rows = 220};
+    const fxl_display_config config = fxl_display_config_turned(&module, (uint32_t)atoi(argv[argc - 1]));
+    const fxl_pump_config bands = {&display.pixels, config.width, config.height, 8, NULL};
+    if (fread(palette, 1, 768, stdin) != 768 || fread(frame, 1, 32000, stdin) != 32000 || !wires_open() ||
+        fxl_display_open(&display, &config, &wires, palette) ||
+        fxl_pump_init(&pump, &bands, &display.sink, memory, sizeof memory)) { return 1; }
+    for (uint16_t y = 0; y < config.height; y = (uint16_t)(y + 8)) {
+        const fxl_band band = {.pixels = frame + y * config.width, .width = config.width, .stride = config.width, .first_row = y, .rows = 8};
+        if (fxl_pump_send_rows(&pump, &band)) { return 1; }
+    }
+    if (fxl_pump_wait(&pump)) { return 1; }
+    wires_mock_end();
+    return 0;
+}
+"""
 # A program with one driver, whose glass its own record gives.
 ONE_DRIVER = """
 #include <fixel/display.h>
@@ -87,10 +116,11 @@ WIDTH, HEIGHT = 320, 240
 
 def write_sources(folder):
     """The page's pieces of code as files."""
-    i2c, own, driver, board = re.findall(r"```c\n(.*?)```", PAGE, re.DOTALL)
+    i2c, own, windows, driver, board = re.findall(r"```c\n(.*?)```", PAGE, re.DOTALL)
     assert "tft_panel" in driver and "board_panels" in board
-    assert "i2c_write" in i2c and "fxl_display_driver hx8357" in own
+    assert "i2c_write" in i2c and "fxl_display_driver hx8357" in own and "fxl_display_driver ili9225" in windows
     (folder / "own_driver.c").write_text(own, encoding="utf-8")
+    (folder / "own_windows.c").write_text(windows, encoding="utf-8")
     (folder / "i2c_wires.c").write_text(i2c, encoding="utf-8")
     (folder / "tft_panel.c").write_text(driver, encoding="utf-8")
     # The dump has a file of its own to go to, which is not this test's.
@@ -186,8 +216,63 @@ def test_a_driver_outside_the_library_drives_a_display(tmp_path):
         sent = [(kind, data) for kind, data in wires.records(record)]
     at = sent.index((b"C", b"\xB9"))
     assert sent[at + 1] == (b"D", b"\xFF\x83\x57")
-    assert sent.index((b"C", b"\x36")) < at and sent[sent.index((b"C", b"\x36")) + 1] == (b"D", b"\xA0")
+    assert sent.index((b"C", b"\x11")) < at < sent.index((b"C", b"\x36")) and sent[sent.index((b"C", b"\x36")) + 1] == (b"D", b"\xA0")
     assert (b"D", b"\x00\x00\x00\x1F") in sent and sent[-1] == (b"C", b"\x29")
+
+
+class Ili9225:
+    """Its registers and memory, after its data sheet: an index, then two bytes."""
+
+    def __init__(self):
+        self.registers, self.number, self.memory = {}, None, numpy.full((220, 176), controllers.UNWRITTEN, numpy.uint16)
+
+    def take_command(self, data):
+        self.number, = data
+
+    def take_data(self, data):
+        if self.number != 0x22:
+            assert len(data) == 2
+            self.registers[self.number] = int.from_bytes(data, "big")
+            return
+        value = self.registers
+        column, row = value[0x20], value[0x21]
+        across, down = (1 if value[0x03] & 0x10 else -1), (1 if value[0x03] & 0x20 else -1)
+        columns, rows = range(value[0x37], value[0x36] + 1), range(value[0x39], value[0x38] + 1)
+        assert len(data) == 2 * len(columns) * len(rows)
+        for pixel in numpy.frombuffer(data, ">u2"):
+            assert column in columns and row in rows
+            self.memory[row, column] = pixel
+            if value[0x03] & 0x08:      # rows first
+                row += down
+                if row not in rows:
+                    row, column = (rows[0] if down > 0 else rows[-1]), column + across
+            else:
+                column += across
+                if column not in columns:
+                    column, row = (columns[0] if across > 0 else columns[-1]), row + down
+
+
+@pytest.mark.parametrize("turns", range(4))
+def test_a_family_outside_the_library_shows_frames_at_every_turn(tmp_path, turns):
+    """The same: a controller of registers, whose windows are those of its memory. A glass of 160 x 200 in one corner of it."""
+    write_sources(tmp_path)
+    (tmp_path / "main.c").write_text(WINDOWS, encoding="utf-8")
+    compile_all(["gcc", "-g", "-fsanitize=address,undefined"], tmp_path, "main.c", "own_windows.c", MOCK / "wires_mock.c",
+                *LIBRARY, SCREEN / "pump.c", *LINK, "-o", "own")
+    width, height = (200, 160) if turns % 2 else (160, 200)
+    palette, (frame, _) = random_frames(width, height)
+    subprocess.run(["./own", str(turns)], cwd=tmp_path, check=True, input=palette.tobytes() + frame.tobytes())
+    model = Ili9225()
+    with open(tmp_path / "wires.bin", "rb") as record:
+        for kind, data in wires.records(record):
+            if kind == b"C":
+                model.take_command(data)
+            elif kind == b"D":
+                model.take_data(data)
+    assert model.registers[0x07] == 0x1017 and model.registers[0x11] == 0x103B
+    glass = model.memory[9:209, 5:165]
+    assert (numpy.rot90(glass, turns) == rgb565(palette)[frame]).all()
+    assert (model.memory != controllers.UNWRITTEN).sum() <= 160 * 200 and (model.memory[:9] == controllers.UNWRITTEN).all()
 
 
 def test_a_pump_with_one_buffer_is_caught(tmp_path):

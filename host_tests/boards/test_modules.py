@@ -26,7 +26,7 @@ static const fxl_display_module *const modules[] = {MODULES};
 static uint8_t palette[768], frame[480][480];
 static fxl_display display;
 static fxl_pump pump;
-static uint64_t memory[FXL_PUMP_MEMORY(480, 8, 16)];
+static uint64_t memory[FXL_PUMP_MEMORY(480, 8, 24)];
 int main(int argc, char **argv)
 {
     const fxl_display_config config = fxl_display_config_turned(modules[atoi(argv[argc - 3])], (uint32_t)atoi(argv[argc - 2]));
@@ -81,6 +81,19 @@ def rows_of_page():
     return [cell.strip() for cell in lines[head].strip("|").split("|")], rows
 
 
+def clocks_of_page():
+    """The highest clock of each controller, by its name."""
+    lines = (CHECKOUT / "docs/displays.md").read_text(encoding="utf-8").splitlines()
+    head = next(at for at, line in enumerate(lines) if line.startswith("| controller | highest clock"))
+    clocks = {}
+    for line in lines[head + 2:]:
+        if not line.startswith("|"):
+            break
+        controllers_named, clock, _ = (cell.strip() for cell in line.strip("|").split("|"))
+        clocks.update({name: clock for name in controllers_named.split(", ")})
+    return clocks
+
+
 @pytest.fixture(scope="module", name="show")
 def fixture_show(tmp_path_factory):
     """The program: shows the frames of stdin on a module of the header, by its place there."""
@@ -107,8 +120,10 @@ def test_the_page_says_of_each_module_what_its_record_says(tmp_path):
 
 def test_the_page_says_of_each_module_how_it_is_joined():
     head, rows = rows_of_page()
-    assert head[7:] == ["SPI mode", "pins at turn 0", "tried on glass"]
-    for name, *_, mode, pins, tried in rows:
+    assert head[7:] == ["SPI mode", "highest clock", "pins at turn 0", "tried on glass"]
+    clocks = clocks_of_page()
+    for name, *_, mode, clock, pins, tried in rows:
+        assert clock == clocks[name.strip("`").split("_")[0].upper()]
         assert mode == ("0, or 3" if "st7789" in name else "0") and pins in ("above", "left", "below", "?") and tried == "no"
     assert "None was tried on glass" in HEADER.replace("\n * ", " "), "a module that was: say which in header and page"
 

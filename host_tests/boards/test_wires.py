@@ -28,6 +28,7 @@ def run_driver(out, driver, screen, board="host", frames=6, more=(), **changes):
                                             ("sh1106", "128x64"), ("sh1106", "77x41"),
                                             ("st7789_135x240", "240x135"), ("st7735_128x160_green", "128x160"),
                                             ("st7796", "480x320"), ("gc9a01_240x240", "240x240"),
+                                            ("ili9488", "480x320"), ("ssd1351_128x96", "128x96"), ("ssd1351_128x96", "96x128"), ("st7789", "240x240"), ("ssd1309_128x64_column_2", "128x64"),
                                             ("ssd1306_64x48", "64x48"), ("sh1107", "128x128"),
                                             ("sh1107_64x128", "64x128"), ("sh1106_72x40", "61x31"), ("ssd1309", "128x64")])
 def test_every_driver_shows_frames_of_every_shape(tmp_path, driver, screen):

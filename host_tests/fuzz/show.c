@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "demand.h"
+#include "fixel/driver.h"
 #include "record.h"
 
 enum {
@@ -15,13 +16,13 @@ enum {
 };
 
 static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb565_low,
-                                                  &fxl_pixels_rgb332,
+                                                  &fxl_pixels_rgb332, &fxl_pixels_rgb666,
                                                   &fxl_pixels_grey4,  &fxl_pixels_mono_rows,
      &fxl_pixels_mono_pages};
 static const fxl_display_driver *const drivers[] = {&fxl_st7789, &fxl_ili9341, &fxl_st7735,
                                                     &fxl_ssd1306, &fxl_sh1106,  &fxl_st7796,
                                                     &fxl_gc9a01,  &fxl_ssd1351, &fxl_ssd1309,
-                                                    &fxl_sh1107};
+                                                    &fxl_sh1107, &fxl_ssd1309_132, &fxl_ili9488};
 #define DRIVERS (sizeof drivers / sizeof drivers[0])
 static uint8_t palette[3 * FXL_PALETTE_COLOURS];
 
@@ -189,7 +190,7 @@ static fxl_status send_elsewhere(fuzz_input *in, fxl_pump *pump, uint8_t *lent)
 /* Frames through a pump, with wires that fail sooner or later. */
 static void fuzz_pump(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *eye)
 {
-    static uint64_t memory[FXL_PUMP_MEMORY(WIDTH, HEIGHT, 16)];
+    static uint64_t memory[FXL_PUMP_MEMORY(WIDTH, HEIGHT, 24)];
     static uint8_t lent[10 * (WIDTH + 2)];
     static const uint16_t colours[256];
     static fxl_pixels pixels;
@@ -235,14 +236,14 @@ static void fuzz_pump(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *ey
 /* A display with a glass of any size, on wires that fail sooner or later. */
 static void fuzz_driver(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *eye)
 {
-    static uint64_t memory[FXL_PUMP_MEMORY(WIDTH, HEIGHT, 16)];
+    static uint64_t memory[FXL_PUMP_MEMORY(WIDTH, HEIGHT, 24)];
     static fxl_display display;
     static fxl_pump pump;
     fuzz_wires wires = {0, fuzz_below(in, 2) ? UINT32_MAX - 1u : fuzz_below(in, 100), NULL, 0};
     fxl_display_port port = {&wires, send, begin, wait, pause};
     const uint32_t which = fuzz_below(in, DRIVERS), turns = fuzz_below(in, 5);
     fxl_display_config config = fxl_display_config_default(drivers[which], turns);
-    const bool is_mono = which == 3 || which == 4 || which >= 8;
+    const bool is_mono = drivers[which]->family->format->bits == 1;
     DEMAND((config.driver == NULL) == (turns > 3 || (is_mono && turns % 2 == 1)));
     if (fuzz_below(in, 2)) {
         port.start = NULL;

@@ -4,8 +4,8 @@
 #include "unit.h"
 
 /* Columns and rows of each controller's memory; of an ST7735 that is strapped for 128 x 160. */
-static const uint16_t sizes[][2] = {{240, 320}, {240, 320}, {128, 160}, {320, 480}, {240, 240},
-                                    {128, 64},  {128, 64},  {132, 64},  {128, 128}};
+static const uint16_t sizes[][2] = {{240, 320}, {240, 320}, {128, 160}, {320, 480}, {320, 480},
+                                    {240, 240}, {128, 64},  {128, 64},  {132, 64},  {128, 128}};
 
 static void take_data(controller *of, uint8_t byte);
 
@@ -66,16 +66,26 @@ static void put_pixel(controller *of, uint32_t x, uint32_t y, uint32_t colour)
     }
 }
 
+/* RGB565 of three bytes, of which the upper six bits count. The lowest of red and of blue, which
+ * RGB565 has not, is the highest one again. */
+static uint32_t colour_of_18_bits(uint32_t bytes)
+{
+    TEST_ASSERT_EQUAL(bytes >> 23 & 1u, bytes >> 18 & 1u);
+    TEST_ASSERT_EQUAL(bytes >> 7 & 1u, bytes >> 2 & 1u);
+    return (bytes >> 8 & 0xF800u) | (bytes >> 5 & 0x07E0u) | (bytes >> 3 & 0x001Fu);
+}
+
 static void take_pixel_byte(controller *of, uint8_t byte)
 {
-    TEST_ASSERT_EQUAL_HEX8_MESSAGE(0x55, of->format, "pixels of another size");
-    if (of->half == 0) {
-        of->half = 256u + byte;
+    const bool has_three = of->kind == CONTROLLER_ILI9488;
+    TEST_ASSERT_EQUAL_HEX8_MESSAGE(has_three ? 0x66 : 0x55, of->format, "pixels of another size");
+    of->part = (of->part == 0 ? 1u : of->part) << 8 | byte;
+    if (of->part < (has_three ? 1u << 24 : 1u << 16)) {
         return;
     }
     TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(of->range[1][1], of->y, "more pixels than the window has");
-    put_pixel(of, of->x, of->y, (of->half & 255u) << 8 | byte);
-    of->half = 0;
+    put_pixel(of, of->x, of->y, has_three ? colour_of_18_bits(of->part) : of->part & 0xFFFFu);
+    of->part = 0;
     if (of->x++ == of->range[0][1]) {
         of->x = of->range[0][0];
         of->y++;
@@ -96,7 +106,10 @@ static void take_range(controller *of, uint32_t which)
 /* Arguments of a command. */
 static uint32_t count_of(uint8_t command)
 {
-    return command == 0x2A || command == 0x2B ? 4 : command == 0x36 || command == 0x3A ? 1 : 0;
+    return command == 0x2A || command == 0x2B   ? 4
+           : command == 0xB6                    ? 2
+           : command == 0x36 || command == 0x3A ? 1
+                                                : 0;
 }
 
 static void take_argument(controller *of, uint8_t byte)
@@ -110,6 +123,9 @@ static void take_argument(controller *of, uint8_t byte)
         of->access = byte;
     } else if (of->command == 0x3A) {
         of->format = byte;
+    } else if (of->command == 0xB6) {
+        TEST_ASSERT_EQUAL_HEX8_MESSAGE(0, of->arguments[1], "a picture that is mirrored");
+        of->is_told_scan = true;
     } else {
         take_range(of, of->command - 0x2Au);
     }
@@ -118,7 +134,7 @@ static void take_argument(controller *of, uint8_t byte)
 static void demand_frame_whole(const controller *of)
 {
     if (of->command == 0x2C) {
-        TEST_ASSERT_EQUAL_MESSAGE(0, of->half, "half a pixel");
+        TEST_ASSERT_EQUAL_MESSAGE(0, of->part, "a part of a pixel");
         TEST_ASSERT_EQUAL_MESSAGE(of->range[1][1] + 1, of->y, "fewer pixels than the window has");
     }
 }
@@ -130,6 +146,14 @@ static void take_colour_command(controller *of, uint8_t command)
     of->command = command;
     of->argument_count = 0;
     switch (command) {
+    case 0xFE:
+    case 0xEF:
+        TEST_ASSERT_EQUAL(CONTROLLER_GC9A01, of->kind);
+        of->unlocks = command == 0xFE ? 1 : of->unlocks == 1 ? 2 : 0;
+        break;
+    case 0xB6:
+        TEST_ASSERT_TRUE_MESSAGE(of->kind == CONTROLLER_GC9A01 && of->unlocks == 2, "it is locked");
+        break;
     case 0x01: /* reset */
         of->has_reset = true;
         of->is_awake = of->is_on = of->is_inverted = false;
@@ -146,6 +170,7 @@ static void take_colour_command(controller *of, uint8_t command)
         break;
     case 0x29:
         TEST_ASSERT_TRUE_MESSAGE(of->is_awake && of->paused >= 120, "not yet out of sleep");
+        TEST_ASSERT_EQUAL_MESSAGE(of->kind == CONTROLLER_GC9A01, of->is_told_scan, "the scan");
         of->is_on = true;
         break;
     case 0x2C:

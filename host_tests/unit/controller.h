@@ -13,6 +13,7 @@ enum {
     CONTROLLER_ILI9341,
     CONTROLLER_ST7735,
     CONTROLLER_ST7796,
+    CONTROLLER_ILI9488,
     CONTROLLER_GC9A01,
     CONTROLLER_SSD1306,
     CONTROLLER_SSD1309,
@@ -39,7 +40,9 @@ typedef struct {
     uint8_t access, format;
     uint16_t range[2][2]; /* columns, rows: first, last */
     uint16_t x, y;        /* where the next pixel goes */
-    uint32_t half;        /* 0, or 256 + the first byte of a pixel */
+    uint32_t part;        /* 0, or 1 and behind it the first bytes of a pixel */
+    uint8_t unlocks;      /* how many of FE and EF a GC9A01 got, in order */
+    bool is_told_scan;    /* by B6 */
     uint8_t multiplex, wires, mode, reference;
     uint8_t offset, start_row, clock, contrast; /* of the glass; as somebody else left them */
     bool is_all_on;                             /* every pixel, whatever the memory has */

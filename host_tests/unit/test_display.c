@@ -15,7 +15,7 @@ static controller model;
 static fxl_display display;
 static fxl_pump pump;
 static uint8_t palette[768], frame[OLED_HEIGHT * OLED_WIDTH];
-static uint64_t memory[FXL_PUMP_MEMORY(OLED_WIDTH, 16, 1) + FXL_PUMP_MEMORY(WIDTH, 8, 16)];
+static uint64_t memory[FXL_PUMP_MEMORY(OLED_WIDTH, 16, 1) + FXL_PUMP_MEMORY(WIDTH, 8, 24)];
 
 static const fxl_display_port by_dma = {&model, controller_send, controller_begin, controller_wait,
                                         controller_pause};
@@ -32,7 +32,8 @@ static const module colours[] = {{&fxl_st7789, CONTROLLER_ST7789, false, false, 
                                  {&fxl_ili9341, CONTROLLER_ILI9341, true, false, false, true},
                                  {&fxl_st7735, CONTROLLER_ST7735, true, true, false, false},
                                  {&fxl_st7796, CONTROLLER_ST7796, true, false, false, true},
-                                 {&fxl_gc9a01, CONTROLLER_GC9A01, false, false, true, true}};
+                                 {&fxl_ili9488, CONTROLLER_ILI9488, true, false, false, true},
+                                 {&fxl_gc9a01, CONTROLLER_GC9A01, true, false, true, true}};
 static const module oleds[] = {{&fxl_ssd1306, CONTROLLER_SSD1306, true, true, false, false},
                                {&fxl_sh1106, CONTROLLER_SH1106, true, true, false, false},
                                {&fxl_ssd1309, CONTROLLER_SSD1309, true, true, false, false}};
@@ -105,8 +106,8 @@ static uint32_t rgb565(uint8_t index)
 /* A module of colours, of width x height before it is turned, with a frame in its middle. */
 static void assert_colours(const module *of, uint32_t turns, const fxl_display_port *port)
 {
-    static const uint16_t glasses[][2] = {
-        {240, 320}, {240, 320}, {128, 160}, {320, 480}, {240, 240}};
+    static const uint16_t glasses[][2] = {{240, 320}, {240, 320}, {128, 160},
+                                          {320, 480}, {320, 480}, {240, 240}};
     const uint32_t width = glasses[of->kind][0], height = glasses[of->kind][1];
     const fxl_display_config config = fxl_display_config_default(of->driver, turns);
     const uint32_t columns = turns % 2u == 0 ? WIDTH : HEIGHT, rows = WIDTH + HEIGHT - columns;
@@ -446,9 +447,10 @@ void test_a_glass_beyond_the_memory_is_refused(void)
         const fxl_display_driver *driver;
         uint16_t columns, rows, page;
     } memories[] = {
-        {&fxl_st7789, 240, 320, 1}, {&fxl_ili9341, 240, 320, 1}, {&fxl_st7735, 132, 162, 1},
-        {&fxl_st7796, 320, 480, 1}, {&fxl_gc9a01, 240, 240, 1},  {&fxl_ssd1306, 128, 64, 8},
-        {&fxl_sh1106, 132, 64, 8},  {&fxl_ssd1309, 128, 64, 8},  {&fxl_sh1107, 128, 128, 8}};
+        {&fxl_st7789, 240, 320, 1},  {&fxl_ili9341, 240, 320, 1},    {&fxl_st7735, 132, 162, 1},
+        {&fxl_st7796, 320, 480, 1},  {&fxl_gc9a01, 240, 240, 1},     {&fxl_ssd1306, 128, 64, 8},
+        {&fxl_sh1106, 132, 64, 8},   {&fxl_ssd1309, 128, 64, 8},     {&fxl_sh1107, 128, 128, 8},
+        {&fxl_ili9488, 320, 480, 1}, {&fxl_ssd1309_132, 132, 64, 8}, {&fxl_ssd1351, 128, 128, 1}};
     for (uint32_t i = 0; i < sizeof memories / sizeof memories[0]; i++) {
         const uint16_t columns = memories[i].columns, rows = memories[i].rows;
         for (uint32_t turns = 0; turns < 4; turns++) {

@@ -46,13 +46,19 @@ static const facts colours[] = {
      true, false},
     {&fxl_module_st7735_128x128, CONTROLLER_ST7735, 128, 128, 2, 3, 132, 132, true, true, true,
      false},
+    {&fxl_module_st7735_128x128_row_32, CONTROLLER_ST7735, 128, 128, 0, 32, 128, 160, true, true,
+     true, false},
+    {&fxl_module_st7735_80x160_column_24, CONTROLLER_ST7735, 80, 160, 24, 0, 128, 160, true, true,
+     false, false},
+    {&fxl_module_ili9488_320x480, CONTROLLER_ILI9488, 320, 480, 0, 0, 320, 480, true, false, true,
+     false},
     {&fxl_module_st7735_80x160, CONTROLLER_ST7735, 80, 160, 26, 1, 132, 162, true, true, true,
      true},
     {&fxl_module_st7796_320x480, CONTROLLER_ST7796, 320, 480, 0, 0, 320, 480, true, false, true,
      false},
     {&fxl_module_st7796_222x480, CONTROLLER_ST7796, 222, 480, 49, 0, 320, 480, true, false, true,
      false},
-    {&fxl_module_gc9a01_240x240, CONTROLLER_GC9A01, 240, 240, 0, 0, 240, 240, false, false, true,
+    {&fxl_module_gc9a01_240x240, CONTROLLER_GC9A01, 240, 240, 0, 0, 240, 240, true, false, true,
      true},
 };
 
@@ -81,18 +87,30 @@ static uint32_t corner_at(uint32_t right, uint32_t down, uint32_t turns)
     return 2u * y + x;
 }
 
+/* The bytes of a pixel, whose channels are none or whole. */
+static void put_colour(uint8_t *bytes, uint16_t colour)
+{
+    if (display.pixels.format->bits == 24) {
+        bytes[0] = (uint8_t)((colour >> 11) * 255u / 31u);
+        bytes[1] = (uint8_t)((colour >> 5 & 63u) * 255u / 63u);
+        bytes[2] = (uint8_t)((colour & 31u) * 255u / 31u);
+    } else {
+        bytes[0] = (uint8_t)(colour >> 8);
+        bytes[1] = (uint8_t)colour;
+    }
+}
+
 static void send_corners(uint16_t width, uint16_t height)
 {
-    static uint8_t bytes[2 * WIDEST];
+    static uint8_t bytes[3 * WIDEST];
     for (uint32_t down = 0; down < 2; down++) {
         const uint16_t left = corner_colours[2 * down], right = corner_colours[2 * down + 1];
+        const uint32_t each = display.pixels.format->bits / 8u;
         memset(bytes, 0, sizeof bytes);
-        bytes[0] = (uint8_t)(left >> 8);
-        bytes[1] = (uint8_t)left;
-        bytes[2 * width - 2] = (uint8_t)(right >> 8);
-        bytes[2 * width - 1] = (uint8_t)right;
+        put_colour(bytes, left);
+        put_colour(bytes + each * (width - 1u), right);
         TEST_ASSERT_TRUE(display.sink.start(
-            display.sink.user, (uint16_t)(down == 0 ? 0 : height - 1), 1, bytes, 2u * width));
+            display.sink.user, (uint16_t)(down == 0 ? 0 : height - 1), 1, bytes, each * width));
     }
 }
 
@@ -154,17 +172,21 @@ void test_modules_of_pages_at_each_turn(void)
         int kind;
         uint16_t width, height, left;
         uint8_t wires, reference, offsets[2]; /* of turns 0 and 2 */
-    } pages[] = {{&fxl_module_ssd1306_128x64, CONTROLLER_SSD1306, 128, 64, 0, 0x12, 0, {0, 0}},
-                 {&fxl_module_ssd1306_128x32, CONTROLLER_SSD1306, 128, 32, 0, 0x02, 0, {0, 0}},
-                 {&fxl_module_ssd1306_64x48, CONTROLLER_SSD1306, 64, 48, 32, 0x12, 0, {0, 0}},
-                 {&fxl_module_ssd1306_64x32, CONTROLLER_SSD1306, 64, 32, 32, 0x12, 0, {0, 0}},
-                 {&fxl_module_ssd1306_72x40, CONTROLLER_SSD1306, 72, 40, 28, 0x12, 0x30, {0, 0}},
-                 {&fxl_module_ssd1309_128x64, CONTROLLER_SSD1309, 128, 64, 0, 0x12, 0, {0, 0}},
-                 {&fxl_module_sh1106_128x64, CONTROLLER_SH1106, 128, 64, 2, 0x12, 0, {0, 0}},
-                 {&fxl_module_sh1106_72x40, CONTROLLER_SH1106, 72, 40, 30, 0x12, 0, {0x0C, 0x34}},
-                 {&fxl_module_sh1107_128x128, CONTROLLER_SH1107, 128, 128, 0, 0, 0, {0, 0}},
-                 {&fxl_module_sh1107_64x128, CONTROLLER_SH1107, 64, 128, 0, 0, 0, {0x60, 0x20}},
-                 {&fxl_module_sh1107_80x128, CONTROLLER_SH1107, 80, 128, 0, 0, 0, {0x68, 0x18}}};
+    } pages[] = {
+        {&fxl_module_ssd1306_128x64, CONTROLLER_SSD1306, 128, 64, 0, 0x12, 0, {0, 0}},
+        {&fxl_module_ssd1306_128x32, CONTROLLER_SSD1306, 128, 32, 0, 0x02, 0, {0, 0}},
+        {&fxl_module_ssd1306_64x48, CONTROLLER_SSD1306, 64, 48, 32, 0x12, 0, {0, 0}},
+        {&fxl_module_ssd1306_64x32, CONTROLLER_SSD1306, 64, 32, 32, 0x12, 0, {0, 0}},
+        {&fxl_module_ssd1306_72x40, CONTROLLER_SSD1306, 72, 40, 28, 0x12, 0x30, {0, 0}},
+        {&fxl_module_ssd1309_128x64, CONTROLLER_SSD1309, 128, 64, 0, 0x12, 0, {0, 0}},
+        {&fxl_module_ssd1306_128x64_com_02, CONTROLLER_SSD1306, 128, 64, 0, 0x02, 0, {0, 0}},
+        {&fxl_module_ssd1309_128x64_column_2, CONTROLLER_SSD1309, 128, 64, 2, 0x12, 0, {0, 0}},
+        {&fxl_module_sh1107_128x128_column_96, CONTROLLER_SH1107, 128, 128, 0, 0, 0, {0x20, 0x60}},
+        {&fxl_module_sh1106_128x64, CONTROLLER_SH1106, 128, 64, 2, 0x12, 0, {0, 0}},
+        {&fxl_module_sh1106_72x40, CONTROLLER_SH1106, 72, 40, 30, 0x12, 0, {0x0C, 0x34}},
+        {&fxl_module_sh1107_128x128, CONTROLLER_SH1107, 128, 128, 0, 0, 0, {0, 0}},
+        {&fxl_module_sh1107_64x128, CONTROLLER_SH1107, 64, 128, 0, 0, 0, {0x60, 0x20}},
+        {&fxl_module_sh1107_80x128, CONTROLLER_SH1107, 80, 128, 0, 0, 0, {0x68, 0x18}}};
     for (uint32_t i = 0; i < sizeof pages / sizeof pages[0]; i++) {
         for (uint32_t turns = 0; turns < 4; turns++) {
             const fxl_display_config config = fxl_display_config_turned(pages[i].module, turns);
@@ -174,11 +196,15 @@ void test_modules_of_pages_at_each_turn(void)
             }
             const bool is_sh1107 = pages[i].kind == CONTROLLER_SH1107;
             controller_start(&model, pages[i].kind, 0, 0, 128, 128);
+            if (pages[i].kind == CONTROLLER_SSD1309 && pages[i].left == 2) {
+                controller_strap(&model, 132, 64); /* of another maker */
+            }
             TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
             TEST_ASSERT_EQUAL((is_sh1107 ? pages[i].width : pages[i].height) - 1, model.multiplex);
             TEST_ASSERT_EQUAL_HEX8(pages[i].offsets[turns / 2], model.offset);
             TEST_ASSERT_EQUAL_HEX8(pages[i].wires, model.wires);
             TEST_ASSERT_EQUAL_HEX8(pages[i].reference, model.reference);
+            TEST_ASSERT_TRUE(model.is_charged && model.is_on && !model.is_inverted);
             TEST_ASSERT_EQUAL_HEX8((turns == 0) != is_sh1107 ? 9 : 0, model.access);
             for (uint16_t x = 0; x < 128; x++) {
                 const bool is_glass = (uint16_t)(x - pages[i].left) < pages[i].width;
@@ -238,6 +264,12 @@ void test_the_default_is_a_module_too(void)
     }
 }
 
+void test_the_default_of_a_memory_of_132_columns(void)
+{
+    TEST_ASSERT_EQUAL(2, fxl_display_config_default(&fxl_ssd1309_132, 0).left);
+    TEST_ASSERT_EQUAL(2, fxl_display_config_default(&fxl_ssd1309_132, 2).left);
+}
+
 /* The scanned columns of an SH1107 stay; the rows, which its memory mirrors, do not. */
 void test_a_glass_of_scanned_columns_at_one_side(void)
 {
@@ -283,6 +315,10 @@ void test_modules_that_there_cannot_be(void)
     wrong = whole;
     wrong.rows = 321;
     expect_none(wrong, 0);
+    wrong = whole;
+    wrong.access = 0x20; /* its columns are rows */
+    expect_none(wrong, 0);
+    expect_none(wrong, 1);
 }
 
 /* What a caller adds comes after the driver's own, and before the glass is turned on. */

@@ -8,14 +8,14 @@
 
 static uint8_t palette[768];
 static uint8_t frame[ROWS * (WIDEST + 3u) + 4u];
-static uint32_t out_words[(2u * WIDEST * ROWS + 8u) / 4u];
+static uint32_t out_words[(3u * WIDEST * ROWS + 8u) / 4u];
 static uint8_t *const out = (uint8_t *)out_words;
 static uint16_t frame_565[ROWS * (WIDEST + 3u) + 4u];
 static const uint16_t colours[256]; /* of a band of RGB565; no conversion reads them */
 static fxl_pixels pixels;
 
 static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb565_low,
-                                                  &fxl_pixels_rgb332,
+                                                  &fxl_pixels_rgb332, &fxl_pixels_rgb666,
                                                   &fxl_pixels_grey4,  &fxl_pixels_mono_rows,
      &fxl_pixels_mono_pages};
 
@@ -70,6 +70,10 @@ static uint32_t got(const fxl_band *band, uint32_t x, uint32_t row)
     if (pixels.format == &fxl_pixels_rgb332) {
         return out[row * width + x];
     }
+    if (pixels.format == &fxl_pixels_rgb666) {
+        const uint8_t *at = out + 3u * (row * width + x);
+        return (uint32_t)at[0] << 16 | (uint32_t)at[1] << 8 | at[2];
+    }
     if (pixels.format == &fxl_pixels_grey4) {
         const uint8_t byte = out[row * ((width + 1u) / 2u) + x / 2u];
         return x % 2u == 0 ? byte >> 4 : byte & 15u;
@@ -87,6 +91,10 @@ static uint32_t expected(const uint8_t *colour, uint32_t x, uint32_t y)
     }
     if (pixels.format == &fxl_pixels_rgb332) {
         return (uint32_t)(colour[0] / 32u * 32u + colour[1] / 32u * 4u + colour[2] / 64u);
+    }
+    if (pixels.format == &fxl_pixels_rgb666) {
+        const uint32_t red = colour[0] / 8u, green = colour[1] / 4u, blue = colour[2] / 8u;
+        return (red * 8u + red / 4u) << 16 | (green * 4u + green / 16u) << 8 | (blue * 8u + blue / 4u);
     }
     return level_of(colour, pixels.format == &fxl_pixels_grey4 ? 15 : 1, x, y);
 }
@@ -269,7 +277,7 @@ void test_bits_that_no_pixel_has_are_zero(void)
 /* pixels 1.2 */
 void test_sizes(void)
 {
-    static const size_t sizes[] = {340, 340, 170, 90, 30, 34};
+    static const size_t sizes[] = {340, 340, 170, 510, 90, 30, 34};
     for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
         TEST_ASSERT_EQUAL(sizes[f], fxl_pixels_size(formats[f], 17, 10));
     }

@@ -10,11 +10,11 @@ enum {
     NEVER = 1000
 };
 
-static uint64_t block[160], memory[(6 * WIDTH * 16 + 7) / 8];
+static uint64_t block[160], memory[(8 * WIDTH * 16 + 7) / 8];
 static uint8_t palette[768], whole[HEIGHT * WIDTH];
 static uint16_t palette_565[256], whole_565[HEIGHT * WIDTH];
 static const uint16_t *colours; /* of the pump's bands: null, or palette_565 */
-static uint32_t expected[(2 * WIDTH * HEIGHT + 7) / 4], received[(2 * WIDTH * HEIGHT + 7) / 4];
+static uint32_t expected[(3 * WIDTH * HEIGHT + 7) / 4], received[(3 * WIDTH * HEIGHT + 7) / 4];
 static fxl_renderer renderer;
 static fxl_pixels pixels;
 static fxl_pump pump;
@@ -142,7 +142,7 @@ static void assert_frames(void)
 static void assert_every_format_and_height(void)
 {
     static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb332,
-                                                      &fxl_pixels_grey4,
+                                                      &fxl_pixels_rgb666, &fxl_pixels_grey4,
                                                       &fxl_pixels_mono_pages, NULL};
     for (uint32_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
         const bool has_pages = formats[i] == &fxl_pixels_mono_pages;
@@ -445,10 +445,11 @@ void test_a_pump_that_was_never_set_up(void)
 void test_the_memory_of_a_pump(void)
 {
     const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb332,
-                                               &fxl_pixels_grey4, &fxl_pixels_mono_rows,
-                                               &fxl_pixels_mono_pages};
+                                               &fxl_pixels_rgb666, &fxl_pixels_grey4,
+                                               &fxl_pixels_mono_rows, &fxl_pixels_mono_pages};
     static const uint32_t words[] = {FXL_PUMP_MEMORY(40, 8, 16), FXL_PUMP_MEMORY(40, 8, 8),
-                                     FXL_PUMP_MEMORY(40, 8, 4), FXL_PUMP_MEMORY(40, 8, 1),
+                                     FXL_PUMP_MEMORY(40, 8, 24), FXL_PUMP_MEMORY(40, 8, 4),
+                                     FXL_PUMP_MEMORY(40, 8, 1),
                                      FXL_PUMP_MEMORY(40, 8, 1)};
     for (uint32_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
         const fxl_pump_config config = {&pixels, 40, HEIGHT, 8, NULL};

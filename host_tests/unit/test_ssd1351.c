@@ -7,6 +7,7 @@
 /* The last bytes that came, in order: arguments and pixels as they are, commands above 255. */
 static uint16_t log_of[512];
 static uint32_t sends, refused, logged;
+static uint8_t command, settings[256]; /* the last command; of each the last argument or itself */
 static fxl_display display;
 static const uint8_t palette[768];
 
@@ -19,6 +20,8 @@ static bool send(void *user, bool is_data, const uint8_t *bytes, size_t size)
     TEST_ASSERT_TRUE(is_data || size == 1);
     for (size_t i = 0; i < size; i++) {
         log_of[logged++ % 512u] = (uint16_t)(bytes[i] + (is_data ? 0u : 256u));
+        command = is_data ? command : bytes[i];
+        settings[command] = bytes[i];
     }
     return true;
 }
@@ -66,6 +69,35 @@ void test_a_window_at_each_turn(void)
         TEST_ASSERT_EQUAL_HEX16(turns % 2 == 0 ? rows[0] : columns[0], log_of[3]);
         TEST_ASSERT_EQUAL_HEX16_ARRAY(&rows[1], &log_of[4], 2);
         TEST_ASSERT_EQUAL_HEX16_ARRAY(pixels, &log_of[6], 5);
+    }
+}
+
+/* Line n shows the row of the memory that lies the start line behind row n, or, in a scan that is
+ * mirrored, behind row 127 - n. The glass has rows 0 to 95, or 127, at each turn. */
+void test_what_each_module_is_told_at_each_turn(void)
+{
+    static const struct {
+        const fxl_display_module *module;
+        uint8_t height;
+    } modules[] = {{&fxl_module_ssd1351_128x128, 128}, {&fxl_module_ssd1351_128x96, 96}};
+    static const uint8_t accesses[4] = {0x74, 0x77, 0x66, 0x65};
+    for (uint32_t each = 0; each < 8; each++) {
+        const fxl_display_module *module = modules[each / 4].module;
+        const uint32_t turns = each % 4, height = modules[each / 4].height;
+        const fxl_display_config config = fxl_display_config_turned(module, turns);
+        memset(settings, 0, sizeof settings);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
+        TEST_ASSERT_EQUAL(turns % 2 == 0 ? 128 : height, config.width);
+        TEST_ASSERT_EQUAL(turns % 2 == 0 ? height : 128, config.height);
+        TEST_ASSERT_EQUAL(0, config.left | config.top);
+        TEST_ASSERT_EQUAL_HEX8(accesses[turns], settings[0xA0]);
+        TEST_ASSERT_EQUAL(height - 1u, settings[0xCA]);
+        TEST_ASSERT_TRUE(settings[0xA6] == 0xA6 && settings[0xA7] == 0 && settings[0xA2] == 0);
+        for (uint32_t line = 0; line < height; line++) {
+            const bool is_mirrored = (settings[0xA0] & 0x10u) != 0;
+            const uint32_t row = ((is_mirrored ? 127u - line : line) + settings[0xA1]) & 127u;
+            TEST_ASSERT_EQUAL(is_mirrored ? height - 1u - line : line, row);
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* ST7789, ILI9341, ST7735, ST7796, GC9A01: controllers with the commands of MIPI's Display Command
- * Set. All else that they can be told keeps the value that it has after reset. */
+/* ST7789, ILI9341, ILI9488, ST7735, ST7796, GC9A01: controllers with the commands of MIPI's Display
+ * Command Set. All else that they can be told keeps the value that it has after reset. */
 #include "fixel/driver.h"
 
 enum {
@@ -16,22 +16,24 @@ enum {
     SET_FORMAT = 0x3A
 };
 
-#define SIXTEEN_BITS 0x55u
-#define RESET_TIME   150u /* ms: the longest of the three, from the sleep that a reset ends in */
-#define WAKE_UP_TIME 120u
+#define SIXTEEN_BITS  0x55u
+#define EIGHTEEN_BITS 0x66u /* three bytes a pixel */
+#define RESET_TIME    150u  /* ms: the longest of the three, from the sleep that a reset ends in */
+#define WAKE_UP_TIME  120u
 
 static bool set_up(const fxl_display *display, const fxl_display_config *config)
 {
     const fxl_display_port *port = display->port;
-    const uint8_t settings[] = {2,
-                                SET_FORMAT,
-                                SIXTEEN_BITS,
-                                2,
-                                SET_ACCESS,
-                                config->access,
-                                1,
-                                (uint8_t)(config->is_inverted ? INVERT : INVERT_OFF),
-                                0};
+    const uint8_t settings[] = {
+        2,
+        SET_FORMAT,
+        (uint8_t)(display->pixels.format->bits == 16 ? SIXTEEN_BITS : EIGHTEEN_BITS),
+        2,
+        SET_ACCESS,
+        config->access,
+        1,
+        (uint8_t)(config->is_inverted ? INVERT : INVERT_OFF),
+        0};
     if (!fxl_display_command(display, SOFTWARE_RESET, NULL, 0)) {
         return false;
     }
@@ -40,7 +42,8 @@ static bool set_up(const fxl_display *display, const fxl_display_config *config)
         return false;
     }
     port->pause(port->user, WAKE_UP_TIME);
-    return fxl_display_send_commands(display, settings);
+    return fxl_display_send_commands(display, config->driver->commands) &&
+           fxl_display_send_commands(display, settings);
 }
 
 static bool set_range(const fxl_display *display, uint8_t code, uint32_t first, uint32_t count)
@@ -70,9 +73,14 @@ static bool send_command(const fxl_display *display, const uint8_t *command, siz
 #define MIRRORS_COLUMNS 0x40u
 #define MIRRORS_ROWS    0x80u
 
+static const uint8_t turn_on[] = {1, DISPLAY_ON, 0};
+
 const fxl_display_family fxl_display_colour = {&fxl_pixels_rgb565, set_up,      send_rows,
-                                               send_command,       DISPLAY_ON,  EXCHANGES,
+                                               send_command,       turn_on,     EXCHANGES,
                                                MIRRORS_COLUMNS,    MIRRORS_ROWS};
+const fxl_display_family fxl_display_colour_18 = {&fxl_pixels_rgb666, set_up,      send_rows,
+                                                  send_command,       turn_on,     EXCHANGES,
+                                                  MIRRORS_COLUMNS,    MIRRORS_ROWS};
 
 /* A controller whose common glass fills its memory. */
 #define OF_COLOURS(columns, rows, width, height, access, is_inverted) \
@@ -88,4 +96,27 @@ const fxl_display_driver fxl_st7735 = OF_COLOURS(132, 162, 128, 160, 0xC0, false
 
 const fxl_display_driver fxl_st7789 = OF_COLOURS(240, 320, 240, 320, 0x00, true);
 const fxl_display_driver fxl_st7796 = OF_COLOURS(320, 480, 320, 480, 0x48, false);
-const fxl_display_driver fxl_gc9a01 = OF_COLOURS(240, 240, 240, 240, 0x08, true);
+
+/* It takes no pixels of 16 bits on SPI. */
+const fxl_display_driver fxl_ili9488 = {
+    &fxl_display_colour_18, NULL, 0, 320, 480, 320, 480, 0, 0x48, false, false};
+
+/* Which way its columns are joined to the glass is a setting too, and the access is right for one
+ * of them alone. */
+static const uint8_t gc9a01_commands[] = {
+    1, 0xFE,             /* unlock 0xB6: first half */
+    1, 0xEF,             /* second half */
+    3, 0xB6, 0x00, 0x00, /* columns and rows are scanned from the first one on */
+    0,
+};
+const fxl_display_driver fxl_gc9a01 = {&fxl_display_colour,
+                                       gc9a01_commands,
+                                       sizeof gc9a01_commands,
+                                       240,
+                                       240,
+                                       240,
+                                       240,
+                                       0,
+                                       0x48,
+                                       true,
+                                       false};

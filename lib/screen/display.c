@@ -50,14 +50,15 @@ static bool wait(void *user)
 }
 
 /* Whether a glass has pixels and lies in the memory that its module is wired for, and that one in
- * the controller's. The sums are below 2^17. */
+ * the controller's, whose rows are rows at turn 0. The sums are below 2^17. */
 static bool is_sound(const fxl_display_module *module)
 {
     return module->width > 0 && module->height > 0 &&
            (uint32_t)module->left + module->width <= module->columns &&
            (uint32_t)module->top + module->height <= module->rows &&
            module->columns <= module->driver->memory_columns &&
-           module->rows <= module->driver->memory_rows;
+           module->rows <= module->driver->memory_rows &&
+           (module->access & module->driver->family->exchanges) == 0;
 }
 
 static const fxl_display_config no_config = {NULL, 0, 0, 0, 0, 0, false, 0, 0, 0, NULL};
@@ -252,7 +253,7 @@ fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *conf
     (void)fxl_display_place(display, config->width, config->height);
     return family->set_up(display, config) &&
                    fxl_display_send_commands(display, config->extra_commands) &&
-                   make_black(display) && fxl_display_command(display, family->turn_on, NULL, 0)
+                   make_black(display) && fxl_display_send_commands(display, family->turn_on)
                ? FXL_OK
                : FXL_E_DISPLAY;
 }

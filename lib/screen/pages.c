@@ -42,8 +42,10 @@ static bool set_scan(const fxl_display *display, const fxl_display_config *confi
         (uint8_t)(MIRROR_ROWS | (config->access & 8u)),
         (uint8_t)(INVERT | (config->is_inverted ? 1u : 0u)),
     };
+    const fxl_display_driver *driver = config->driver;
     return send_commands(display, commands, sizeof commands) &&
-           send_commands(display, config->driver->commands, config->driver->commands_size);
+           (driver->commands == NULL ||
+            send_commands(display, driver->commands, driver->commands_size));
 }
 
 static bool set_up(const fxl_display *display, const fxl_display_config *config)
@@ -85,10 +87,12 @@ static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, u
     return true;
 }
 
+static const uint8_t turn_on[] = {1, DISPLAY_ON, 0};
+
 const fxl_display_family fxl_display_pages = {
-    &fxl_pixels_mono_pages, set_up, send_rows, send_commands, DISPLAY_ON, 0, 1, 8};
+    &fxl_pixels_mono_pages, set_up, send_rows, send_commands, turn_on, 0, 1, 8};
 const fxl_display_family fxl_display_sh1107 = {
-    &fxl_pixels_mono_pages, set_up_columns, send_rows, send_commands, DISPLAY_ON, 0, 8, 1};
+    &fxl_pixels_mono_pages, set_up_columns, send_rows, send_commands, turn_on, 0, 8, 1};
 
 /* A controller of 64 rows with a glass of 128 x 64, that turns by 0 and 2 quarters: its own
  * commands, the columns of its memory, and the column where the glass begins. */
@@ -131,6 +135,7 @@ static const uint8_t ssd1309_commands[] = {
 const fxl_display_driver fxl_sh1106 = OF_64_ROWS(sh1106_commands, 132, 2);
 const fxl_display_driver fxl_ssd1306 = OF_64_ROWS(ssd1306_commands, 128, 0);
 const fxl_display_driver fxl_ssd1309 = OF_64_ROWS(ssd1309_commands, 128, 0);
+const fxl_display_driver fxl_ssd1309_132 = OF_64_ROWS(ssd1309_commands, 132, 2);
 
 const fxl_display_driver fxl_sh1107 = {&fxl_display_sh1107,
                                        sh1107_commands,

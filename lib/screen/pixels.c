@@ -22,9 +22,9 @@ size_t fxl_pixels_size(const fxl_pixel_format *format, uint16_t width, uint16_t 
         return 0;
     }
     const size_t lines = ((size_t)rows + format->rows - 1u) / format->rows;
-    /* A row of a byte's height has 16 * 65535 bits at most. */
+    /* A row of a byte's height has 24 * 65535 bits at most. */
     const size_t line = format->rows > 1 ? width : ((size_t)width * format->bits + 7u) / 8u;
-    return lines * line; /* < 2^16 * 2^17 */
+    return lines * line; /* < 2^16 * 2^18 */
 }
 
 fxl_status fxl_pixels_convert(const fxl_pixels *pixels, const fxl_band *band, void *out,

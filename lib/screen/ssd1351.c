@@ -73,8 +73,10 @@ static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, u
            fxl_display_start_data(display, bytes, size);
 }
 
+static const uint8_t turn_on[] = {1, DISPLAY_ON, 0};
+
 const fxl_display_family fxl_display_ssd1351 = {&fxl_pixels_rgb565, set_up,      send_rows,
-                                                send_command,       DISPLAY_ON,  EXCHANGES,
+                                                send_command,       turn_on,     EXCHANGES,
                                                 MIRRORS_COLUMNS,    MIRRORS_ROWS};
 
 /* Bits 6, 5 and 2: 16 bits a pixel, odd and even rows on two sides, red in the upper bits. */

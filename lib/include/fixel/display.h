@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Drivers for displays: ST7789, ILI9341, ST7735, ST7796, GC9A01 and SSD1351 in 16 bits a pixel;
- * SSD1306, SSD1309, SH1106 and SH1107 in black and white. The caller gives the functions that reach
- * the wires of his chip. A display is where a pump sends its bands (fixel/pump.h). docs/displays.md
- * shows a whole program.
+/* Drivers for displays: ST7789, ILI9341, ST7735, ST7796, GC9A01 and SSD1351 in 16 bits a pixel,
+ * ILI9488 in 18; SSD1306, SSD1309, SH1106 and SH1107 in black and white. The caller gives the
+ * functions that reach the wires of his chip. A display is where a pump sends its bands
+ * (fixel/pump.h). docs/displays.md shows a whole program.
  */
 #ifndef FXL_DISPLAY_H
 #define FXL_DISPLAY_H
@@ -19,7 +19,8 @@ typedef struct {
     void *user; /* handed to all functions */
 
     /* Sends bytes, and returns when they are sent. SPI, mode 0, or mode 3 for a module without a CS
-     * pin: with the D/C line low for a command and high for data. I2C: in one message, after a byte 0x00 for commands or 0x40 for data. */
+     * pin: with the D/C line low for a command and high for data. I2C: in one message, after a byte
+     * 0x00 for commands or 0x40 for data. */
     bool (*send)(void *user, bool is_data, const uint8_t *bytes, size_t size);
 
     /* Begins to send data as send does, by DMA say, and returns at once. May be null: then send is
@@ -37,16 +38,18 @@ typedef struct {
  * (fixel/driver.h). A program links those that it names. */
 typedef struct fxl_display_driver fxl_display_driver;
 
-extern const fxl_display_driver fxl_st7789;  /* 240 x 320, RGB565 */
-extern const fxl_display_driver fxl_ili9341; /* 240 x 320, RGB565 */
-extern const fxl_display_driver fxl_st7735;  /* 128 x 160, RGB565 */
-extern const fxl_display_driver fxl_st7796;  /* 320 x 480, RGB565 */
-extern const fxl_display_driver fxl_gc9a01;  /* 240 x 240, RGB565 */
-extern const fxl_display_driver fxl_ssd1351; /* 128 x 128, RGB565 */
-extern const fxl_display_driver fxl_ssd1306; /* 128 x 64, black and white */
-extern const fxl_display_driver fxl_ssd1309; /* 128 x 64, black and white */
-extern const fxl_display_driver fxl_sh1106;  /* 128 x 64, black and white */
-extern const fxl_display_driver fxl_sh1107;  /* 128 x 128, black and white */
+extern const fxl_display_driver fxl_st7789;      /* 240 x 320, RGB565 */
+extern const fxl_display_driver fxl_ili9341;     /* 240 x 320, RGB565 */
+extern const fxl_display_driver fxl_st7735;      /* 128 x 160, RGB565 */
+extern const fxl_display_driver fxl_st7796;      /* 320 x 480, RGB565 */
+extern const fxl_display_driver fxl_ili9488;     /* 320 x 480, three bytes a pixel */
+extern const fxl_display_driver fxl_gc9a01;      /* 240 x 240, RGB565 */
+extern const fxl_display_driver fxl_ssd1351;     /* 128 x 128, RGB565 */
+extern const fxl_display_driver fxl_ssd1306;     /* 128 x 64, black and white */
+extern const fxl_display_driver fxl_ssd1309;     /* 128 x 64, black and white */
+extern const fxl_display_driver fxl_ssd1309_132; /* the same with a memory of 132 columns */
+extern const fxl_display_driver fxl_sh1106;      /* 128 x 64, black and white */
+extern const fxl_display_driver fxl_sh1107;      /* 128 x 128, black and white */
 
 /* A module as it is sold: its glass, given once. fxl_display_config_turned computes the rest for
  * each turn. fixel/modules.h has records of common modules. */
@@ -56,7 +59,8 @@ typedef struct {
     uint16_t left, top;     /* where the glass begins in the controller's memory, at turn 0 */
     uint16_t columns, rows; /* of the controller's memory in the mode that the module is wired for;
                                at most those of the driver */
-    uint8_t access;         /* at turn 0; see fxl_display_config */
+    uint8_t access;         /* at turn 0, which exchanges no rows and columns; see
+                               fxl_display_config */
     bool is_inverted;
 
     /* Of a controller of pages; 0 for those of colours. */
@@ -64,7 +68,9 @@ typedef struct {
                                SH1107 has none */
     uint8_t display_offset; /* argument of command 0xD3 at turn 0; at turn 2 the rows of the memory,
                                64 or 128, minus that */
-    uint8_t current_reference; /* argument of command 0xAD of an SSD1306; 0: not sent */
+    /* Argument of command 0xAD: the reference current of an SSD1306, the voltage converter of an
+     * SH1106; 0: as the driver has it. Others have no such command. */
+    uint8_t current_reference;
 
     /* Commands of the caller's, after those of the driver and before the glass is turned on: for
      * each of them the number of its bytes, the command, and its arguments; a 0 ends them. They
@@ -79,14 +85,14 @@ typedef struct {
  *
  *   columns x rows   ST7789, ILI9341   240 x 320
  *                    ST7735            132 x 162
- *                    ST7796            320 x 480
+ *                    ST7796, ILI9488   320 x 480
  *                    GC9A01            240 x 240
  *                    SSD1351           128 x 128
  *                    SSD1306, SSD1309  128 x 64
- *                    SH1106            132 x 64
+ *                    SH1106            132 x 64, and fxl_ssd1309_132
  *                    SH1107            128 x 128
  *
- * Of the last four top and height are multiples of 8. */
+ * Of those of pages top and height are multiples of 8. */
 typedef struct {
     const fxl_display_driver *driver;
     uint16_t width, height; /* of the glass, as the viewer sees it; at least 1 */
@@ -100,7 +106,9 @@ typedef struct {
     uint8_t com_pins;       /* argument of command 0xDA; 0: 0x12 of more than 32 rows, else 0x02. An
                                SH1107 has none */
     uint8_t display_offset; /* argument of command 0xD3 */
-    uint8_t current_reference; /* argument of command 0xAD of an SSD1306; 0: not sent */
+    /* Argument of command 0xAD: the reference current of an SSD1306, the voltage converter of an
+     * SH1106; 0: as the driver has it. Others have no such command. */
+    uint8_t current_reference;
 
     /* Commands of the caller's, after those of the driver and before the glass is turned on: for
      * each of them the number of its bytes, the command, and its arguments; a 0 ends them. They
@@ -131,8 +139,9 @@ typedef struct fxl_display {
  * turns. The picture is upright for a viewer who turns the module counter-clockwise by as many.
  * On an axis that runs the other way than at turn 0, the glass begins at
  * memory - size - offset. A driver of pages turns by 0 and 2 only. All is 0, driver too, if the
- * module has no such turn, has no driver, or has a glass outside its memory, and if the memory is
- * larger than the driver's. fxl_display_open refuses that configuration. */
+ * module has no such turn, has no driver, has a glass outside its memory, or exchanges rows and
+ * columns at turn 0, and if the memory is larger than the driver's. fxl_display_open refuses that
+ * configuration. */
 fxl_display_config fxl_display_config_turned(const fxl_display_module *module,
                                              uint32_t quarter_turns);
 

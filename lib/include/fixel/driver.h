@@ -19,14 +19,17 @@ typedef struct {
     bool (*set_up)(const fxl_display *display, const fxl_display_config *config);
 
     /* Sends converted rows to columns left.. and rows top.. of the controller's memory, `width`
-     * columns wide. The last piece of them may still be on its way when it returns. */
+     * columns wide. Columns and rows are counted as the viewer sees them, in display->access: on a
+     * mirrored axis from its other end, and exchanged if the access says so. With pages, top is the
+     * first row of one. Nothing is on its way when it is called. The last piece of the rows may
+     * still be when it returns. */
     bool (*send_rows)(const fxl_display *display, uint16_t left, uint16_t top, uint16_t width,
                       uint16_t rows, const uint8_t *bytes, size_t size);
 
     /* Sends a command with its arguments, `size` bytes in all. */
     bool (*send_command)(const fxl_display *display, const uint8_t *command, size_t size);
 
-    uint8_t turn_on; /* the command */
+    const uint8_t *turn_on; /* a list for fxl_display_send_commands, sent last */
 
     /* Bits of a configuration's access. Pages cannot exchange rows and columns: 0. */
     uint8_t exchanges, mirrors_columns, mirrors_rows;
@@ -34,7 +37,10 @@ typedef struct {
 
 struct fxl_display_driver {
     const fxl_display_family *family;
-    const uint8_t *commands; /* beyond what the family sends */
+    /* Beyond what the family sends. Of colours: a list for fxl_display_send_commands, sent when the
+     * controller is awake and before its format and access are set. Of pages: `commands_size`
+     * bytes, sent as they are. Null for none. */
+    const uint8_t *commands;
     uint8_t commands_size;
     uint16_t memory_columns, memory_rows; /* of the controller, by its data sheet; not turned */
     uint16_t width, height;               /* of the glass, not turned */
@@ -46,9 +52,10 @@ struct fxl_display_driver {
     bool scans_columns;
 };
 
-extern const fxl_display_family fxl_display_colour; /* commands of MIPI DCS */
-extern const fxl_display_family fxl_display_pages;  /* those of an SSD1306 */
-extern const fxl_display_family fxl_display_sh1107; /* pages too, whose columns are scanned */
+extern const fxl_display_family fxl_display_colour;    /* commands of MIPI DCS, RGB565 */
+extern const fxl_display_family fxl_display_colour_18; /* the same with three bytes a pixel */
+extern const fxl_display_family fxl_display_pages;     /* those of an SSD1306 */
+extern const fxl_display_family fxl_display_sh1107;    /* pages too, whose columns are scanned */
 extern const fxl_display_family fxl_display_ssd1351;
 
 /* Sends a command, and bytes of data that belong to it. */

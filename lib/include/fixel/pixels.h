@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Pixels as a display takes them: converts rows of palette indices or of RGB565 to 16 or 8 bits of
- * colour, to 16 greys, or to black and white with an ordered dither. docs/extras/pixels.md defines
+/* Pixels as a display takes them: converts rows of palette indices or of RGB565 to 24, 16 or 8 bits
+ * of colour, to 16 greys, or to black and white with an ordered dither. docs/extras/pixels.md defines
  * the formats bit for bit. */
 #ifndef FXL_PIXELS_H
 #define FXL_PIXELS_H
@@ -17,7 +17,7 @@ typedef struct fxl_pixels fxl_pixels;
 
 /* A format: one of the constant records below. A program links the formats that it names. */
 typedef struct {
-    uint8_t bits; /* of a pixel: 16, 8, 4 or 1 */
+    uint8_t bits; /* of a pixel: 24, 16, 8, 4 or 1 */
     uint8_t rows; /* of the frame in a byte: 1, or 8 in pages */
     void (*prepare)(uint16_t *entries, const uint8_t *palette);
     /* band: its pixels are those from column 0 on, also where it has some columns alone. */
@@ -27,6 +27,8 @@ typedef struct {
 extern const fxl_pixel_format fxl_pixels_rgb565;     /* the byte with red first: displays on SPI */
 extern const fxl_pixel_format fxl_pixels_rgb565_low; /* the byte with blue first: a framebuffer of a
                                                  little-endian core */
+extern const fxl_pixel_format fxl_pixels_rgb666;     /* a byte a channel, red first, of which displays
+                                                 take the upper six bits; its colours are those of RGB565 */
 extern const fxl_pixel_format fxl_pixels_rgb332;     /* red in the upper three bits */
 extern const fxl_pixel_format fxl_pixels_grey4; /* 16 greys,
     dithered; the left pixel in the upper half */

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What modules of displays show of their wires. The controllers are written from their data sheets: ST7789, ILI9341,
-ST7735, ST7796, GC9A01 and SSD1351 in RGB565, SSD1306, SSD1309, SH1106 and SH1107 in black and white. The drivers are in lib/screen; neither was
+ST7735, ST7796, GC9A01 and SSD1351 in RGB565, ILI9488 in three bytes a pixel, SSD1306, SSD1309, SH1106 and SH1107 in black and white. The drivers are in lib/screen; neither was
 made from the other.
 """
 
@@ -47,6 +47,8 @@ class Colour:
     """A controller of MIPI's commands, in pixels of RGB565."""
 
     WRITE = 0x2C    # the command whose data are pixels
+    FORMAT = 0x55   # 16 bits a pixel
+    PIXEL_BYTES = 2
 
     def __init__(self, glass):
         self.glass = glass
@@ -123,9 +125,13 @@ class Colour:
         (left, right), (top, bottom) = self.window
         shape = (bottom - top + 1, right - left + 1)
         require(right < self._seen().shape[1] and bottom < self._seen().shape[0], "the window was set for another turn")
-        require(self.format == 0x55, "pixels come before it was told that they have 16 bits")
-        require(len(data) == 2 * shape[0] * shape[1], "the pixels do not fill their window, whole and once")
-        self._seen()[top:bottom + 1, left:right + 1] = numpy.frombuffer(data, ">u2").reshape(shape)
+        require(self.format == self.FORMAT, f"pixels come before it was told that they have {8 * self.PIXEL_BYTES} bits")
+        require(len(data) == self.PIXEL_BYTES * shape[0] * shape[1], "the pixels do not fill their window, whole and once")
+        self._seen()[top:bottom + 1, left:right + 1] = self._pixels(data).reshape(shape)
+
+    def _pixels(self, data):
+        """The bytes of pixels as RGB565."""
+        return numpy.frombuffer(data, ">u2")
 
     def picture(self, turns=0):
         """What the glass shows whoever turned the module counter-clockwise by quarter turns: pixels of RGB565."""
@@ -136,8 +142,50 @@ class Colour:
         return numpy.rot90(~shown if self.inverted != self.glass.inverted else shown, turns)
 
 
+class Ili9488(Colour):
+    """It takes pixels of 18 bits on SPI: a byte a channel, of which it has the upper six bits. The model keeps RGB565, so the
+    lowest bit of red and of blue must be the upper one again."""
+
+    FORMAT, PIXEL_BYTES = 0x66, 3
+
+    def _pixels(self, data):
+        red, green, blue = (numpy.frombuffer(data, numpy.uint8).reshape(-1, 3) >> 2).astype(numpy.uint16).T
+        for channel in (red, blue):
+            require((channel & 1 == channel >> 5).all(), "a channel is not a whole part of white")
+        return red >> 1 << 11 | green << 5 | blue >> 1
+
+
+class Gc9a01(Colour):
+    """Its B6, which FE and EF unlock, says which way sources and gates are scanned. Libraries disagree on what it does after
+    reset, so it must be told."""
+
+    def __init__(self, glass):
+        super().__init__(glass)
+        self.unlocked, self.scan = b"", None
+
+    def _do(self, command, data):
+        if command in (0xFE, 0xEF):
+            self.unlocked += bytes([command])
+        elif command == 0xB6:
+            require(self.unlocked.endswith(b"\xFE\xEF") and len(data) == 2, "command 0xb6 is locked, or has not two bytes of data")
+            self.scan = data[1]
+        else:
+            super()._do(command, data)
+            if command == 0x01:
+                self.unlocked, self.scan = b"", None
+
+    def picture(self, turns=0):
+        require(self.scan is not None, "it was not told which way it scans")
+        written = self.memory
+        self.memory = written[::-1 if self.scan & 0x40 else 1, ::-1 if self.scan & 0x20 else 1]
+        shown = super().picture(turns)
+        self.memory = written
+        return shown
+
+
 class Ssd1351(Colour):
-    """An OLED of colours: commands of its own, and bits 0, 1 and 4 of its access are 5, 6 and 7 of MIPI's."""
+    """An OLED of colours: commands of its own, and bits 0 and 1 of its access are 5 and 6 of MIPI's. Bit 4 mirrors the scan and not
+    the memory: then line n shows row 127 - n of the memory, and with the start line that many rows farther on."""
 
     WRITE = 0x5C
     ARGUMENTS = {0xA0: 1, 0xA1: 1, 0xA2: 1, 0xAB: 1, 0xB1: 1, 0xB3: 1, 0xB4: 3, 0xB5: 1, 0xB6: 1, 0xBE: 1, 0xC1: 3, 0xC7: 1,
@@ -146,7 +194,7 @@ class Ssd1351(Colour):
 
     def __init__(self, glass):
         super().__init__(glass)
-        self.unlocked, self.start_line = False, 0
+        self.unlocked, self.start_line, self.scan_mirrored, self.lines = False, 0, False, 128     # after reset
 
     def _do(self, command, data):
         if command == self.WRITE:
@@ -163,7 +211,8 @@ class Ssd1351(Colour):
         elif command == 0xA0:
             self.format = 0x55 if data[0] & 0xC0 == 0x40 else 0
             require(data[0] & 0x20, "odd and even rows are joined on two sides")
-            self.access = (data[0] & 1) << 5 | (data[0] & 2) << 5 | (data[0] & 0x10) << 3 | (0 if data[0] & 4 else 8)
+            self.access = (data[0] & 1) << 5 | (data[0] & 2) << 5 | (0 if data[0] & 4 else 8)
+            self.scan_mirrored = bool(data[0] & 0x10)
         elif command == 0xA1:
             self.start_line = data[0] & 127
         elif command in (0xA6, 0xA7):
@@ -171,11 +220,16 @@ class Ssd1351(Colour):
         elif command in (0xAE, 0xAF):
             self.on = command == 0xAF
         elif command == 0xCA:
-            require(data[0] + 1 == self.glass.height, "it was told of another glass")
+            self.lines = data[0] + 1
 
     def picture(self, turns=0):
-        require(self.start_line == 0, "its first row is not the first one of the glass")
-        return super().picture(turns)
+        require(self.lines == self.glass.height, "it was told of another glass")
+        lines = numpy.arange(self.lines)
+        written = self.memory
+        self.memory = written[(127 - lines if self.scan_mirrored else lines) + self.start_line & 127]
+        shown = super().picture(turns)
+        self.memory = written
+        return shown
 
 
 class Pages:
@@ -299,14 +353,15 @@ def _oled(columns, *place, controller=Pages, **others):
     return controller, Glass(columns, 64, *place, mirrored=(True, True), **others)
 
 
-def _sh1107(width):
-    """A glass of 128 rows on an SH1107, whose middle lines it has."""
-    return Sh1107, Glass(128, 128, width, 128, first_line=(128 - width) // 2)
+def _sh1107(width, first_line):
+    """A glass of 128 rows on an SH1107, with its lines from one on."""
+    return Sh1107, Glass(128, 128, width, 128, first_line=first_line)
 
 
 _ILI9341 = Colour, Glass(240, 320, 240, 320, mirrored=(True, False), blue_first=True)
+_ILI9488 = Ili9488, Glass(320, 480, 320, 480, mirrored=(True, False), blue_first=True)
 _SSD1351 = Ssd1351, Glass(128, 128, 128, 128, mirrored=(False, True))
-_GC9A01 = Colour, Glass(240, 240, 240, 240, blue_first=True, inverted=True)
+_GC9A01 = Gc9a01, Glass(240, 240, 240, 240, mirrored=(True, False), blue_first=True, inverted=True)
 _SH1106 = _oled(132, 128, 64, 2, controller=Sh1106)
 _SSD1309 = _oled(128, 128, 64, controller=Ssd1309)
 
@@ -314,8 +369,9 @@ _SSD1309 = _oled(128, 128, 64, controller=Ssd1309)
 MODULES = {
     "st7789": _st7789(240, 320), "ili9341": _ILI9341, "st7735": _st7735(128, 160, 128, 160),
     "st7796": (Colour, Glass(320, 480, 320, 480, mirrored=(True, False), blue_first=True)), "gc9a01": _GC9A01,
-    "ssd1351": _SSD1351, "ssd1351_128x128": _SSD1351,
-    "ssd1306": _oled(128, 128, 64), "ssd1309": _SSD1309, "sh1106": _SH1106, "sh1107": _sh1107(128),
+    "ili9488": _ILI9488, "ili9488_320x480": _ILI9488, "ssd1351": _SSD1351, "ssd1351_128x128": _SSD1351,
+    "ssd1351_128x96": (Ssd1351, Glass(128, 128, 128, 96, mirrored=(False, True))),
+    "ssd1306": _oled(128, 128, 64), "ssd1309": _SSD1309, "sh1106": _SH1106, "sh1107": _sh1107(128, 0),
     "ili9341_240x320": _ILI9341,
     "st7789_240x320": _st7789(240, 320), "st7789_240x240": _st7789(240, 240), "st7789_135x240": _st7789(135, 240, 52, 40),
     "st7789_172x320": _st7789(172, 320, 34, blue_first=True), "st7789_170x320": _st7789(170, 320, 35),
@@ -323,15 +379,19 @@ MODULES = {
     "st7735_128x160": _st7735(128, 160, 128, 160),
     "st7735_128x160_green": _st7735(132, 162, 128, 160, 2, 1, blue_first=True),
     "st7735_128x128": _st7735(132, 132, 128, 128, 2, 3, blue_first=True),
+    "st7735_128x128_row_32": _st7735(128, 160, 128, 128, 0, 32, blue_first=True),
     "st7735_80x160": _st7735(132, 162, 80, 160, 26, 1, blue_first=True, inverted=True),
+    "st7735_80x160_column_24": _st7735(128, 160, 80, 160, 24, 0),
     "st7796_320x480": (Colour, Glass(320, 480, 320, 480, mirrored=(True, False), blue_first=True)),
     "st7796_222x480": (Colour, Glass(320, 480, 222, 480, 49, mirrored=(True, False), blue_first=True)),
     "gc9a01_240x240": _GC9A01,
     "ssd1306_128x64": _oled(128, 128, 64), "ssd1306_128x32": _oled(128, 128, 32, com_pins=0x02),
+    "ssd1306_128x64_com_02": _oled(128, 128, 64, com_pins=0x02),
     "ssd1306_64x48": _oled(128, 64, 48, 32), "ssd1306_64x32": _oled(128, 64, 32, 32), "ssd1306_72x40": _oled(128, 72, 40, 28),
-    "ssd1309_128x64": _SSD1309,
+    "ssd1309_128x64": _SSD1309, "ssd1309_128x64_column_2": _oled(132, 128, 64, 2, controller=Ssd1309),
     "sh1106_128x64": _SH1106, "sh1106_72x40": _oled(132, 72, 40, 30, controller=Sh1106, first_line=12),
-    "sh1107_128x128": _sh1107(128), "sh1107_64x128": _sh1107(64), "sh1107_80x128": _sh1107(80),
+    "sh1107_128x128": _sh1107(128, 0), "sh1107_128x128_column_96": _sh1107(128, 96), "sh1107_64x128": _sh1107(64, 32),
+    "sh1107_80x128": _sh1107(80, 24),
 }
 
 

@@ -69,9 +69,10 @@ def rgb565(palette):
 
 
 def turns_of(driver, width, height):
-    """How many quarter turns the program gives a module for frames of this size: of colours, the long side is the upper one
-    but for upright frames."""
-    return 0 if controllers.is_mono(driver) or height > width else 1
+    """How many quarter turns the program gives a module for frames of this size: of colours, the long side of the glass is
+    where that of the frame is; a square frame lies on an upright glass."""
+    glass_width, glass_height = glass_of(driver, 0)
+    return int(not controllers.is_mono(driver) and (height > width) != (glass_height >= glass_width))
 
 
 def glass_of(driver, turns):
@@ -95,14 +96,14 @@ def check_size(driver, width, height):
     """Refuses frames that are larger than the glass."""
     glass = glass_of(driver, turns_of(driver, width, height))
     if width > glass[0] or height > glass[1]:
-        size = "x".join(map(str, glass_of(driver, turns_of(driver, 1, 1))))
+        size = "x".join(map(str, glass))
         raise ToolError(f"frames of {width}x{height} do not fit the {size} of DRIVER={driver}: SCREEN={size} draws smaller ones")
 
 
 def frame_bytes(driver, pixels):
     """Bytes that a display is sent of a frame. Before its first one it may be sent the black around the frames."""
     height, width = pixels.shape
-    return -(-height // 8) * width if controllers.is_mono(driver) else 2 * height * width
+    return -(-height // 8) * width if controllers.is_mono(driver) else controllers.MODULES[driver][0].PIXEL_BYTES * height * width
 
 
 def compare(path, driver, drawn, progress=None):

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: MIT */
+/* Where a caller's own commands go over the wires, for each driver of the library: after the
+ * driver's own, before the first pixel, and before the glass is turned on. */
+#include "fixel/driver.h"
+#include "unit.h"
+
+enum {
+    MESSAGES = 4096
+};
+
+static const fxl_display_driver *const drivers[] = {
+    &fxl_st7789,  &fxl_ili9341, &fxl_ili9488, &fxl_st7735,      &fxl_st7796, &fxl_gc9a01,
+    &fxl_ssd1351, &fxl_ssd1306, &fxl_ssd1309, &fxl_ssd1309_132, &fxl_sh1106, &fxl_sh1107};
+
+/* Of each message: its size, whether it is data, and its first three bytes. */
+typedef struct {
+    size_t size;
+    bool is_data;
+    uint8_t bytes[3];
+} message;
+
+static message messages[MESSAGES], before[MESSAGES];
+static uint32_t sent;
+static fxl_display display;
+static const uint8_t palette[768];
+
+static bool send(void *user, bool is_data, const uint8_t *bytes, size_t size)
+{
+    message *one = &messages[sent++ % MESSAGES];
+    (void)user;
+    memset(one, 0, sizeof *one);
+    one->size = size;
+    one->is_data = is_data;
+    memcpy(one->bytes, bytes, size < 3 ? size : 3);
+    return true;
+}
+
+static void pause(void *user, uint32_t milliseconds)
+{
+    (void)user;
+    (void)milliseconds;
+}
+
+static const fxl_display_port port = {NULL, send, NULL, NULL, pause};
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* A small glass, so that all is logged. Returns how many messages were sent. */
+static uint32_t open_with(const fxl_display_driver *driver, const uint8_t *commands)
+{
+    fxl_display_config config = fxl_display_config_default(driver, 0);
+    config.width = config.height = 16;
+    config.extra_commands = commands;
+    sent = 0;
+    memset(messages, 0, sizeof messages);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
+    TEST_ASSERT_LESS_THAN(MESSAGES, sent);
+    return sent;
+}
+
+/* The first message that sets the window of pixels: all before it sets the display up. */
+static uint32_t first_window(const fxl_display_driver *driver)
+{
+    const bool is_mono = driver->family->format->bits == 1;
+    const uint8_t code = is_mono ? 0xB0 : driver->family == &fxl_display_ssd1351 ? 0x15 : 0x2A;
+    uint32_t at = 0;
+    while (at < sent && (messages[at].is_data || messages[at].bytes[0] != code)) {
+        at++;
+    }
+    TEST_ASSERT_LESS_THAN(sent, at);
+    return at;
+}
+
+void test_extra_commands_of_every_driver_on_the_wires(void)
+{
+    static const uint8_t commands[] = {3, 0xE5, 0x11, 0x22, 1, 0xE6, 0};
+    static const message apart[] = {
+        {1, false, {0xE5, 0, 0}}, {2, true, {0x11, 0x22, 0}}, {1, false, {0xE6, 0, 0}}};
+    static const message whole[] = {{3, false, {0xE5, 0x11, 0x22}}, {1, false, {0xE6, 0, 0}}};
+    for (uint32_t i = 0; i < sizeof drivers / sizeof drivers[0]; i++) {
+        const bool is_mono = drivers[i]->family->format->bits == 1;
+        const message *expected = is_mono ? whole : apart;
+        const uint32_t count = is_mono ? 2 : 3, plain = open_with(drivers[i], NULL);
+        const uint32_t place = first_window(drivers[i]);
+        TEST_ASSERT_EQUAL_HEX8(drivers[i]->family->turn_on[1], messages[plain - 1u].bytes[0]);
+        memcpy(before, messages, sizeof before);
+        TEST_ASSERT_EQUAL(plain + count, open_with(drivers[i], commands));
+        TEST_ASSERT_EQUAL_MEMORY(before, messages, place * sizeof messages[0]);
+        TEST_ASSERT_EQUAL_MEMORY(expected, &messages[place], count * sizeof messages[0]);
+        TEST_ASSERT_EQUAL_MEMORY(&before[place], &messages[place + count],
+                                 (plain - place) * sizeof messages[0]);
+    }
+}
+
+/* A driver of the caller's own with commands of its record, and with none. */
+void test_commands_of_a_record(void)
+{
+    static const uint8_t listed[] = {2, 0xB1, 0x77, 0}, bare[] = {0x99, 0x98};
+    fxl_display_driver own = fxl_st7789;
+    const uint32_t plain = open_with(&own, NULL);
+    own.commands = listed;
+    TEST_ASSERT_EQUAL(plain + 2u, open_with(&own, NULL));
+    own = fxl_sh1106;
+    own.commands = bare;
+    own.commands_size = sizeof bare;
+    const uint32_t with = open_with(&own, NULL);
+    own.commands = NULL;
+    TEST_ASSERT_EQUAL(with - 1u, open_with(&own, NULL));
+}
