@@ -23,7 +23,7 @@
 #   BOARD_VISIBILITY_OMIT   values of VISIBILITY= whose programs do not fit it
 #   BOARD_WIRES             what a driver of DRIVER= sends by, without .c, where a display hangs on the board; otherwise the wires are recorded
 #   BOARD_UNITS_APART       "yes" where unit tests take so long that make boards leaves them to make test BOARD=
-#   BOARD_DRIVER_ROWS       rows that a driver of DRIVER= sends at a time (8 without); 0: there is no room for one
+#   BOARD_DRIVER_ROWS       rows that a driver of DRIVER= sends at a time (8 without, or 4 of 480 pixels); 0: there is no room for one
 #   BOARD_BENCH             cores of the bench that it stands for: bench/bench.mk
 #
 # Makes, for each board:
@@ -229,8 +229,11 @@ endif
 ifneq ($(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),$(filter-out $(shell seq 8 8 1024),$(ROWS))),)
 $(error DRIVER=$(DRIVER) takes pages of eight rows: ROWS=$(ROWS) must be a multiple of 8)
 endif
-ifeq ($(if $(DRIVER),$(BOARD_DRIVER_ROWS.$(BOARD_CHOSEN))),0)
-$(error DRIVER=$(DRIVER) needs more memory than BOARD=$(BOARD) has; the boards that it fits are: $(foreach board,$(BOARDS),$(if $(filter 0,$(BOARD_DRIVER_ROWS.$(board))),,$(board))))
+# Rows of 480 pixels are too long for boards that send one of 320 at a time.
+DRIVER_IS_WIDE := $(filter st7796% ili9488%,$(DRIVER))
+DRIVER_TOO_FEW_ROWS := 0 $(if $(DRIVER_IS_WIDE),1)
+ifneq ($(if $(DRIVER),$(filter $(DRIVER_TOO_FEW_ROWS),$(BOARD_DRIVER_ROWS.$(BOARD_CHOSEN)))),)
+$(error DRIVER=$(DRIVER) needs more memory than BOARD=$(BOARD) has; the boards that it fits are: $(strip $(foreach board,$(BOARDS),$(if $(filter $(DRIVER_TOO_FEW_ROWS),$(BOARD_DRIVER_ROWS.$(board))),,$(board)))))
 endif
 WALK_ROWS_MAX := $(or $(ROWS),$(DRIVER:%=8))
 WALK_CHOICE := $(WALK_METHODS)$(ROWS:%=-rows-%)$(DRIVER:%=-on-%)
@@ -308,11 +311,11 @@ endef
 # The driver's panel stands beside those of the board: the linker sends who asks for board_panels to
 # driver_panel.c, which asks the board.
 BOARD_WIRES_OF = $(or $(BOARD_WIRES.$(1)),boards/parts/recorded_wires $(if $(BOARD_HOSTED.$(1)),boards/host/wires,boards/parts/semihosting_wires))
-DRIVER_DEFINES = -DDRIVER_NAME=$(DRIVER_RECORD) $(if $(filter $(DRIVER),$(DISPLAY_MODULES)),-DDRIVER_IS_MODULE) -DDRIVER_BITS=$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),1,$(if $(filter ili9488%,$(DRIVER)),24,16)) $(if $(filter st7796% ili9488%,$(DRIVER)),-DDRIVER_WIDEST=480)
+DRIVER_DEFINES = -DDRIVER_NAME=$(DRIVER_RECORD) $(if $(filter $(DRIVER),$(DISPLAY_MODULES)),-DDRIVER_IS_MODULE) -DDRIVER_BITS=$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),1,$(if $(filter ili9488%,$(DRIVER)),24,16)) $(if $(DRIVER_IS_WIDE),-DDRIVER_WIDEST=480)
 
 define DRIVER_RULES
 $(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o: boards/parts/driver_panel.c firmware/firmware.mk boards/$(1)/board.mk
-	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(DRIVER_DEFINES) -DDRIVER_ROWS=$(or $(BOARD_DRIVER_ROWS.$(1)),8) -Ilib/include -Iboards $(BOARD_OWN_FLAGS.$(1)))
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(DRIVER_DEFINES) -DDRIVER_ROWS=$(or $(BOARD_DRIVER_ROWS.$(1)),$(if $(DRIVER_IS_WIDE),4,8)) -Ilib/include -Iboards $(BOARD_OWN_FLAGS.$(1)))
 endef
 
 define METHODS_RULES

@@ -61,9 +61,11 @@ def test_a_board_of_16_kib_sends_row_by_row(tmp_path):
     assert json.loads((tmp_path / "out" / "summary.json").read_text())["wires_frames_equal"] == 3
 
 
-@pytest.mark.parametrize("board", ["lm3s6965evb", "microbit", "netduino2", "netduinoplus2"])
-def test_boards_of_little_flash_have_room_for_a_driver(board):
-    made(f"build/boards/{board}/walk-on-ili9341.elf", f"BOARD={board}", "DRIVER=ili9341")
+@pytest.mark.parametrize("board, driver", [("lm3s6965evb", "ili9341"), ("microbit", "ili9341"), ("netduino2", "ili9341"),
+                                           ("netduinoplus2", "ili9341"), ("lm3s6965evb", "ili9488"), ("netduino2", "ili9488"),
+                                           ("lm3s6965evb", "st7796")])
+def test_boards_of_little_memory_have_room_for_a_driver(board, driver):
+    made(f"build/boards/{board}/walk-on-{driver}.elf", f"BOARD={board}", f"DRIVER={driver}")
 
 
 def test_frames_that_are_larger_than_the_glass_are_refused_before_anything_is_drawn(tmp_path):
@@ -77,6 +79,7 @@ def test_what_make_refuses():
                                (["run", "DRIVER=ssd1306", "ROWS=12"], "ROWS=12 must be a multiple of 8"),
                                (["run", "DRIVER=ssd1306", "BOARD=stm32vldiscovery"],
                                 "DRIVER=ssd1306 needs more memory than BOARD=stm32vldiscovery has"),
+                               (["run", "DRIVER=st7796", "BOARD=microbit"], "DRIVER=st7796 needs more memory than BOARD=microbit has"),
                                (["view", "DRIVER=ssd1306"], "DRIVER= is for make run alone")):
         done = run_make(*settings)
         assert done.returncode == 2 and sentence in done.stderr, done.stderr
