@@ -58,6 +58,37 @@ def test_cells_of_an_atlas_that_faces_fill_exactly_are_one_colour(tmp_path, inse
     assert made.surfaces is None and colours(made) == {tuple(cells[y, x].tolist()) for x, y in ((0, 0), (3, 5), (7, 7))}
 
 
+@pytest.mark.parametrize("side, cells", [(64, 7), (1024, 13), (3000, 11), (4096, 13)])
+def test_cells_of_any_width_are_one_colour_in_a_file_of_six_digits(tmp_path, side, cells):
+    """Also of an image that is shrunk as it is read: its texels are those of the whole image."""
+    ends = numpy.linspace(0, side, cells + 1).astype(int)
+    shades = numpy.random.default_rng(13).integers(0, 256, (cells, cells, 3), dtype=numpy.uint8)
+    Image.fromarray(shades.repeat(numpy.diff(ends), axis=0).repeat(numpy.diff(ends), axis=1)).save(tmp_path / "m.png")
+    chosen = [(x, y) for y in range(cells) for x in range(cells)][:100]
+    lines = ["mtllib m.mtl", "usemtl a"]
+    for i, (x, y) in enumerate(chosen):
+        lines += [f"v {2 * i + a} {b} 0" for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        lines += [f"vt {ends[x + a] / side:.6f} {1 - ends[y + b] / side:.6f}" for a, b in ((0, 1), (1, 1), (1, 0), (0, 0))]
+        lines.append("f " + " ".join(f"{4 * i + c}/{4 * i + c}" for c in (1, 2, 3, 4)))
+    (tmp_path / "m.obj").write_text("\n".join([*lines, ""]))
+    (tmp_path / "m.mtl").write_text("newmtl a\nmap_Kd m.png\n")
+    (tmp_path / "s.toml").write_text('[view]\npixels = "rgb565"\n[[objects]]\nmodel = "m.obj"\nshade = false\nmerge = false\n'
+                                     'images = { bits = 16 }\n')
+    made, _ = compiler.compile_scene(str(tmp_path / "s.toml"))
+    assert made.surfaces is None and colours(made) == {tuple(shades[y, x].tolist()) for x, y in chosen}
+
+
+def test_a_small_part_of_a_large_image_keeps_its_texels(tmp_path):
+    """It is cut out before anything is scaled."""
+    pixels = numpy.zeros((4096, 4096, 3), dtype=numpy.uint8)
+    pixels[101:121, 301:331] = numpy.random.default_rng(14).integers(0, 256, (20, 30, 3))
+    whole = texture_image.decode(png(pixels), "t")
+    assert (whole.width, whole.whole().width) == (2048, 4096)
+    found = image_cut.Outlines(whole.whole(), [rectangle(301, 101, 331, 121, 4096, 4096)], False)
+    ((cut, numbers),) = image_cut.cuts(found, 256)
+    assert (image_cut.canvas(found, cut, numbers).pixels[2:22, 2:32, :3] == pixels[101:121, 301:331]).all()
+
+
 @pytest.mark.parametrize("by, plain", [(4, True), (5, False)])
 def test_how_far_the_texels_of_one_colour_may_differ(by, plain):
     found = image_parts.colours(texture([[(100, 100, 100), (100 + by, 100, 100)]]), [[(0, 0), (1, 0), (1, 1), (0, 1)]])

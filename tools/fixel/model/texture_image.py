@@ -3,6 +3,7 @@
 
 import io
 import warnings
+import zlib
 
 import numpy as np
 from PIL import Image, PngImagePlugin, UnidentifiedImageError
@@ -14,6 +15,7 @@ from fixel.base.reading import shortened
 FILE_MAX = 272 << 20    # bytes: 8192 x 8192 pixels of 32 bits, and a head
 SIDE_MAX = 8192         # pixels
 KEPT_MAX = 2048         # pixels: an image with a longer side is shrunk as it is read
+STRIPS_MAX = 16 << 20   # bytes of all its pixels, compressed, which are kept beside it
 FORMATS = ("PNG", "JPEG", "BMP", "TGA", "GIF", "PPM", "WEBP")
 EXIF_MAX, _EXIF = 64, b"Exif\0\0"
 COMMENTS_MAX, _PLAIN = 64, (b"P1", b"P2", b"P3")
@@ -31,16 +33,24 @@ _TOO_LARGE = f"; both sides must be 1..{SIDE_MAX}: make it smaller"
 
 
 class Texture:
-    """An image as rows of red, green, blue, alpha."""
+    """An image as rows of red, green, blue, alpha. strips: of one that was shrunk all pixels, compressed, some rows each; none where
+    they are too many."""
 
-    def __init__(self, name, pixels):
-        self.name, self.pixels = name, pixels
+    def __init__(self, name, pixels, strips=()):
+        self.name, self.pixels, self.strips = name, pixels, strips
         self.pictures = {}      # made of it for textures (toml_images.py)
         self.height, self.width = pixels.shape[:2]
 
     def scaled(self, width, height):
         """Its pixels in another size, each the mean of what it covers."""
         return np.asarray(Image.fromarray(np.ascontiguousarray(self.pixels)).resize((width, height), Image.Resampling.BOX))
+
+    def whole(self):
+        """The image as it was before it was shrunk, where it is known."""
+        if not self.strips:
+            return self
+        width, strips = self.strips
+        return Texture(self.name, np.concatenate([np.frombuffer(zlib.decompress(strip), dtype=np.uint8).reshape(-1, width, 4) for strip in strips]))
 
     def once(self, key, make):
         """An image that is made of this one, once."""
@@ -138,8 +148,20 @@ def _of_16_bits(opened):
     return Image.fromarray(np.stack([grey, np.where(greys == clear, 0, 255).astype(np.uint8)], axis=-1)).convert("RGBA")
 
 
-def _pixels(opened):
-    """Rows of red, green, blue, alpha of an image that Pillow has opened: in 8 bits, shrunk by whole factors, upright."""
+def _strips(opened):
+    """(width, its rows in strips) of an image in 8 bits: compressed as those of few colours are; () where that is much."""
+    width, height = opened.size
+    strips, left = [], STRIPS_MAX
+    for top in range(0, height, _ROWS):
+        strips.append(zlib.compress(opened.crop((0, top, width, min(top + _ROWS, height))).convert("RGBA").tobytes(), 1))
+        left -= len(strips[-1])
+        if left < 0:
+            return ()
+    return width, strips
+
+
+def _read(opened, name):
+    """The Texture of an image that Pillow has opened: in 8 bits, shrunk by whole factors, upright."""
     opened.draft("RGB", (KEPT_MAX, KEPT_MAX))       # of a JPEG, which is then decoded smaller
     turn = _upright(opened)
     if opened.mode.startswith("I"):
@@ -148,12 +170,13 @@ def _pixels(opened):
         opened = Image.fromarray(np.clip(np.asarray(opened), 0, 255).round().astype(np.uint8))
     elif opened.mode not in ("RGB", "L", "RGBA"):
         opened = opened.convert("RGBA")
-    factor = -(-max(opened.size) // KEPT_MAX)
+    factor, strips = -(-max(opened.size) // KEPT_MAX), ()
     if factor > 1:
+        strips = _strips(opened) if turn is None else ()
         opened = opened.reduce(factor)
     if turn is not None:
         opened = opened.transpose(turn)
-    return np.asarray(opened.convert("RGBA"))
+    return Texture(name, np.asarray(opened.convert("RGBA")), strips)
 
 
 def _refuse_other(blob, name):
@@ -180,7 +203,7 @@ def decode(blob, name):
                 width, height = opened.size
                 if not (1 <= width <= SIDE_MAX and 1 <= height <= SIDE_MAX):
                     raise ToolError(f"{name}: an image of {width}x{height} pixels{_TOO_LARGE}")
-                return Texture(name, _pixels(opened))
+                return _read(opened, name)
     except (ToolError, MemoryError):
         raise
     except Image.DecompressionBombError:

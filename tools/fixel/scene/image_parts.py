@@ -11,9 +11,10 @@ import numpy as np
 from fixel.scene.texture import OPAQUE_FROM
 
 SPREAD_MAX = 4              # of 255 from the least to the largest: all lie within 2 of one colour
-_TEXELS_MAX = 1 << 20       # of a face that is looked at texel by texel
-_BUDGET = 1 << 26           # texels of all faces together; faces beyond keep their texture
-ROUNDING = 1e-6            # texels
+_TEXELS_MAX = 1 << 22       # of a face that is looked at texel by texel
+_BUDGET = 1 << 28           # texels of all faces of an image that seem to have one colour; faces beyond keep their texture
+ROUNDING = 1 / 128         # texels: files have six digits of a coordinate, which are 1/256 of 8192 texels
+_AREA_MIN = 1e-6            # square texels: of a triangle that is no line
 
 
 def texels_between(low, high):
@@ -25,14 +26,14 @@ def texels_between(low, high):
 def touched(three, columns, rows):
     """Which texels a triangle touches, of those that lie in its box. columns, rows: of their left and upper edges."""
     area = (three[1][0] - three[0][0]) * (three[2][1] - three[0][1]) - (three[1][1] - three[0][1]) * (three[2][0] - three[0][0])
-    if abs(area) < ROUNDING:
+    if abs(area) < _AREA_MIN:
         return np.ones((len(rows), len(columns)), dtype=bool)
     found = np.ones((len(rows), len(columns)), dtype=bool)
     for (x, y), (other_x, other_y) in zip(three, (*three[1:], three[0])):
         # How far a texel's corners are on the inner side of the edge: the farthest counts.
         along, down = (other_x - x) * math.copysign(1, area), (other_y - y) * math.copysign(1, area)
         farthest = along * (rows[:, None] + (along > 0) - y) - down * (columns[None, :] + (down < 0) - x)
-        found &= farthest > ROUNDING
+        found &= farthest > ROUNDING * math.hypot(along, down)
     return found
 
 

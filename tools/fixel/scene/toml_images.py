@@ -200,6 +200,7 @@ class _Parts:
 
     def add(self, image, clamp, colour, faces):
         """The faces on an image that a colour multiplies."""
+        image, kept = image.whole(), image
         own = [self.surfaces.uvs[face] for face in faces]
         found = image_parts.colours(image, own, clamp)
         self.colours.update((face, product(plain, colour)) for face, plain in zip(faces, found) if plain is not None)
@@ -209,7 +210,7 @@ class _Parts:
         outlines = image_cut.Outlines(image, [self.surfaces.uvs[face] for face in others], clamp)
         cuts = image_cut.cuts(outlines, self.row[0])
         if cuts is None:
-            self._paint(image, colour, clamp, others)
+            self._paint(kept, colour, clamp, others)
         for cut, numbers in cuts or ():
             self._paint(image_cut.canvas(outlines, cut, numbers), colour, clamp or cut.clamps, [others[number] for number in numbers])
             for number in numbers:
