@@ -1,26 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "raster/active_edges.c"
-#include "proof.h"
+#include "raster/any_outline.h"
 
 #define ROWS   3
 #define STRIDE 16
 
-static fxl_screen_point points[FXL_POLYGON_CAPACITY];
-
 static bool is_row(int32_t row)
 {
     return row >= -1 && row < FXL_SCREEN_MAX;
-}
-
-static uint32_t any_outline(void)
-{
-    const uint32_t count = nondet_u32();
-    ASSUME(count >= 3 && count <= FXL_POLYGON_CAPACITY);
-    ANY_CONTENT(points);
-    for (uint32_t i = 0; i < FXL_POLYGON_CAPACITY; i++) {
-        ASSUME(WITHIN(points[i].x, FXL_SCREEN_COORDINATE_MAX) && WITHIN(points[i].y, FXL_SCREEN_COORDINATE_MAX));
-    }
-    return count;
 }
 
 /* For fxl_slope_set: what its contract says. */

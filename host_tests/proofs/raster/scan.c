@@ -2,20 +2,7 @@
 #include "raster/active_edges.c"
 #define next_row next_row_of_scan
 #include "raster/scan.c"
-#include "proof.h"
-
-static fxl_screen_point points[FXL_POLYGON_CAPACITY];
-
-static uint32_t any_outline(void)
-{
-    const uint32_t count = nondet_u32();
-    ASSUME(count >= 3 && count <= FXL_POLYGON_CAPACITY);
-    ANY_CONTENT(points);
-    for (uint32_t i = 0; i < FXL_POLYGON_CAPACITY; i++) {
-        ASSUME(WITHIN(points[i].x, FXL_SCREEN_COORDINATE_MAX) && WITHIN(points[i].y, FXL_SCREEN_COORDINATE_MAX));
-    }
-    return count;
-}
+#include "raster/any_outline.h"
 
 static fxl_band any_band(void)
 {
