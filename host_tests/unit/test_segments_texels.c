@@ -14,6 +14,18 @@ void tearDown(void)
 {
 }
 
+/* Light is partly below the ramp's first level, and partly above its last one. */
+static void choose_lit_face(void)
+{
+    segment_choose_face();
+    segment.gradients.shifts[2] = 20;
+    segment_choose_gradient(&segment.gradients.attributes[2], &segment.row.attributes[2],
+                            segment_exact(&segment.gradients.weight, 0) *
+                                ((int)(segment_any() % 1200u) - 100) / 5000,
+                            segment_exact(&segment.gradients.weight, SEGMENT_COLUMNS) *
+                                ((int)(segment_any() % 1200u) - 100) / 5000);
+}
+
 /* A step of light is off by less than a unit of 1/256 level. Beyond the levels it is limited. */
 static void check_light(int columns)
 {
@@ -37,13 +49,7 @@ void test_light_is_on_the_line_between_both_ends(void)
     segment.paint.levels_less_1 = SEGMENT_LEVELS - 1;
     segment.gradients.count = 3;
     for (uint32_t n = 0; n < 100; n++) {
-        segment_choose_face();
-        segment.gradients.shifts[2] = 20;
-        segment_choose_gradient(&segment.gradients.attributes[2], &segment.row.attributes[2],
-                                segment_exact(&segment.gradients.weight, 0) *
-                                    ((int)(segment_any() % 1200u) - 100) / 5000,
-                                segment_exact(&segment.gradients.weight, SEGMENT_COLUMNS) *
-                                    ((int)(segment_any() % 1200u) - 100) / 5000);
+        choose_lit_face();
         TEST_ASSERT_TRUE(fxl_segments_find(&segment.paint, &segment.face));
         for (uint32_t log = 2; log <= 4; log++) {
             segment_choose_log(log);
@@ -64,13 +70,7 @@ void test_lit_rows_are_those_of_the_kernel(void)
     segment.paint.levels_less_1 = SEGMENT_LEVELS - 1;
     segment.gradients.count = 3;
     for (uint32_t n = 0; n < 400; n++) {
-        segment_choose_face();
-        segment.gradients.shifts[2] = 20;
-        segment_choose_gradient(&segment.gradients.attributes[2], &segment.row.attributes[2],
-                                segment_exact(&segment.gradients.weight, 0) *
-                                    ((int)(segment_any() % 1200u) - 100) / 5000,
-                                segment_exact(&segment.gradients.weight, SEGMENT_COLUMNS) *
-                                    ((int)(segment_any() % 1200u) - 100) / 5000);
+        choose_lit_face();
         TEST_ASSERT_TRUE(fxl_segments_find(&segment.paint, &segment.face));
         segment_choose_log(2 + n % 3);
         segment_paint_row(segment.pixels, 0, SEGMENT_COLUMNS);
