@@ -363,6 +363,7 @@ static void assert_failures(const module *of)
 void test_wires_that_fail_at_any_time(void)
 {
     assert_failures(&colours[0]);
+    assert_failures(&colours[5]); /* has commands of its own */
     assert_failures(&oleds[0]);
 }
 

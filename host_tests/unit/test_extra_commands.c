@@ -5,7 +5,7 @@
 #include "unit.h"
 
 enum {
-    MESSAGES = 4096
+    MESSAGES = 192 /* the memory of a small board holds no more */
 };
 
 static const fxl_display_driver *const drivers[] = {
@@ -14,7 +14,7 @@ static const fxl_display_driver *const drivers[] = {
 
 /* Of each message: its size, whether it is data, and its first three bytes. */
 typedef struct {
-    size_t size;
+    uint16_t size;
     bool is_data;
     uint8_t bytes[3];
 } message;
@@ -29,7 +29,7 @@ static bool send(void *user, bool is_data, const uint8_t *bytes, size_t size)
     message *one = &messages[sent++ % MESSAGES];
     (void)user;
     memset(one, 0, sizeof *one);
-    one->size = size;
+    one->size = (uint16_t)size;
     one->is_data = is_data;
     memcpy(one->bytes, bytes, size < 3 ? size : 3);
     return true;

@@ -2,7 +2,7 @@
 /* The formats of displays, pixel by pixel, against docs/extras/pixels.md. */
 #include "unit.h"
 
-#define WIDEST 70u
+#define WIDEST 66u
 #define ROWS   11u
 #define GUARD  0xA5u
 

@@ -154,9 +154,8 @@ fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
  * green, blue, a byte each, and is only read. The display keeps the pointer to the port. The frame
  * fills the glass. Takes some 300 ms.
  * FXL_E_ARGUMENT: a null pointer; a port without send or pause, or with start and no wait.
- * FXL_E_RANGE: no driver, or the glass is not in the controller's memory, or extra_commands are
- * none or cut off: fxl_display_config. With each of these statuses: nothing was sent, *display
- * untouched.
+ * FXL_E_RANGE: no driver, or the glass is not in the controller's memory: fxl_display_config.
+ * With each of these statuses: nothing was sent, *display untouched.
  * FXL_E_DISPLAY: a send failed; the display cannot be used until it is opened. */
 fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *config,
                             const fxl_display_port *port, const uint8_t *palette);
