@@ -155,6 +155,39 @@ def test_a_model_with_fewer_faces_stays_as_it_is(tmp_path):
     assert simplify.simplified(ball(tmp_path, 8, 6), 1000, "m.obj") is None
 
 
+def halves(folder, picture):
+    """Two halves of a wavy sheet, of which one has three times as many vertices on the edge where they meet."""
+    lines, corners, count = ["mtllib m.mtl", "usemtl cloth"], [], 0
+    for cells, left in ((12, -2), (36, 0)):
+        for j in range(cells + 1):
+            at = 12 * j / cells
+            low, part = min(int(at), 11), at - min(int(at), 11)
+            wave = (1 - part) * math.sin(low / 3) + part * math.sin((low + 1) / 3)      # straight between vertices of the coarse half
+            for i in range(cells + 1):
+                x = left + 2 * i / cells
+                lines += [f"v {x:.6f} {wave / 4:.6f} {2 * j / cells:.6f}", f"vt {x / 4 + 0.5:.6f} {j / cells:.6f}"]
+        corners += [[count + j * (cells + 1) + i + step + 1 for step in (0, 1, cells + 2, cells + 1)] for j in range(cells) for i in range(cells)]
+        count += (cells + 1) ** 2
+    (folder / "m.obj").write_text("\n".join([*lines, *("f " + " ".join(f"{c}/{c}" for c in each) for each in corners), ""]))
+    (folder / "m.mtl").write_text("newmtl cloth\n" + "map_Kd m.png\n" * picture)
+    (folder / "m.png").write_bytes(png([[(8 * x, 8 * y, 99) for x in range(32)] for y in range(32)]))
+    return obj.read(str(folder / "m.obj"), "m.obj")[0]
+
+
+@pytest.mark.parametrize("by", [pytest.param("meshoptimizer", marks=SET_UP), "fast-simplification"])
+@pytest.mark.parametrize("count", [800, 200])
+def test_no_edge_opens_at_t_junctions(tmp_path, monkeypatch, count, by):
+    """Both sides of the edge at which they lie become the same, with coordinates between those of its ends."""
+    monkeypatch.setattr(simplify, "is_set_up", lambda: by == "meshoptimizer")
+    mesh = halves(tmp_path, by == "meshoptimizer")
+    result = simplify.simplified(mesh, count, "m.obj")
+    inner = [[end for end in open_ends(each) if abs(end[0]) < UNIT / 4 and UNIT / 100 < abs(end[2]) < 1.99 * UNIT] for each in (mesh, result.mesh)]
+    assert inner[0] and not inner[1]
+    assert (result.by, result.before) == (by, 2 * (12 * 12 + 36 * 36)) and len(result.mesh.faces) <= count
+    for face, uvs in zip(result.mesh.faces, result.mesh.surfaces.uvs if by == "meshoptimizer" else ()):
+        assert all(abs(mesh_x / UNIT / 4 + 0.5 - u) < 1e-5 for mesh_x, (u, _) in zip((result.mesh.vertices[c][0] for c in face), uvs))
+
+
 def test_an_edge_that_opens_is_found():
     closed = numpy.array([(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)])
     assert not simplify.has_new_open_edges(closed, closed) and simplify.has_new_open_edges(closed, closed[:3])

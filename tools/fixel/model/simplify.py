@@ -15,7 +15,7 @@ import numpy as np
 
 from fixel.base import children
 from fixel.base.errors import ToolError
-from fixel.model import deviation
+from fixel.model import deviation, t_junctions
 from fixel.model.mesh import UNIT, Mesh, newell
 from fixel.model.surface import WHITE, Surfaces
 from fixel.model.triangles import triangulate
@@ -222,6 +222,8 @@ def simplified(mesh, count, name):
     made = _triangles(mesh, vertex_of)
     if len(made.corners) <= count:
         return None
+    whole, mesh = len(made.corners), t_junctions.split(mesh, vertex_of)
+    made = _triangles(mesh, vertex_of)
     before = made.places[made.corners]
     if is_set_up():
         left = _by_meshoptimizer(made, points, count, name)
@@ -234,7 +236,7 @@ def simplified(mesh, count, name):
     if has_new_open_edges(before, after):
         raise ToolError(f"{name}: simplify: {by} would open edges that are closed; {'give more faces' if is_set_up() else SET_UP}")
     exact = np.array(mesh.vertices, dtype=float) / UNIT
-    return Result(result, len(made.corners), by, deviation.between((exact, before), (exact, after)))
+    return Result(result, whole, by, deviation.between((exact, before), (exact, after)))
 
 
 def _runs(names):

@@ -4,6 +4,8 @@
 Rounding puts such a vertex a little off the edge, so that the background shows between the faces. The edge is split at
 the vertex, so that both sides have the same corners."""
 
+import dataclasses
+
 import numpy as np
 
 from fixel.image.image import Face
@@ -18,15 +20,15 @@ _CELLS_ACROSS = 1 << 20     # of the grid: so the number of a cell is an integer
 _AT_A_TIME = 1 << 20        # pairs
 
 
-def _open_edges(faces):
+def _open_edges(outlines):
     """[(face, place of the edge's first corner)] of the edges without a partner."""
     balance = {}
-    for face in faces:
-        for a, b in zip(face.corners, face.corners[1:] + face.corners[:1]):
+    for corners in outlines:
+        for a, b in zip(corners, corners[1:] + corners[:1]):
             balance[a, b] = balance.get((a, b), 0) + 1
             balance[b, a] = balance.get((b, a), 0) - 1
-    return [(number, place) for number, face in enumerate(faces)
-            for place, (a, b) in enumerate(zip(face.corners, face.corners[1:] + face.corners[:1])) if balance[a, b] > 0]
+    return [(number, place) for number, corners in enumerate(outlines)
+            for place, (a, b) in enumerate(zip(corners, corners[1:] + corners[:1])) if balance[a, b] > 0]
 
 
 class _Near:
@@ -114,19 +116,16 @@ class _TooMany(Exception):
     """There are more edges or vertices than are looked at."""
 
 
-def _split(face, inserted):
-    """A face's corners with vertices behind some of them. inserted: {place of a corner: vertices}."""
-    corners = []
-    for place, corner in enumerate(face.corners):
-        corners += [corner, *inserted.get(place, ())]
-    return corners
+def _split(corners, inserted):
+    """What a face's corners have, with more behind some of them. inserted: {place of a corner: what those behind it have}."""
+    return [each for place, corner in enumerate(corners) for each in (corner, *inserted.get(place, ()))]
 
 
-def _inserted(shape, edges, off):
+def _inserted(outlines, vertices, edges):
     """{number of a face: {place of a corner: the vertices that lie on the edge behind it}}."""
-    vertices, corners = shape.vertices, [shape.faces[number].corners for number, _ in edges]
+    extent, corners = max(max(axis) - min(axis) for axis in zip(*vertices)), [outlines[number] for number, _ in edges]
     pairs = [(each[place], each[(place + 1) % len(each)]) for (_, place), each in zip(edges, corners)]
-    near = _Near({corner for pair in pairs for corner in pair}, vertices, off)
+    near = _Near({corner for pair in pairs for corner in pair}, vertices, max(OFF_MIN, extent // OFF_PART))
     found, inserted = near.found(*(np.array([vertices[corner] for corner in side], dtype=float) for side in zip(*pairs))), {}
     for edge in sorted(found):
         number, place = edges[edge]
@@ -138,12 +137,12 @@ def _inserted(shape, edges, off):
 
 def mend(shape, name):
     """Splits the edges of a shape on which vertices of other faces lie, and says so in its notes."""
-    edges = _open_edges(shape.faces) if shape.open_edges else []
+    outlines = [face.corners for face in shape.faces]
+    edges = _open_edges(outlines) if shape.open_edges else []
     if not edges:
         return
-    extent = max(max(axis) - min(axis) for axis in zip(*shape.vertices))
     try:
-        inserted = _inserted(shape, edges, max(OFF_MIN, extent // OFF_PART))
+        inserted = _inserted(outlines, shape.vertices, edges)
     except _TooMany:
         shape.notes.append(f"{name}: {len(edges):,} edges have no partner, too many to look for vertices of other faces on them (T-junctions): the "
                            "background may show between the faces; weld the vertices in the model, or split it")
@@ -154,10 +153,40 @@ def mend(shape, name):
     faces, sources = [], []
     for number, (face, source) in enumerate(zip(shape.faces, shape.sources)):
         made = [face] if number not in inserted else [
-            Face(normal, outline, face.colour) for outline, normal in mesh.pieces(_split(face, inserted[number]), shape.vertices)]
+            Face(normal, outline, face.colour) for outline, normal in mesh.pieces(_split(face.corners, inserted[number]), shape.vertices)]
         faces += made
         sources += [source] * len(made)
     shape.faces, shape.sources = faces, sources
     shape.open_edges = mesh.open_edges([face.corners for face in faces])
     shape.notes.append(f"{name}: {splits:,} edges had vertices of other faces on them (T-junctions), and were split there: else the "
                        "background may show between the faces")
+
+
+def _coordinates(own, corners, inserted, vertices):
+    """The texture coordinates of a face's corners, and of vertices on its edges, which lie between them."""
+    more = {}
+    for place, numbers in inserted.items():
+        other = (place + 1) % len(corners)
+        start, end = (np.array(vertices[corners[i]], dtype=float) for i in (place, other))
+        parts = [float((vertices[number] - start) @ (end - start) / ((end - start) @ (end - start))) for number in numbers]
+        more[place] = [tuple(float(a) + part * (float(b) - float(a)) for a, b in zip(own[place], own[other])) for part in parts]
+    return _split(own, more)
+
+
+def split(whole, vertex_of):
+    """A Mesh of which faces have corners where vertices of others lie on their edges, so that both sides of an edge are simplified
+    alike. vertex_of: of each vertex the first one at its place."""
+    outlines = [[int(vertex_of[corner]) for corner in face] for face in whole.faces]
+    edges = _open_edges(outlines)
+    try:
+        inserted = _inserted(outlines, whole.vertices, edges) if edges else {}
+    except _TooMany:
+        return whole
+    if not inserted:
+        return whole
+    faces, uvs = list(whole.faces), list((whole.surfaces.uvs if whole.surfaces else whole.uvs) or [None] * len(whole.faces))
+    for number, own in inserted.items():
+        uvs[number] = uvs[number] and _coordinates(uvs[number], faces[number], own, whole.vertices)
+        faces[number] = _split(faces[number], own)
+    return dataclasses.replace(whole, faces=faces, uvs=whole.uvs and uvs,
+                               surfaces=whole.surfaces and dataclasses.replace(whole.surfaces, uvs=uvs))
