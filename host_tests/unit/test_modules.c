@@ -231,6 +231,19 @@ void test_a_glass_of_pages_at_one_side(void)
     TEST_ASSERT_TRUE(model.wires == 0x22 && model.offset == 0x0C && model.reference == 0x10);
 }
 
+/* Its converter is switched by the command that sets the reference of an SSD1306. */
+void test_an_sh1106_with_a_converter_outside(void)
+{
+    fxl_display_module module = fxl_module_sh1106_128x64;
+    module.com_pins = 0x02;
+    module.display_offset = 0x10;
+    module.current_reference = 0x8A;
+    const fxl_display_config config = fxl_display_config_turned(&module, 2);
+    controller_start(&model, CONTROLLER_SH1106, 0, 0, 128, 64);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
+    TEST_ASSERT_TRUE(!model.is_charged && model.wires == 0x02 && model.offset == 0x30);
+}
+
 /* A driver's own module is a module: its glass lies in the middle of the columns, in all rows. */
 void test_the_default_is_a_module_too(void)
 {
