@@ -156,6 +156,24 @@ def test_a_font_whose_codes_are_all_above_255_is_numbered_anew(tmp_path):
     assert "all 300 characters have codes above 255: U+03E8 to U+04C7, in turn, are written as 32 to 255" in bdf.parse(many, "x").notes[0]
 
 
+def test_code_0_and_characters_without_codes_are_not_all_that_a_font_has():
+    alone = bdf.parse(SOUND, "x")
+    control, none = QUESTION.replace("ENCODING 63", "ENCODING 0"), QUESTION.replace("ENCODING 63", "ENCODING -1 9")
+    font = bdf.parse(HEAD + control + none + WIDE.replace("ENCODING 65", "ENCODING 65281") + "ENDFONT\n", "x")
+    assert font.glyphs == {32: alone.glyphs[65]} and "all 1 characters have codes above 255: U+FF01 to U+FF01" in font.notes[0]
+    font = bdf.parse(HEAD + none + WIDE.replace("ENCODING 65", "ENCODING -1") + "ENDFONT\n", "x")
+    assert font.glyphs == {32: alone.glyphs[63], 33: alone.glyphs[65]}
+    assert font.notes == ["x: all 2 characters have no code: the first 2, in turn, are written as 32 to 33"]
+    assert bdf.parse(SOUND.replace("ENDFONT", none + "ENDFONT"), "x") == alone
+
+
+def test_a_mark_a_comment_and_an_advance_of_the_whole_font():
+    alone = bdf.parse(SOUND, "x")
+    assert bdf.parse("\xef\xbb\xbfCOMMENT made by hand\n" + SOUND, "x") == alone
+    whole = SOUND.replace("DWIDTH 4 0\n", "").replace("FONTBOUNDINGBOX", "DWIDTH 4 0\nFONTBOUNDINGBOX")
+    assert bdf.parse(whole, "x") == alone
+
+
 @pytest.mark.parametrize("text, words", [
     ("", "is not a BDF font"),
     ("STARTFONT 2.1\n", "ENDFONT is missing"),

@@ -12,6 +12,8 @@ FILE_MAX = 16 << 20     # bytes
 SIDE_MAX = 255          # pixels of a character, of its advance and of a line
 OFFSET_MAX = 127        # of a picture from the pen and from the top of the line
 CODES = range(256)
+UNENCODED = 1 << 32             # and above: in place of the code of a character that has none
+_MARK = "\xef\xbb\xbf"       # a byte order mark of UTF-8, read as Latin-1
 RENUMBERED = range(32, 256)     # the codes of a font's characters that has none of CODES
 
 
@@ -81,9 +83,10 @@ def _rows(lines, width, height):
     return rows
 
 
-def _glyph(lines):
-    """(code, character without its top) from after STARTCHAR to ENDCHAR; a box says how far up it reaches."""
-    start, code, advance, box, rows = lines.where, None, None, None, None
+def _glyph(lines, advance):
+    """(code, character without its top) from after STARTCHAR to ENDCHAR; a box says how far up it reaches. advance: that of the font's
+    characters without one, or None."""
+    start, code, box, rows = lines.where, None, None, None
     while (words := lines.next()) and words[0] != "ENDCHAR":
         if words[0] == "ENCODING":
             code, = lines.numbers(words, 1, 0x7FFFFFF)
@@ -114,22 +117,26 @@ def _glyph(lines):
 
 
 def _renumber(font, boxes, name):
-    """Leaves the characters of CODES. A font that has none of these, of icons or of another script, gets others in turn."""
-    codes = sorted(font.glyphs)
-    kept = {code: code for code in codes if code in CODES}
-    if codes and not kept:
+    """Leaves the characters of CODES. A font that has none of these but 0, of icons or of another script, gets others in turn; so does one
+    whose characters have no codes."""
+    codes = [code for code in sorted(font.glyphs) if 0 < code < UNENCODED] or [code for code in sorted(font.glyphs) if code]
+    kept = {code: code for code in font.glyphs if code in CODES}
+    if codes and not any(kept):
         kept = dict(zip(codes, RENUMBERED))
-        font.notes.append(f"{name}: all {len(codes):,} characters have codes above 255: U+{codes[0]:04X} to U+{max(kept):04X}, in turn, "
-                          f"are written as {RENUMBERED[0]} to {max(kept.values())}")
+        known = "have codes above 255: " + f"U+{codes[0]:04X} to U+{max(kept):04X}" if codes[0] < UNENCODED else \
+            f"have no code: the first {len(kept):,}"
+        font.notes.append(f"{name}: all {len(codes):,} characters {known}, in turn, are written as {RENUMBERED[0]} to {max(kept.values())}")
     font.glyphs = {new: font.glyphs[code] for code, new in kept.items()}
     return {new: boxes[code] for code, new in kept.items()}
 
 
 def parse(text, name):
     """A Font from the text of a file."""
-    lines, boxes, font = _Lines(text, name), {}, Font(None, None, {})
-    bounds = None
+    lines, boxes, font = _Lines(text.removeprefix(_MARK), name), {}, Font(None, None, {})
+    bounds, advance = None, None
     words = lines.next()
+    while words and words[0] == "COMMENT":
+        words = lines.next()
     if not words or words[0] != "STARTFONT":
         raise ToolError(f"{name}: is not a BDF font: the first line must be STARTFONT 2.1")
     while (words := lines.next()) and words[0] != "ENDFONT":
@@ -139,13 +146,15 @@ def parse(text, name):
             font.ascent, = lines.numbers(words, 1, SIDE_MAX)
         elif words[0] == "FONT_DESCENT":
             font.descent, = lines.numbers(words, 1, SIDE_MAX)
+        elif words[0] == "DWIDTH":
+            advance, _ = lines.numbers(words, 2, SIDE_MAX)
         elif words[0] == "STARTCHAR":
             where = lines.where
-            code, box, glyph = _glyph(lines)
-            if code >= 0:
-                if code in font.glyphs:
-                    raise ToolError(f"{where}: character {code} is there a second time")
-                font.glyphs[code], boxes[code] = glyph, (where, box)
+            code, box, glyph = _glyph(lines, advance)
+            if code in font.glyphs:
+                raise ToolError(f"{where}: character {code} is there a second time")
+            code = code if code >= 0 else UNENCODED + len(font.glyphs)
+            font.glyphs[code], boxes[code] = glyph, (where, box)
     if not words:
         if not font.glyphs:
             raise ToolError(f"{name}: ENDFONT is missing, and there is no character, so the file is not whole")
