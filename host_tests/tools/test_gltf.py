@@ -73,6 +73,13 @@ def test_strips_and_fans(tmp_path, mode):
     assert all(mesh.places)
 
 
+def test_corners_that_are_no_triangle_are_left_out(tmp_path):
+    data, blob = make()
+    data["accessors"][1]["count"] = 5
+    mesh, notes = read(tmp_path, glb(data, blob))
+    assert len(mesh.faces) == 1 and any('left out: 1 x "last corners, which are no triangle" (first: node 0 ("thing"): mesh 0, primitive 0)' in note for note in notes)
+
+
 def test_points_and_lines_are_left_out(tmp_path):
     data, blob = make()
     data["meshes"][0]["primitives"].append({**data["meshes"][0]["primitives"][0], "mode": 1})
@@ -102,6 +109,12 @@ def test_a_plane_that_looks_down_shows_its_back(tmp_path, down):
 def test_colours_of_vertices(tmp_path):
     mesh, _ = read(tmp_path, glb(*make(colours=[(255, 0, 0, 255)] * 4, material={})))
     assert mesh.surfaces.colours()[1] == (255, 0, 0)
+
+
+def test_whole_numbers_are_colours_of_vertices_whether_they_say_so_or_not(tmp_path):
+    data, blob = make(colours=[(0, 55, 255, 255)] * 4, material={})
+    del data["accessors"][-1]["normalized"]
+    assert read(tmp_path, glb(data, blob))[0].surfaces.colours()[1] == (0, 128, 255)
 
 
 def test_an_image_colours_each_face_by_what_lies_on_it(tmp_path):

@@ -111,6 +111,18 @@ def test_a_camera_makes_the_path_where_it_is_asked_for(tmp_path):
         compiled(path, camera="plan")
 
 
+@pytest.mark.parametrize("table", [{}, {"yfov": 0}, {"yfov": 4}, {"yfov": "wide"}, {"yfov": 1, "znear": -1}])
+def test_a_camera_that_makes_no_sense_is_refused_only_where_it_is_asked_for(tmp_path, table):
+    made = car()
+    made.data["cameras"] = [{"type": "perspective", "perspective": table}]
+    made.data["nodes"].append({"name": "front", "camera": 0})
+    made.data["scenes"][0]["nodes"].append(9)
+    path = made.write(tmp_path / "m.glb")
+    assert said(compiled(path)[1], "left out 1 cameras") == 1
+    with pytest.raises(ToolError, match='"front" has no perspective'):
+        compiled(path, camera="front")
+
+
 def test_a_camera_that_moves_is_followed(tmp_path):
     made, _ = compiled(filmed(tmp_path), None, camera="dolly", animation="pan")
     assert len(made.path) == 30 and made.path[0][3:] == (0, 0, 0)

@@ -71,9 +71,10 @@ def _triangles(checked, part, count, where):
     if len(order) and order.max() >= count:
         checked.fail(where, f"indices name vertex {order.max():,} of {count:,}: the file is damaged")
     if mode == _TRIANGLES:
-        if len(order) % 3:
-            checked.fail(where, f"{len(order):,} indices are no triangles: the file is damaged")
-        return order.reshape(-1, 3)
+        whole = len(order) // 3 * 3
+        if len(order) > whole:
+            checked.left_out.add("last corners, which are no triangle", where)
+        return order[:whole].reshape(-1, 3)
     if mode == _FAN:
         return np.column_stack([np.repeat(order[:1], max(len(order) - 2, 0)), order[1:-1], order[2:]])
     strip = np.column_stack([order[:-2], order[1:-1], order[2:]])
@@ -111,7 +112,7 @@ class _Reader:
         """An attribute of the vertices, None if there is none."""
         if key not in attributes:
             return None
-        values = self.checked.accessor(attributes[key], where, kinds, _PARTS).astype(float)
+        values = self.checked.accessor(attributes[key], where, kinds, _PARTS, is_part=key == "COLOR_0").astype(float)
         if len(values) != count:
             self.checked.fail(where, f"{key} has {len(values):,} values for {count:,} vertices: the file is damaged")
         wrong = np.argwhere(~np.isfinite(values))
@@ -280,6 +281,6 @@ def read(path, name=None, progress=None, sources=None):
     left_out, more = gltf_left_out.notes(checked)
     if known.are_rigid:     # nothing of them is left out
         left_out.pop("skins", None)
-    notes += checked.notes + reader.materials.left_out.notes(name, "left out of materials:") + [*left_out.values()] + more
+    notes += checked.notes + checked.left_out.notes(name, "left out:") + reader.materials.left_out.notes(name, "left out of materials:") + [*left_out.values()] + more
     return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces, groups=known.groups(),
                 normals=reader.normals if any(reader.normals) else [], scenery=known.scenery(left_out)), notes

@@ -27,11 +27,12 @@ _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 
 
 class Checked:
-    """A file's JSON and its buffers. What is asked for is checked first. notes: what there is to say of other files."""
+    """A file's JSON and its buffers. What is asked for is checked first. notes: what there is to say of other files; left_out: of parts
+    that are left out."""
 
     def __init__(self, name, data, folder, binary, sources):
         self.name, self.data, self.folder, self.binary, self.sources = name, data, folder, binary, sources
-        self.room, self.buffers, self.lists, self.notes = FILE_MAX, {}, {}, []
+        self.room, self.buffers, self.lists, self.notes, self.left_out = FILE_MAX, {}, {}, [], model_text.LeftOut()
 
     # --- values -----------------------------------------------------------------
 
@@ -198,14 +199,15 @@ class Checked:
         """How many values an accessor has."""
         return self.whole(self._entry_of(number, where), "count", where)
 
-    def accessor(self, number, where, kinds, components):
-        """The values of an accessor as a numpy array, a row each; normalised ones as doubles."""
+    def accessor(self, number, where, kinds, components, is_part=False):
+        """The values of an accessor as a numpy array, a row each; normalised ones as doubles. is_part: whole numbers are normalised, whether
+        the file says so or not."""
         table, where = self._entry_of(number, where), f"{where}: accessor {number}"
         numbers_of, width, count = self._layout(table, kinds, components, where)
         values = self._array(table, numbers_of, width, count, where)
         if "sparse" in table:
             values = self._replaced(values, table["sparse"], where)
-        if table.get("normalized") is True and numbers_of.kind != "f":
+        if (is_part or table.get("normalized") is True) and numbers_of.kind != "f":
             return np.maximum(values / float(np.iinfo(numbers_of).max), -1.0)
         return values.astype(float) if numbers_of.kind == "f" else values.astype(np.int64)
 
@@ -230,13 +232,19 @@ def _glb(blob, name):
     return parts[_JSON], parts.get(_BIN)
 
 
+def _encodable(pairs):
+    """An object of JSON whose texts are characters: half of a pair of UTF-16, which JSON may name alone, is none."""
+    return {key: value.encode("utf-16", "surrogatepass").decode("utf-16", "replace") if isinstance(value, str) and not value.isascii() else value
+            for key, value in pairs}
+
+
 def _parse(text, name):
     def refuse(word):
         raise ToolError(f"{name}: its JSON has the value {word}, which is not a number of JSON: save the model again")
     try:
         text, encoding = model_text.without_mark(bytes(text))
         # Some programs fill the part up with zeros instead of spaces.
-        data = json.loads(text.decode(encoding).rstrip("\0"), parse_constant=refuse)
+        data = json.loads(text.decode(encoding).rstrip("\0"), parse_constant=refuse, object_pairs_hook=_encodable)
     except RecursionError:
         raise ToolError(f"{name}: its JSON is nested deeper than any model's") from None
     except json.JSONDecodeError as error:

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Cameras and lights (KHR_lights_punctual) of a glTF file. A value that makes no sense is refused; a kind that is not known is
-left out."""
+"""Cameras and lights (KHR_lights_punctual) of a glTF file. A light whose values make no sense is refused; a kind that is not known is
+left out. A camera whose values make no sense has no perspective: only who asks for it learns of it."""
 
 import math
 
 import numpy as np
 
+from fixel.base.errors import ToolError
 from fixel.model.nodes import Camera, Light
 
 _EXTENSION = "KHR_lights_punctual"
@@ -40,10 +41,11 @@ def camera(checked, number, name, world):
     table, where = entry.get("perspective"), checked.label("camera", chosen)
     if not isinstance(table, dict):
         return Camera(name, None, None, _placed(world))
-    angle = _number(checked, table, "yfov", None, where)
-    if not angle or angle >= math.pi:
-        checked.fail(where, "yfov must be an angle below half a turn: the file is damaged")
-    return Camera(name, math.degrees(angle), _number(checked, table, "znear", 0.0, where), _placed(world))
+    try:
+        angle, near = (_number(checked, table, key, 0.0, where) for key in ("yfov", "znear"))
+    except ToolError:
+        angle, near = 0.0, 0.0
+    return Camera(name, math.degrees(angle) if 0 < angle < math.pi else None, near, _placed(world))
 
 
 def _entries(checked):

@@ -61,7 +61,7 @@ def chosen(cameras, pattern, name):
         there = shortened(", ".join(camera.name for camera in cameras)) or "none"
         raise ToolError(f"{name}: --camera: no camera has a name like {quoted(pattern)}; the file's: {there}")
     if found[0].angle is None:
-        raise ToolError(f"{name}: --camera: {quoted(found[0].name)} has no perspective (orthographic); take another one")
+        raise ToolError(f"{name}: --camera: {quoted(found[0].name)} has no perspective (orthographic, or without an angle of view); take another one")
     return found[0]
 
 
