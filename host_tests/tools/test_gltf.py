@@ -85,6 +85,9 @@ def test_points_and_lines_are_left_out(tmp_path):
     data["meshes"][0]["primitives"].append({**data["meshes"][0]["primitives"][0], "mode": 1})
     mesh, notes = read(tmp_path, glb(data, blob))
     assert len(mesh.faces) == 2 and any("points and lines: 1" in note for note in notes)
+    data["meshes"][0]["primitives"] = data["meshes"][0]["primitives"][1:]
+    with pytest.raises(ToolError, match="no face in this file: it has 1 primitives of points and lines"):
+        read(tmp_path, glb(data, blob))
 
 
 def test_colours_of_materials(tmp_path):

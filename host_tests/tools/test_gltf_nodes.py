@@ -388,6 +388,15 @@ def test_a_figure_is_drawn_as_double_draws_it(build, tmp_path):
     assert summary["pixels_unexplained"] == 0 and summary["order_wrong_pixels"] == 0 and summary["host_frames_equal"]
 
 
+@pytest.mark.parametrize("weight, is_rigid", [(0, True), (1, False)])
+def test_a_second_set_of_joints_counts(tmp_path, weight, is_rigid):
+    made = figure()
+    made.data["meshes"][0]["primitives"][0]["attributes"] |= {"JOINTS_1": made.add([[0, 0, 0, 0]] * 24, "<u1", "VEC4"),
+                                                               "WEIGHTS_1": made.add([[weight, 0, 0, 0]] * 24, "<f4", "VEC4")}
+    scene, notes = compiled(made.write(tmp_path / "m.glb"))
+    assert (scene.names == ["hip", "shoulder", "elbow"]) == is_rigid != any("left out 1 skins" in note for note in notes)
+
+
 def test_several_meshes_may_hang_on_one_joint(tmp_path):
     """A hat of its own mesh hangs on the shoulder, where a part of the first mesh hangs too."""
     made = figure()

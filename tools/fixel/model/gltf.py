@@ -269,7 +269,9 @@ def read(path, name=None, progress=None, sources=None):
     known.hang(reader.move)
     if not reader.faces:
         left_out = reader.materials.left_out.notes(name, "left out:")
-        raise ToolError(left_out[0] if left_out else f"{name}: there is no face in this file: no node of the scene has a mesh of triangles")
+        why = f"it has {reader.left_out:,} primitives of points and lines, which have none" if reader.left_out else \
+            "no node of the scene has a mesh of triangles"
+        raise ToolError(left_out[0] if left_out else f"{name}: there is no face in this file: {why}")
     notes = [f"{name}: {_CONVENTION}"]
     reader.surfaces.give_corners(reader.corners + [None] * (len(reader.faces) - len(reader.corners)))
     if reader.surfaces.have_corners():

@@ -6,6 +6,7 @@ import numpy as np
 from fixel.base.errors import ToolError
 from fixel.model import gltf_check
 
+SETS_MAX = 4        # of joints of a vertex, four each
 WHOLE = 0.999       # of a vertex's weights: of a joint on which it hangs alone
 
 
@@ -14,10 +15,12 @@ def _joints(checked, node, shown, where):
     _, skin = checked.entry("skins", node, "skin", where)
     found = []
     for attributes, triangles in shown:
-        if "JOINTS_1" in attributes or "JOINTS_0" not in attributes or "WEIGHTS_0" not in attributes:
+        sets = [number for number in range(SETS_MAX) if f"JOINTS_{number}" in attributes and f"WEIGHTS_{number}" in attributes]
+        if not sets or f"JOINTS_{SETS_MAX}" in attributes:
             return None
-        joints = checked.accessor(attributes["JOINTS_0"], where, ("VEC4",), (5121, 5123))
-        weights = checked.accessor(attributes["WEIGHTS_0"], where, ("VEC4",), (gltf_check.FLOAT, 5121, 5123)).astype(float)
+        joints = np.hstack([checked.accessor(attributes[f"JOINTS_{number}"], where, ("VEC4",), (5121, 5123)) for number in sets])
+        weights = np.hstack([checked.accessor(attributes[f"WEIGHTS_{number}"], where, ("VEC4",), (gltf_check.FLOAT, 5121, 5123))
+                             for number in sets]).astype(float)
         used = np.unique(triangles)
         if len(joints) != len(weights) or (len(used) and used.max() >= len(joints)):
             return None

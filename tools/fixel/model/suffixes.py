@@ -16,7 +16,7 @@ _OTHERS = {
     ".3ds": ("a file of 3D Studio", _BLENDER),
     ".usd": ("a USD file", _BLENDER), ".usdz": ("a USD file", _BLENDER), ".usdc": ("a USD file", _BLENDER),
     ".usda": ("a USD file", _BLENDER), ".wrl": ("a VRML file", _BLENDER), ".x3d": ("an X3D file", _BLENDER),
-    ".abc": ("an Alembic file", _BLENDER), ".vrm": ("a VRM file, which is a GLB file", "rename it to .glb"),
+    ".abc": ("an Alembic file", _BLENDER), ".vrm": ("a VRM file, which is a GLB file,", "rename it to .glb"),
     ".3mf": ("a 3MF file", "open it in a slicer or in FreeCAD and export it as STL"),
     ".step": ("a STEP file", _FREECAD),
     ".stp": ("a STEP file", _FREECAD), ".igs": ("an IGES file", _FREECAD), ".iges": ("an IGES file", _FREECAD),
