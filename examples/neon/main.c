@@ -1,4 +1,4 @@
-/* A lamp flies along a wall of bricks, behind a pane of glass, in 16 bits a pixel: 68 lines. show is yours: it takes a frame of RGB565. */
+/* A lamp flies along a wall of bricks, behind a pane of glass, in 16 bits a pixel: 70 lines. show is yours: it takes a frame of RGB565. */
 #include <fixel.h>
 #include <fixel/surfaces.h>
 int show(const uint16_t *pixels); /* 0: another frame, please */

@@ -54,6 +54,7 @@ def test_a_row_names_its_files(name, picture, same, folder, source, lines):
     assert name == same == folder and CHECKOUT / "docs" / picture == examples.picture_of(name)
     text = (CHECKOUT / "examples" / name / source).read_text(encoding="utf-8")
     assert len([line for line in text.splitlines() if line.strip()]) == int(lines)
+    assert set(re.findall(r"(\d+) lines", text.partition("#include")[0])) <= {lines}    # what its own comment says
 
 
 @pytest.mark.parametrize("name", list(examples.PICTURES))

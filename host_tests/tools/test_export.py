@@ -428,6 +428,9 @@ def test_an_obj_is_seen_whole_by_the_eye_of_the_first_program(tmp_path):
 
 
 def test_what_was_written_says_whether_a_path_is_in_it(tmp_path):
+    assert run_cli("build", CUBE, "-o", tmp_path / "cube.fxls").returncode == 0
+    done = run_cli("export", "--c", tmp_path / "cube.fxls", "-o", tmp_path / "i.h")
+    assert done.stderr.endswith("no path\n") and "--frames" not in done.stderr     # it takes none
     for words, told in (([], "no path (--frames adds one)"), (["--frames", 12], "12 frames")):
         done = run_cli("export", "--c", CUBE, "-o", tmp_path / "x.h", *words)
         assert done.stderr.endswith(f"1 objects, {told}\n") and ("_path" in (tmp_path / "x.h").read_text(encoding="utf-8")) == bool(words)

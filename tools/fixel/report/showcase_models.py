@@ -333,7 +333,10 @@ def _unlit(folder, chance):
     image[((x * 3 + y * 2) % 48 < 14) & (((x - 128) / 90) ** 2 + ((y - 64) / 38) ** 2 < 1)] = (255, 255, 255)
     sign = made.material("sign", texture=made.texture(image_bytes(image)), extensions={"KHR_materials_unlit": {}})
     post = made.material("post", (0.3, 0.3, 0.35, 1), extensions={"KHR_materials_unlit": {}})
-    made.node("sign", made.mesh("sign", (placed(box(2, 1, 0.1), (0, 1.2, 0)), sign), (placed(box(0.1, 1.2, 0.1)), post)))
+    points, triangles, uvs = placed(box(2, 1, 0.1), (0, 1.2, 0))
+    shown = np.ptp(points[triangles], axis=1)[:, 2] < 0.01      # front and back; the rim has the post's colour
+    made.node("sign", made.mesh("sign", ((points, triangles[shown], uvs), sign), ((points, triangles[~shown], uvs), post),
+                                (placed(box(0.1, 1.2, 0.1)), post)))
     made.write(folder, "sign", "KHR_materials_unlit")
 
 
@@ -391,7 +394,7 @@ MODELS = [
     Model("character.glb", "a skin of 3 joints", _character),
     Model("quilt.glb", "mirrored texture coordinates beyond 0..1", _mirrored),
     Model("terrain.ply", "binary PLY with colours of vertices", _terrain),
-    Model("gem.ply", "text PLY with colours of faces", _gem),
+    Model("gem.ply", "text PLY with colours of faces, a cut stone", _gem, "--flat"),
     Model("rainbow.obj", "OBJ with colours of vertices", _colours_of_vertices),
     Model("vase.obj", "OBJ of one smooth surface, no materials", _vase),
     Model("knot.glb", "a smooth tube that hides itself", _knot),

@@ -34,6 +34,11 @@ def whole(text):
     return int(text)
 
 
+def takes_frames(scene):
+    """Whether --frames adds a path to the header of a scene: not of a scene image."""
+    return suffixes.suffix_of(scene) != ".fxls"
+
+
 def make_texture(arguments):
     """Writes an image as a texture in C."""
     from fixel.scene import texture
@@ -112,7 +117,8 @@ def main(argv):
         made = making.export(arguments.scene, arguments.out, arguments.name, *common, **how)
     else:
         made = making.build(arguments.scene, arguments.out, *common, **how)
-    making.tell(arguments.out, made, has_path=arguments.command == "build" or arguments.frames is not None)
+    has_path = arguments.command == "build" or arguments.frames is not None
+    making.tell(arguments.out, made, None if has_path else "no path" + (" (--frames adds one)" if takes_frames(arguments.scene) else ""))
     if wanted.write:
         output.write_new(wanted.write, made.text, "--write")
         print(f"the same as a scene file: {one_line(wanted.write)}")

@@ -294,7 +294,7 @@ def _first_of_a_kind(notes):
     found = {}
     for note in notes:
         found.setdefault(re.sub(r'\("[^"]*"\)|[0-9][0-9,.]*', "", note), []).append(note)
-    return [same[0] + (f" (parts of which the like holds: {len(same):,})" if len(same) > 1 else "") for same in found.values()]
+    return [same[0] + (f" (the same holds for {len(same):,} parts)" if len(same) > 1 else "") for same in found.values()]
 
 
 def _text_of(data, path, write):

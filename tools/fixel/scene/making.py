@@ -70,9 +70,9 @@ def parse_screen(text):
     return screen
 
 
-def tell(out, made, has_path=True):
-    """What was written, for people. has_path: a header without --frames has none."""
-    path = f"{made.frames} frames" if has_path else "no path (--frames adds one)"
+def tell(out, made, path=None):
+    """What was written, for people. path: what there is to say of it where not all its frames are in it."""
+    path = path or f"{made.frames} frames"
     for note in made.notes:
         print(f"note: {one_line(note)}", file=sys.stderr)
     print(f"{one_line(out)}: {made.size:,} bytes, {made.objects} objects, {path}", file=sys.stderr)
