@@ -15,7 +15,7 @@ from fixel.board import flash_memory
 from fixel.image import image
 from fixel.model import deviation, obj, simplify
 from fixel.model.mesh import UNIT
-from fixel.scene import compiler, look
+from fixel.scene import compiler, look, simplified
 from model_files import png
 
 SET_UP = pytest.mark.skipif(not simplify.is_set_up(), reason="tools/setup.sh simplify has not set up meshoptimizer")
@@ -153,6 +153,37 @@ def test_what_would_tear_without_meshoptimizer_is_refused(tmp_path, how, words):
 
 def test_a_model_with_fewer_faces_stays_as_it_is(tmp_path):
     assert simplify.simplified(ball(tmp_path, 8, 6), 1000, "m.obj") is None
+
+
+@SET_UP
+def test_no_group_goes_where_very_few_faces_are_asked_for(tmp_path):
+    """A large ball and four small ones, of which no face was left."""
+    ball(tmp_path, sides=24, rings=16, images=False, groups=False)
+    plain = [line for line in (tmp_path / "m.obj").read_text().splitlines() if line[:2] in ("v ", "f ")]
+    points = [list(map(float, line.split()[1:])) for line in plain if line[0] == "v"]
+    faces = [[int(each.split("/")[0]) for each in line.split()[1:]] for line in plain if line[0] == "f"]
+    lines = []
+    for number, (size, x) in enumerate([(1, 0), (0.05, 2), (0.05, 3), (0.04, 4), (0.04, 5)]):
+        lines += [f"v {size * a + x:.6f} {size * b:.6f} {size * c:.6f}" for a, b, c in points] + [f"g ball{number}"]
+        lines += ["f " + " ".join(str(corner + number * len(points)) for corner in face) for face in faces]
+    (tmp_path / "m.obj").write_text("\n".join([*lines, ""]))
+    mesh = obj.read(str(tmp_path / "m.obj"), "m.obj")[0]
+    result = simplify.simplified(mesh, 40, "m.obj")
+    assert sorted(result.mesh.groups) == [f"ball{number}" for number in range(5)]
+    for name in result.mesh.groups:
+        part, whole = result.mesh.part(name), mesh.part(name)
+        sizes = [[max(axis) - min(axis) for axis in zip(*each.vertices)] for each in (part, whole)]
+        assert len(part.faces) >= 4 and all(own > 0.5 * other for own, other in zip(*sizes)) and not open_ends(part)
+    assert len(result.mesh.faces) < 250
+
+
+def test_numbers_of_any_size_are_said_in_digits(tmp_path):
+    """Pixels of a surface that moved very far had an exponent; and that nothing was done was not said."""
+    found = [simplified._short(number) for number in (0.0123456, 0.5, 12.345, 99.96, 163.2, 12345.6)]
+    assert found == ["0.0123", "0.5", "12.3", "100", "163", "12,346"]
+    ball(tmp_path)
+    _, notes = compiler.compile_scene(str(tmp_path / "m.obj"), 2, look=look.Look(simplify=5000))
+    assert "m.obj: simplify: it has no more than 5,000 triangles, and stays as it is" in notes
 
 
 def halves(folder, picture):

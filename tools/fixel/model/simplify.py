@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Models of fewer faces. Borders of materials and groups, and seams of texture coordinates, stay where they are, and no edge
-opens: a result in which one does is refused.
+"""Models of fewer faces. Borders of materials and groups, and seams of texture coordinates, stay where they are, no group goes, and no
+edge opens: a result in which one does is refused.
 
 meshoptimizer does it where tools/setup.sh simplify has set it up. It takes a vertex for each position, material, group and
 texture coordinate, finds by equal positions which of them lie on a seam, and collapses both sides of a seam together.
@@ -24,6 +24,7 @@ FACES_MIN = 4
 PROGRAM = pathlib.Path(__file__).with_suffix(".mjs")
 MODULE = pathlib.Path(__file__).resolve().parents[3] / ".node" / "node_modules" / "meshoptimizer" / "meshopt_simplifier.js"
 SET_UP = "tools/setup.sh simplify sets up meshoptimizer, which keeps them"
+_AREA_MIN, _SHAPE = 1e-7, 0.1    # of a face; how far the surface of a group may move, of its extent
 _HEAP = 1024                # MiB of node's own memory
 _NORMAL, _COORDINATE, _COLOUR = 0.3, 1.0, 0.5   # weights beside a position, whose extent is 1
 
@@ -131,14 +132,14 @@ def _normals(points, triangles):
     return sums / np.maximum(np.sqrt((sums * sums).sum(axis=1)), 1e-30)[:, None]
 
 
-def _by_meshoptimizer(made, points, count, name):
-    """The corners that are left."""
+def _by_meshoptimizer(made, points, count, name, error=1.0):
+    """The corners that are left. error: how far the surface may move, of the model's extent; then more are left."""
     coordinates = np.array([key[3] or (0.0, 0.0) for key in made.keys])
     attributes = np.column_stack([_normals(points, made.places[made.corners])[made.places], coordinates, _mean_tints(made) / 255])
     weights = [_NORMAL] * 3 + [_COORDINATE] * 2 + [_COLOUR] * 3
     data = points[made.places].astype("<f4").tobytes() + attributes.astype("<f4").tobytes() + made.corners.astype("<u4").tobytes()
     command = ["node", "--disable-wasm-trap-handler", f"--max-old-space-size={_HEAP}", PROGRAM, MODULE.as_uri(), len(made.keys),
-               attributes.shape[1], made.corners.size, 3 * count, *weights]
+               attributes.shape[1], made.corners.size, 3 * count, error, *weights]
     with children.start(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         out, said = process.communicate(data)
     if process.returncode:
@@ -146,6 +147,27 @@ def _by_meshoptimizer(made, points, count, name):
         raise ToolError(f"{name}: simplify: node could not make fewer faces ({next((line for line in last if 'rror' in line), 'no reason given')[:200]}): "
                         "it needs node 20.15 or later, and memory (--memory-limit)")
     return np.frombuffer(out, dtype="<u4").astype(np.int64).reshape(-1, 3)
+
+
+def _without_loss(made, points, left, count, name):
+    """The corners that are left, where groups that have lost all faces, or all but some without area, are simplified by themselves, no
+    farther than they keep their shape."""
+    groups = [made.keys[wedge][2] for wedge in made.corners[:, 0].tolist()]
+    one, two, three = (points[made.places[left[:, i]]].astype(float) for i in range(3))
+    areas = np.sqrt((np.cross(two - one, three - one) ** 2).sum(axis=1))
+    there = {made.keys[wedge][2] for wedge, area in zip(left[:, 0].tolist(), areas.tolist()) if area > _AREA_MIN}
+    lost = sorted(set(groups) - there)
+    if not lost:
+        return left
+    found = [left[[made.keys[wedge][2] in there for wedge in left[:, 0].tolist()]]]
+    for group in lost:
+        numbers = np.array([number for number, each in enumerate(groups) if each == group])
+        corners = made.corners[numbers]
+        extent = float(np.ptp(points[made.places[corners.reshape(-1)]], axis=0).max())
+        own = replace(made, corners=corners, tints=[made.tints[number] for number in numbers.tolist()])
+        wanted = max(FACES_MIN, count * len(numbers) // len(made.corners))
+        found.append(_by_meshoptimizer(own, points, wanted, name, _SHAPE * extent))
+    return np.concatenate(found)
 
 
 def _parts(made):
@@ -226,7 +248,7 @@ def simplified(mesh, count, name):
     made = _triangles(mesh, vertex_of)
     before = made.places[made.corners]
     if is_set_up():
-        left = _by_meshoptimizer(made, points, count, name)
+        left = _without_loss(made, points, _by_meshoptimizer(made, points, count, name), count, name)
         result, after, by = _of_wedges(mesh, made, left), made.places[left], "meshoptimizer"
     else:
         after, sources = _by_fast_simplification(mesh, made, points, count, name)

@@ -29,15 +29,20 @@ def _nearest(scene, balls):
     return max(least, scene.near) / _UNIT
 
 
+def _short(number):
+    """A number with two or three digits that say something."""
+    return f"{number:,.0f}" if number >= 100 else f"{number:.3g}"
+
+
 def note(scene, record):
     """One sentence; two where the model has more faces than were asked for."""
     result = record.result
     moved, nearest, left = result.deviation * record.scale, _nearest(scene, record.balls), len(result.mesh.faces)
     text = f"{record.name}: simplify: {result.before:,} triangles became {left:,} by {result.by}; the surface moved by at most " \
-        f"{moved:.3g} units"
+        f"{_short(moved)} units"
     if nearest is not None:
         focal = scene.width / 2 / math.tan(scene.fov * math.pi / 2 ** 32)
-        text += f", {moved * focal / nearest:.2g} pixels at the nearest pose"
+        text += f", {_short(moved * focal / nearest)} pixels at the nearest pose"
     if left > record.asked:
-        text += f"; {record.asked:,} cannot be had without moving borders of materials or groups, or seams of texture coordinates"
+        text += f"; {record.asked:,} cannot be had without losing a group, or moving borders of materials or groups, or seams of texture coordinates"
     return text

@@ -125,7 +125,10 @@ class Objects:
         self.notes += notes
         if "simplify" in table:
             self.progress.stage(f"simplifying {name}")
-            name = self.files.fewer(name, toml_model.faces_asked(table))
+            count, whole = toml_model.faces_asked(table), name
+            name = self.files.fewer(name, count)
+            if name is whole:
+                self.notes.append(f"{name}: simplify: it has no more than {count:,} triangles, and stays as it is")
         chosen, by_node = toml_model.groups_of(table), table.data.get("anchor") == "node"
         if chosen is None:
             return self.files[name], name, (name,)
