@@ -413,6 +413,10 @@ def test_other_skins_stay_in_the_pose_in_which_they_were_bound(tmp_path):
     made, notes = compiled(figure(soft=True).write(tmp_path / "m.glb"))
     assert made.names == ["figure"] and not made.motions and any("left out 1 skins" in note for note in notes)
     damaged = figure()
+    damaged.data["meshes"][0]["primitives"][0]["attributes"] |= {"JOINTS_1": damaged.add([[0, 0, 0, 0]] * 5, "<u1", "VEC4"),
+                                                                  "WEIGHTS_1": damaged.add([[0, 0, 0, 0]] * 5, "<f4", "VEC4")}
+    assert compiled(damaged.write(tmp_path / "d.glb"))[0].names == ["figure"]
+    damaged = figure()
     damaged.data["skins"][0]["joints"] = [1, 2, 77]
     assert compiled(damaged.write(tmp_path / "d.glb"))[0].names == ["figure"]
     for key in ("JOINTS_0", "WEIGHTS_0"):

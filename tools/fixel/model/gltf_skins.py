@@ -18,11 +18,13 @@ def _joints(checked, node, shown, where):
         sets = [number for number in range(SETS_MAX) if f"JOINTS_{number}" in attributes and f"WEIGHTS_{number}" in attributes]
         if not sets or f"JOINTS_{SETS_MAX}" in attributes:
             return None
-        joints = np.hstack([checked.accessor(attributes[f"JOINTS_{number}"], where, ("VEC4",), (5121, 5123)) for number in sets])
-        weights = np.hstack([checked.accessor(attributes[f"WEIGHTS_{number}"], where, ("VEC4",), (gltf_check.FLOAT, 5121, 5123))
-                             for number in sets]).astype(float)
+        joints, weights = ([checked.accessor(attributes[f"{key}_{number}"], where, ("VEC4",), components) for number in sets]
+                           for key, components in (("JOINTS", (5121, 5123)), ("WEIGHTS", (gltf_check.FLOAT, 5121, 5123))))
+        if len({len(rows) for rows in joints + weights}) > 1:
+            return None
+        joints, weights = np.hstack(joints), np.hstack(weights).astype(float)
         used = np.unique(triangles)
-        if len(joints) != len(weights) or (len(used) and used.max() >= len(joints)):
+        if len(used) and used.max() >= len(joints):
             return None
         if not (weights[used].max(axis=1, initial=0) >= WHOLE * weights[used].sum(axis=1)).all():
             return None
