@@ -169,7 +169,7 @@ SCENE_OF_PROGRAM := $(if $(OWN),scenes/tiny.toml,$(if $(filter game,$(PROGRAM)),
 # These have been compared with the names that there are: firmware/firmware.mk.
 METHODS_OPTIONS := --program $(PROGRAM_NAME) $(VISIBILITY:%=--visibility %) $(CLIPPER:%=--clipper %) $(ROWS:%=--rows %) $(DRIVER:%=--driver %)
 # How a model without a scene file is drawn depends on what its frames are predicted to take.
-PREDICTS := $(if $(filter %.obj %.gltf %.glb %.stl %.ply,$(value SCENE)),$(addprefix $(BUILD)/host/,predict judge raycast) $(HOST_WALK))
+PREDICTS := $(if $(filter $(addprefix %.,obj gltf glb stl ply OBJ GLTF GLB STL PLY),$(value SCENE)),$(addprefix $(BUILD)/host/,predict judge raycast) $(HOST_WALK))
 DRAW_OPTIONS := --board $(BOARD_CHOSEN) --scene $(SCENE_OF_PROGRAM) --build $(BUILD) $(METHODS_OPTIONS)
 FLASH_SETUP := $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)$(SETUP_OF_BOARD:%= %)
 

@@ -8,7 +8,7 @@ import types
 import numpy
 import pytest
 
-from conftest import CHECKOUT, assert_one_sentence, run_cli, without_progress
+from conftest import CHECKOUT, assert_one_sentence, dry_run, run_cli, without_progress
 from fixel.base.errors import ToolError
 from fixel.board import firmware, model_look, order_check
 from fixel.image import image
@@ -363,6 +363,11 @@ def test_of_a_long_path_some_frames_are_judged_for_the_order(build, tmp_path):
     made.depth_bits = 16
     (tmp_path / "m.fxls").write_bytes(image.pack(made))
     assert order_check.text(build, tmp_path / "m.fxls") == ""
+
+
+@pytest.mark.parametrize("suffix, is_model", [("stl", True), ("STL", True), ("glb", True), ("OBJ", True), ("toml", False)])
+def test_make_builds_what_predicts_for_a_model_under_any_name(suffix, is_model):
+    assert ("build/host/predict" in dry_run("run", f"SCENE=a b.{suffix}").stdout) == is_model
 
 
 def test_stl_in_millimetres_is_framed_and_lit(tmp_path):
