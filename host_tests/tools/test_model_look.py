@@ -317,8 +317,9 @@ def test_textures_get_smaller_before_they_go(tmp_path, monkeypatch):
 
 def test_the_room_is_that_of_the_boards_program(build):
     room = model_look.room_of(build / "boards" / "mps2-an385" / "walk.elf")
-    assert (room.band, room.order, room.list, room.cache) == (1 << 20, 65_536, 1 << 18, 1024)
+    assert (room.band, room.order, room.list, room.cache, room.ram) == (1 << 20, 65_536, 1 << 18, 1024, 4 << 20)
     assert room.targets == ALL and room.has_surfaces and room.core == "m3"
+    assert model_look.room_of(build / "boards" / "microbit" / "walk.elf").ram == 16 << 10
     host = model_look.room_of(build / "boards" / "host" / "walk")
     assert (host.band, host.order, host.list, host.cache) == (8192, 131_072, 69_632, 32) and host.targets == ALL
 
@@ -331,7 +332,7 @@ def test_a_bare_model_is_drawn_as_double_draws_it_and_in_the_right_order(build, 
     summary = json.loads((tmp_path / "run" / "summary.json").read_text())
     assert summary["pixels_unexplained"] == 0 and summary["order_wrong_pixels"] == 0 and summary["host_frames_equal"]
     line, = [line for line in without_progress(done.stderr) if "RAM for pixels" in line]
-    assert "RGB565" in line and "whole frame 320x240" in line
+    assert "RGB565" in line and "whole frame 320x240" in line and re.search(r": (150|300) KB of 4 MB of RAM for pixels", line)
     number, unit = re.search(r"; ([0-9.]+) ([MK]) instructions a frame", line).groups()
     told, taken = float(number) * {"M": 1e6, "K": 1e3}[unit], summary["instructions_per_frame"]["mean"]
     assert abs(told / taken - 1) < 0.15, (told, taken)      # what make predict promises

@@ -118,7 +118,7 @@ def room_of(options):
     targets = {(bits, depth) for bits in (8, 16) for depth in (0, 16, 32)
                if not (bits == 16 and "rgb565" in without or depth and "depth" in without or depth == 32 and "depth_32" in without)}
     return model_look.Room(options.band, options.order, options.list, options.cache, board["scene_room"], options.list_most,
-                           "surfaces" not in without, frozenset(targets), core)
+                           "surfaces" not in without, frozenset(targets), core, board["ram_size"])
 
 
 def image_of(options, folder):

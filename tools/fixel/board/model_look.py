@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from fixel.base import bounded, output
 from fixel.base.errors import ToolError, one_line
 from fixel.bench import frame_costs
-from fixel.board import firmware, order_check
+from fixel.board import firmware, fleet, order_check
 from fixel.image import image as images, memory_needed
 from fixel.image.fields import IMAGE_MAX
 from fixel.model import suffixes
@@ -35,7 +35,8 @@ _ENTRY = {"order": 12, "cache": 40}     # bytes
 @dataclass(frozen=True)
 class Room:
     """What a program has room for: bytes of a band, of the display list and of a scene; entries of the order and of the
-    cache; the targets that it draws, (bits of a pixel, bits of its depth); the core whose costs it has, or None."""
+    cache; the targets that it draws, (bits of a pixel, bits of its depth); the core whose costs it has, or None;
+    bytes of the board's RAM, 0 where it has no end."""
     band: int
     order: int
     list: int
@@ -45,6 +46,7 @@ class Room:
     has_surfaces: bool
     targets: frozenset
     core: str
+    ram: int = 0
 
 
 def _symbols(elf):
@@ -60,7 +62,8 @@ def room_of(elf):
                           if f"fxl_{kind}" + (f"_depth_{depth}" if depth else "") in symbols}
     return Room(sizes["band"], sizes["order"] // _ENTRY["order"], sizes["list"], sizes["cache"] // _ENTRY["cache"],
                 IMAGE_MAX if program.hosted else program.scene_size, HOST_LIST_MOST if program.hosted else 0,
-                "fxl_attach_surfaces" in symbols, frozenset(targets), _core_of(program))
+                "fxl_attach_surfaces" in symbols, frozenset(targets), _core_of(program),
+                0 if program.hosted else fleet.sizes(elf)["ram_size"])
 
 
 def _core_of(program):
@@ -230,6 +233,11 @@ def _short(number):
     return f"{number:.0f}"
 
 
+def _kilobytes(number):
+    """Bytes, upward, as 300 KB or 4 MB."""
+    return f"{number >> 20:,} MB" if number and number % (1 << 20) == 0 else f"{-(-number // 1024):,} KB"
+
+
 def _target_text(pixels, depth):
     return ("RGB565" if pixels == "rgb565" else "palette") + (f", depth {depth}" if depth else "")
 
@@ -245,14 +253,15 @@ def _parts(scene):
     return found
 
 
-def _line(drawn, cheaper, order):
-    """What was chosen, and what it takes. cheaper: the Drawn of a palette, or None. order: what there is to say of the order."""
+def _line(drawn, cheaper, order, ram=0):
+    """What was chosen, and what it takes. cheaper: the Drawn of a palette, or None. order: what there is to say of the order.
+    ram: bytes of the board's."""
     scene = drawn.scene
     pixels = "rgb565" if scene.pixel_bits == 16 else "palette"
     taken = scene.width * drawn.rows * (scene.pixel_bits + scene.depth_bits) // 8
     bands = f"whole frame {scene.width}x{scene.height}" if drawn.is_whole else \
         f"bands of {drawn.rows} rows of {scene.width}x{scene.height}"
-    text = f"{_target_text(pixels, scene.depth_bits)}, {', '.join([bands, *_parts(scene)])}: {-(-taken // 1024):,} KB of RAM for pixels" \
+    text = f"{_target_text(pixels, scene.depth_bits)}, {', '.join([bands, *_parts(scene)])}: {_kilobytes(taken)}{f' of {_kilobytes(ram)}' if ram else ''} of RAM for pixels" \
         f"{' and depth' if scene.depth_bits else ''}, an image of {drawn.made.size:,} bytes"
     text += f"; {drawn.cost} instructions a frame" if drawn.cost else ""
     text += f"; --palette: {cheaper.cost}" if cheaper and cheaper.cost else ""
@@ -277,7 +286,7 @@ def choose(options, room, build, folder):
         cheaper = chooser.draw(replace(drawn.look, pixels="palette"))
     for each in why:
         print(f"  {one_line(options.scene)}: not {each}", file=sys.stderr)
-    print(f"  {one_line(options.scene)}: {_line(drawn, cheaper, order_check.text(build, drawn.image))}", file=sys.stderr)
+    print(f"  {one_line(options.scene)}: {_line(drawn, cheaper, order_check.text(build, drawn.image), room.ram)}", file=sys.stderr)
     if options.look.write:
         output.write_new(options.look.write, drawn.made.text, "--write")
         print(f"  the same as a scene file: {one_line(options.look.write)}", file=sys.stderr)

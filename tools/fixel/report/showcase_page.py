@@ -47,7 +47,7 @@ def chosen(only):
 
 def _line(said, file):
     """What the tool chose, of all that it said."""
-    return next((line.partition(f"{file.name}: ")[2] for line in said.splitlines() if " KB of RAM for pixels" in line), "")
+    return next((line.partition(f"{file.name}: ")[2] for line in said.splitlines() if " of RAM for pixels" in line), "")
 
 
 def draw(model, folder, work, options):
