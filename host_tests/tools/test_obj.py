@@ -3,6 +3,7 @@
 
 import math
 from pathlib import Path
+import time
 from types import SimpleNamespace
 
 import numpy as np
@@ -149,6 +150,12 @@ def test_colours_as_zbrush_paints_them(tmp_path):
     text = "v 0 0 0\nv 1 0 0\n#MRGB ffff0000ff00ff00\nv 0 1 0\nv 1 1 0\n#MRGB ff0000ffff102030\nf 1 2 3\nf 4 4 4\n#MRGB zz\n"
     made, _ = read(tmp_path, text)
     assert made.surfaces.corners[0] == [(0, 0, 255), (0, 255, 0), (255, 0, 0)] and made.surfaces.colours()[1] == (16, 32, 48)
+
+
+def test_a_long_line_of_paint_takes_no_time(tmp_path):
+    started = time.process_time()
+    made, _ = read(tmp_path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n#MRGB " + "ff102030" * 400_000 + "\n")
+    assert made.surfaces.colours() == [(16, 32, 48)] and time.process_time() - started < 8
 
 
 def test_names_that_are_not_utf_8_are_those_of_latin_1(tmp_path):

@@ -52,7 +52,8 @@ class Colours:
         """A line that is a comment."""
         paint = _PAINT.fullmatch(line)
         if paint:
-            self.paint += [tuple(bytes.fromhex(paint[1][at + 2:at + 8])) for at in range(0, len(paint[1]), 8)]
+            numbers = bytes.fromhex(paint[1])
+            self.paint += [tuple(numbers[at + 1:at + 4]) for at in range(0, len(numbers), 4)]
 
     def _written(self):
         """(the colour of each vertex as it is written, what stands for full brightness, whether alpha is left out)."""
