@@ -217,6 +217,63 @@ void test_channels_of_triangles_of_few_pixels(void)
     TEST_ASSERT_TRUE(far_off < compared / 300);
 }
 
+/* Triangles that face the eye, up to the whole width of a wide screen, of which single rows are
+ * drawn: their channels are linear on the screen, and a run begins anew every 64 columns. */
+/* SPEC 9.8 */
+void test_channels_of_wide_triangles(void)
+{
+    enum {
+        WIDE = QUAD_WIDTH * QUAD_HEIGHT / 2
+    };
+    uint32_t looked = 0;
+    for (uint32_t i = 0; i < ROUNDS; i++) {
+        quad_scene *quad = make(true, 0, FXL_DIVIDE_16);
+        double x[3], y[3];
+        for (int k = 0; k < 3; k++) { /* clockwise, 512 units a screen's width */
+            x[k] = (k == 0 ? -1 : k == 1 ? 1 : 0.1) * unit_between(10, 255);
+            y[k] = (k == 2 ? -1 : 1) * unit_between(4, 60);
+            quad->vertices[k] = (fxl_point){Q16(x[k] / 64), Q16(y[k] / 64), 0};
+            quad->corners[k] = exact_point(&quad->vertices[k], 1.0 / 65536);
+        }
+        quad->face.normal = (fxl_direction){0, 0, -FXL_Q2_30_ONE};
+        quad->pose = (fxl_pose){.position = {0, 0, -Q16(4)}};
+        fxl_config config = fxl_config_for(WIDE, 256, &fxl_rgb565);
+        config.near_z = 4096;
+        config.palette = palette;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&quad->renderer, &quad->scene, &config, memory,
+                                                    sizeof memory));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&quad->renderer, &quad->surfaces, &quad->set,
+                                                      FXL_SURFACES_OF(fxl_rgb565)));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&quad->renderer, &quad->pose));
+        const int row = unit_between(0, 255);
+        const fxl_band band = {.pixels = (uint8_t *)frame,
+                               .width = WIDE,
+                               .stride = WIDE,
+                               .first_row = (uint16_t)row,
+                               .rows = 1,
+                               .palette = palette};
+        fxl_frame_fill(&quad->renderer, &band, 0);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&quad->renderer, &band));
+        const double scale = quad->renderer.frame.view.lens.focal / 65536.0 / 4 / 64;
+        for (int c = 0; c < WIDE; c++) {
+            const double px = (c + 0.5 - WIDE / 2) / scale, py = (128 - row - 0.5) / scale;
+            const double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+            const double b1 = ((px - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (py - y[0])) / area;
+            const double b2 = ((x[1] - x[0]) * (py - y[0]) - (px - x[0]) * (y[1] - y[0])) / area;
+            for (int k = 0; frame[c] != BENEATH && k < CHANNELS; k++) {
+                double values[3];
+                find_channel(k, full, 0, values);
+                const double exact =
+                    values[0] + b1 * (values[1] - values[0]) + b2 * (values[2] - values[0]);
+                const double level = channel_of(frame[c], k);
+                TEST_ASSERT_TRUE(fmax(level - exact, exact - level - 1) <= 0.05);
+                looked++;
+            }
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(20 * ROUNDS, looked);
+}
+
 /* One colour at all corners is the palette's entry of that colour: the upper bits of each channel.
  */
 /* rgb565 2.4 */

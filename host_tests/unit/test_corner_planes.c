@@ -73,13 +73,13 @@ void test_small_is_what_its_conditions_say(void)
         const bool is_steep = 1 - near / z > side;
         const bool expected = has_size && !is_line && !is_apart;
         TEST_ASSERT_EQUAL(expected, fxl_corner_planes_begin(&triangle.corners, &triangle.view.lens,
-                                                            true, &triangle.planes));
+                                                            FXL_WORDS_SIDE_MAX, &triangle.planes));
         const bool is_for_words = is_thin || is_steep || fmax(w, h) > 64 * 65536;
         TEST_ASSERT_TRUE(!expected || triangle.planes.may_be_steep == (is_thin || is_steep));
         TEST_ASSERT_TRUE(!expected || triangle.planes.is_for_words == is_for_words);
         TEST_ASSERT_EQUAL(expected && !is_for_words,
-                          fxl_corner_planes_begin(&triangle.corners, &triangle.view.lens, false,
-                                                  &triangle.planes));
+                          fxl_corner_planes_begin(&triangle.corners, &triangle.view.lens,
+                                                  FXL_SMALL_SIDE_MAX, &triangle.planes));
         /* Whichever corner is the first. */
         const fxl_screen_corners turned = {
             {triangle.corners.points[1], triangle.corners.points[2], triangle.corners.points[0]},
@@ -87,8 +87,8 @@ void test_small_is_what_its_conditions_say(void)
             triangle.corners.width,
             triangle.corners.height,
             true};
-        TEST_ASSERT_EQUAL(expected, fxl_corner_planes_begin(&turned, &triangle.view.lens, true,
-                                                            &triangle.planes));
+        TEST_ASSERT_EQUAL(expected, fxl_corner_planes_begin(&turned, &triangle.view.lens,
+                                                            FXL_WORDS_SIDE_MAX, &triangle.planes));
         small += expected && !is_for_words;
         thin += has_size && is_thin;
         apart += has_size && is_apart;
@@ -109,20 +109,25 @@ void test_the_box_counts_that_of_all_vertices(void)
                                       65536,
                                       true};
     fxl_screen_corners large = small;
-    TEST_ASSERT_TRUE(fxl_corner_planes_begin(&small, &triangle.view.lens, true, &triangle.planes));
+    TEST_ASSERT_TRUE(
+        fxl_corner_planes_begin(&small, &triangle.view.lens, FXL_WORDS_SIDE_MAX, &triangle.planes));
     TEST_ASSERT_FALSE(triangle.planes.is_for_words);
     large.width = (64 << 16) + 1;
-    TEST_ASSERT_TRUE(
-        !fxl_corner_planes_begin(&large, &triangle.view.lens, true, &triangle.planes) ||
-        triangle.planes.is_for_words);
+    TEST_ASSERT_TRUE(!fxl_corner_planes_begin(&large, &triangle.view.lens, FXL_WORDS_SIDE_MAX,
+                                              &triangle.planes) ||
+                     triangle.planes.is_for_words);
+    TEST_ASSERT_FALSE(
+        fxl_corner_planes_begin(&large, &triangle.view.lens, FXL_SMALL_SIDE_MAX, &triangle.planes));
     large.width = FXL_WORDS_SIDE_MAX + 1;
-    TEST_ASSERT_FALSE(fxl_corner_planes_begin(&large, &triangle.view.lens, true, &triangle.planes));
+    TEST_ASSERT_FALSE(
+        fxl_corner_planes_begin(&large, &triangle.view.lens, FXL_WORDS_SIDE_MAX, &triangle.planes));
 }
 
 /* Whether the face is small. */
 static bool begins(void)
 {
-    return fxl_corner_planes_begin(&triangle.corners, &triangle.view.lens, false, &triangle.planes);
+    return fxl_corner_planes_begin(&triangle.corners, &triangle.view.lens, FXL_SMALL_SIDE_MAX,
+                                   &triangle.planes);
 }
 
 /* accuracy 5.1.1 */
@@ -280,4 +285,34 @@ void test_segments_are_within_a_third_where_the_least_weight_suffices(void)
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, wide);
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 500, narrow);
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 500, refused);
+}
+
+/* SPEC 9.8 */
+void test_colours_take_longer_sides_but_no_thin_triangle(void)
+{
+    const fxl_q18_46 depth = (fxl_q18_46)1 << 46;
+    fxl_screen_corners large = {
+        {{0, 0}, {FXL_COLOURS_SIDE_MAX, 0}, {0, 1 << 26}}, {depth, depth, depth}, 0, 0, true};
+    large.points[2].y = FXL_COLOURS_SIDE_MAX;
+    large.width = large.height = FXL_COLOURS_SIDE_MAX;
+    TEST_ASSERT_TRUE(fxl_corner_planes_begin(&large, &triangle.view.lens, FXL_COLOURS_SIDE_MAX,
+                                             &triangle.planes));
+    TEST_ASSERT_TRUE(triangle.planes.is_for_words && triangle.planes.exponent <= 40);
+    for (int k = 0; k < 2; k++) { /* the larger coefficient is one over a side */
+        const double most =
+            fmax(fabs((double)triangle.planes.along[k]), fabs((double)triangle.planes.down[k]));
+        TEST_ASSERT_TRUE(fabs(ldexp(most, 16 - triangle.planes.exponent) * 1023 - 65536) < 0.01);
+    }
+    TEST_ASSERT_FALSE(
+        fxl_corner_planes_begin(&large, &triangle.view.lens, FXL_WORDS_SIDE_MAX, &triangle.planes));
+    large.width++;
+    TEST_ASSERT_FALSE(fxl_corner_planes_begin(&large, &triangle.view.lens, FXL_COLOURS_SIDE_MAX,
+                                              &triangle.planes));
+    large.width--;
+    large.points[2].y = FXL_COLOURS_SIDE_MAX / 8; /* 1/16 of the box */
+    TEST_ASSERT_TRUE(fxl_corner_planes_begin(&large, &triangle.view.lens, FXL_COLOURS_SIDE_MAX,
+                                             &triangle.planes));
+    large.points[2].y--;
+    TEST_ASSERT_FALSE(fxl_corner_planes_begin(&large, &triangle.view.lens, FXL_COLOURS_SIDE_MAX,
+                                              &triangle.planes));
 }

@@ -54,7 +54,7 @@ static void check_words(double spread, bool is_even, word_counts *counts)
     if (unit_random() % 4 == 0) {
         corner_make_thin(ldexp(1, -unit_between(4, 10)));
     }
-    if (!fxl_corner_planes_begin(&triangle.corners, &triangle.view.lens, true, &triangle.planes)) {
+    if (!fxl_corner_planes_begin(&triangle.corners, &triangle.view.lens, FXL_WORDS_SIDE_MAX, &triangle.planes)) {
         return;
     }
     for (int k = 0; k < 3; k++) {

@@ -145,15 +145,20 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
         polygon->level = 0;
         return;
     }
-    const bool is_small =
-        is_projected && fxl_corner_planes_begin(&on_screen, &view->lens, false, &planes);
+    const bool is_small = is_projected && fxl_corner_planes_begin(&on_screen, &view->lens,
+                                                                  FXL_SMALL_SIDE_MAX, &planes);
     const bool is_affine =
         is_small && surface->division == FXL_AFFINE && are_on_screen(&on_screen, &view->lens);
     bool is_found = false;
     if (surface->flags & FXL_SURFACE_COLOURS) {
-        const bool has_planes = is_small && surface->division != FXL_DIVIDE_1;
+        const bool has_planes =
+            is_projected && surface->division != FXL_DIVIDE_1 &&
+            (is_small ||
+             fxl_corner_planes_begin(&on_screen, &view->lens, FXL_COLOURS_SIDE_MAX, &planes));
+        const bool is_flat =
+            has_planes && surface->division == FXL_AFFINE && are_on_screen(&on_screen, &view->lens);
         is_found = surfaces->painter->find_colours(surfaces, mapped, has_planes ? &planes : NULL,
-                                                   is_affine, &corners, &polygon->gradients);
+                                                   is_flat, &corners, &polygon->gradients);
     }
     /* What is divided at each pixel, or has more texels, keeps the exact planes. */
     const bool has_small_planes = is_small && surface->division != FXL_DIVIDE_1 &&

@@ -92,7 +92,7 @@ static inline bool shift_up(int32_t value, unsigned shift, int32_t *shifted)
     return *shifted >> shift == value;
 }
 
-/* Exponents are from 17 to 36. What is cut off a coefficient changes a channel by less than 64
+/* Exponents are from 17 to 40. What is cut off a coefficient changes a channel by less than 64
  * 2^-29 level a pixel. False: a coefficient is 4 or more, so a side of the face is short. */
 static inline bool share(const fxl_corner_planes *planes, int32_t column, shared_planes *shared)
 {
@@ -149,12 +149,15 @@ static inline void set_words(int32_t column, const channel_words channels[3],
 {
     static const fxl_gradient constant = {FXL_CONSTANT_WEIGHT, 0, 0};
     fxl_gradient *attributes = gradients->attributes;
-    attributes[0].at = two_words(channels[0].at, (uint32_t)column);
-    attributes[0].along = two_words(fxl_colours_both(channels[0].along, channels[2].along),
-                                    (uint32_t)channels[1].along << 4);
+    /* Runs have 11 bits of red and blue, which half a unit rounds to nearest. Steps are at most
+     * 2^31 - 2^23 + 2^10. */
+    attributes[0].at = two_words(channels[0].at + 1024u, (uint32_t)column);
+    attributes[0].along =
+        two_words(fxl_colours_both(channels[0].along + 1024, channels[2].along + 1024),
+                  (uint32_t)channels[1].along << 4);
     attributes[0].down = two_words((uint32_t)channels[0].down, (uint32_t)channels[1].down);
-    attributes[1].at = two_words(channels[1].at, channels[2].at);
-    attributes[1].along = 0;
+    attributes[1].at = two_words(channels[1].at, channels[2].at + 1024u);
+    attributes[1].along = two_words((uint32_t)channels[0].along, (uint32_t)channels[2].along);
     attributes[1].down = channels[2].down;
     gradients->shifts[0] = gradients->shifts[1] = gradients->shifts[2] = FXL_SHIFT_OF_WORDS;
     gradients->count = FXL_GRADIENTS_OF_WORDS;

@@ -26,11 +26,12 @@ void fxl_corner_colours(const fxl_mapped_face *mapped, int32_t (*values)[3]);
 void fxl_corner_colours_light(const fxl_light_settings *settings, const int32_t light[3],
                               int32_t (*values)[3]);
 
-/* The gradients of a small triangle with a constant weight, in words. Where is_affine, that weight
- * is asked for; false otherwise if it changes a channel by more than FXL_AFFINE_ERROR_LIGHT. Also
- * false where the face is no triangle, or where a corner's share of a pixel changes by 4 or more a
- * pixel: *gradients is then undefined. Error in the triangle, beyond that, given the corners: k of
- * the range of a channel (corner_planes.h), and 2048 2^-22 level. */
+/* The gradients of a triangle with a constant weight, in words; planes: of a small one, or with
+ * FXL_COLOURS_SIDE_MAX. Where is_affine, that weight is asked for; false otherwise if it changes a
+ * channel by more than FXL_AFFINE_ERROR_LIGHT. Also false where the face is no triangle, or where a
+ * corner's share of a pixel changes by 4 or more a pixel: *gradients is then undefined. Error in
+ * the triangle, beyond that, given the corners: k of the range of a channel (corner_planes.h), and
+ * 2048 2^-22 level. */
 bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values)[3],
                                bool is_affine, fxl_gradients *gradients);
 
@@ -43,7 +44,10 @@ bool fxl_corner_colours_unlit(const fxl_mapped_face *mapped, const fxl_corner_pl
  * 10.22, modulo 2^32, in row 0 of a column of the face. What a column adds is in fxl_colour_words.
  *
  *   attributes[0]   at: red, the column      along: step, green_step   down: red, green
- *   attributes[1]   at: green, blue          along: 0                  down: blue */
+ *   attributes[1]   at: green, blue          along: red, blue          down: blue
+ *
+ * The step has 11 bits of what red and blue change along a row. So a run is within 128 columns of
+ * one whose words have all bits: the face's, or one that is 128 k columns to its right or left. */
 #define FXL_SHIFT_OF_WORDS     127 /* all three shifts; no others are above 64 */
 #define FXL_GRADIENTS_OF_WORDS 2
 

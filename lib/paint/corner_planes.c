@@ -59,19 +59,19 @@ static inline bool find_weights(const fxl_screen_corners *corners, const fxl_len
     return true;
 }
 
-/* Edges are below 2^23 in 1/65536 pixel, so the area is below 2^47; of a small face it is at
+/* Edges are below 2^26 in 1/65536 pixel, so the area is below 2^53; of a small face it is at
  * least 2^25, of a thin one 2^19. Its upper 31 bits have a reciprocal r within 2^-29. The edges are
  * scaled to less than 2^31, so a product with r is at most 2^62. The longer side of the box
  * is scaled to 2^30 or more, so with r of at least 2^30 its coefficient would be at least 2^28:
  * what is cut off a coefficient is less than 2^-28 of that. */
 /* SPEC 9.1.1 */
 bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *lens,
-                             bool for_words, fxl_corner_planes *planes)
+                             int32_t side_max, fxl_corner_planes *planes)
 {
     const fxl_screen_point *p = corners->points;
     const uint32_t width = (uint32_t)corners->width, height = (uint32_t)corners->height;
-    const uint32_t range =
-        (uint32_t)(for_words ? FXL_WORDS_SIDE_MAX : FXL_SMALL_SIDE_MAX) - FXL_SMALL_SIDE_MIN;
+    const uint32_t range = (uint32_t)side_max - FXL_SMALL_SIDE_MIN;
+    const bool for_words = side_max == FXL_WORDS_SIDE_MAX;
     if (width - FXL_SMALL_SIDE_MIN > range || height - FXL_SMALL_SIDE_MIN > range) {
         return false;
     }
@@ -89,7 +89,7 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     }
     planes->weight_range = fxl_range_of(planes->weights);
     planes->weight_most = largest_of(planes->weights);
-    /* A side has at most 23 bits, and weights 30. */
+    /* A side has at most 26 bits, and weights 30. */
     if (fxl_product_unsigned(planes->weight_range, (uint32_t)FXL_SMALL_SLOPES << 16) >
         fxl_product_unsigned(planes->weight_most, width < height ? width : height)) {
         if (!for_words) {

@@ -33,10 +33,11 @@ typedef struct {
 } fxl_screen_corners;
 
 /* The sides of the box of a small face: from 1/4 pixel to 64 pixels. */
-#define FXL_SMALL_SIDE_MIN (1 << 14)
-#define FXL_SMALL_SIDE_MAX (64 << 16)
-#define FXL_WORDS_SIDE_MAX ((127 << 16) + (1 << 14)) /* of a face whose planes may be words */
-#define FXL_SMALL_SLOPES   16
+#define FXL_SMALL_SIDE_MIN   (1 << 14)
+#define FXL_SMALL_SIDE_MAX   (64 << 16)
+#define FXL_WORDS_SIDE_MAX   ((127 << 16) + (1 << 14)) /* of a face whose planes may be words */
+#define FXL_COLOURS_SIDE_MAX (1023 << 16)              /* of one whose colours may be words */
+#define FXL_SMALL_SLOPES     16
 
 /* What all values of a small face share. */
 typedef struct {
@@ -44,7 +45,7 @@ typedef struct {
     /* A pixel along, values grow by (v1 - v0) along[0] + (v2 - v0) along[1], times 2^-exponent; a
      * pixel down likewise. The coefficients are at most 2^30. */
     int32_t along[2], down[2];
-    int exponent; /* 20..36; of a thin face from 14 on */
+    int exponent; /* 20..36; of a thin face from 14 on, of one with longer sides up to 40 */
     const fxl_screen_corners *corners;
     const fxl_lens *lens;
     uint64_t area;         /* twice the triangle's, in units of 2^-32 pixel */
@@ -55,7 +56,7 @@ typedef struct {
     int weight_exponent;
     bool is_triangle;
     bool may_be_steep;      /* thin, or its 1/z differ much */
-    bool is_for_words;      /* thin, or with a longer side: for fxl_corner_planes_linear alone */
+    bool is_for_words;      /* thin, or with a longer side: it is not small */
     bool is_located;        /* the next two are found */
     uint32_t columns, rows; /* how far corner 0 is from the ends of the screen, at most */
     bool has_weight;        /* the next three are found */
@@ -75,8 +76,8 @@ static inline uint32_t fxl_range_of(const int32_t values[3])
     return (uint32_t)most - (uint32_t)least;
 }
 
-/* Sets *planes. False where the face is not small, nor, if for_words, for words: *planes is
- * undefined then. A face is small if
+/* Sets *planes. side_max: FXL_SMALL_SIDE_MAX, or one of the two below. False where the face is
+ * neither small nor what side_max takes beside: *planes is undefined then. A face is small if
  * - its box has sides of FXL_SMALL_SIDE_MIN to FXL_SMALL_SIDE_MAX,
  * - the triangle of the three corners fills at least 1/16 of the box,
  * - no corner's depth is below 2^(k - 1), where 2^k is the power of two at or below the largest,
@@ -84,15 +85,17 @@ static inline uint32_t fxl_range_of(const int32_t values[3])
  *   largest one. So what the corners' rounding changes a depth by is below its resolution in 16
  * bits. Requires a box that reaches the screen of the lens.
  *
- * A thin face, whose triangle fills 1/1024 to 1/16 of the box, one whose 1/z differ by more, and
- * one with sides up to FXL_WORDS_SIDE_MAX, are for words: only fxl_corner_planes_linear takes them,
- * the first two if 1/z changes by less than the largest one a pixel.
+ * FXL_WORDS_SIDE_MAX: a thin face, whose triangle fills 1/1024 to 1/16 of the box, one whose 1/z
+ * differ by more, and one with sides up to that, are for words: only fxl_corner_planes_linear takes
+ * them, the first two if 1/z changes by less than the largest one a pixel.
+ *
+ * FXL_COLOURS_SIDE_MAX: one with sides up to that is for colours: only corner_colours.h takes it.
  *
  * In the triangle the rounding of the coefficients moves a plane by less than k = 2^-29 + 2^-28 n
  * (1 + b) of the range of its values at the corners, where the triangle fills 1/n of the box and b
  * is the ratio of the longer side of the box to the shorter one. */
 bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *lens,
-                             bool for_words, fxl_corner_planes *planes);
+                             int32_t side_max, fxl_corner_planes *planes);
 
 /* The depth of the face on the screen. Error in the triangle, given the corners on the screen: k
  * (above) of the range of depths, 2^-25 of the largest one, and 1/16 unit of the upper word.

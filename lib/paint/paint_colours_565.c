@@ -17,14 +17,14 @@ typedef struct {
 } colour_run;
 
 /* A channel of the run from `skipped` columns after one whose word is given. Words have drop bits
- * more after the point than channels; sums are modulo 2^32, and of a pixel of the face the result
- * is within its bits. */
+ * more after the point than channels, which round to nearest; sums are modulo 2^32, and of a pixel
+ * of the face the result is within its bits. */
 /* SPEC 9.8 */
 static inline void begin_channel(colour_run *run, uint32_t k, uint32_t word, uint32_t step,
                                  uint32_t drop, uint32_t skipped)
 {
-    const uint32_t of_step = (uint32_t)((int32_t)step >> drop);
-    const uint32_t channel = (word >> drop) + skipped * of_step;
+    const uint32_t of_step = (uint32_t)((int32_t)step >> drop) + (step >> (drop - 1u) & 1u);
+    const uint32_t channel = (word >> drop) + (word >> (drop - 1u) & 1u) + skipped * of_step;
     run->channels[k] = (int32_t)(channel << drop) >> drop;
     run->steps[k] = (int32_t)of_step;
 }
@@ -154,15 +154,10 @@ static inline word_row row_of(const fxl_gradient *attributes, int32_t y)
     return row;
 }
 
-/* The words of column x. The column of the face is at most 64 columns away, so red and blue are too
- * small by less than 65/2048 level, which is less than they are above 0 at the corners. */
-static inline void words_at(const fxl_gradient *attributes, const word_row *row, int32_t x,
-                            fxl_colour_words *words)
-{
-    const uint32_t skipped = (uint32_t)x - upper(attributes[0].at);
-    words->both = fxl_colours_both((int32_t)row->red, (int32_t)row->blue) + skipped * words->step;
-    words->green = (row->green << 4) + skipped * words->green_step;
-}
+/* How far a run may be from the column whose words it begins with: red and blue are off by less
+ * than 1/4096 level a column, and 1/2048, so by less than 1/31. Beyond 0 and 32 they would mix; at
+ * the corners they are 1/16 away from these. */
+#define RUN_MAX 128
 
 static inline void find_word_steps(const fxl_gradient *attributes, fxl_colour_words *words)
 {
@@ -170,25 +165,96 @@ static inline void find_word_steps(const fxl_gradient *attributes, fxl_colour_wo
     words->green_step = upper(attributes[0].along);
 }
 
+/* The words of column x, which is so far from one at which red and blue are known. */
+static inline void begin_words(uint32_t red, uint32_t green, uint32_t blue, int32_t distance,
+                               fxl_colour_words *words)
+{
+    words->both = fxl_colours_both((int32_t)red, (int32_t)blue) + (uint32_t)distance * words->step;
+    words->green = green;
+}
+
+/* The words of column x, which is so far from the face's column. Returns how far the first column
+ * is that begins with others. */
+static inline int32_t words_at(const fxl_gradient *attributes, const word_row *row,
+                               int32_t distance, fxl_colour_words *words)
+{
+    const uint32_t green = (row->green << 4) + (uint32_t)distance * words->green_step;
+    if (distance >= -RUN_MAX && distance <= RUN_MAX) {
+        begin_words(row->red, green, row->blue, distance, words);
+        return RUN_MAX + 1;
+    }
+    const bool is_left = distance < 0;
+    const int32_t size = ((is_left ? -distance : distance) - 1) & -RUN_MAX; /* RUN_MAX or more */
+    const int32_t begin = is_left ? -size : size;
+    begin_words(row->red + (uint32_t)begin * (uint32_t)attributes[1].along, green,
+                row->blue + (uint32_t)begin * upper(attributes[1].along), distance - begin, words);
+    return begin + (is_left ? 0 : RUN_MAX + 1);
+}
+
+/* Opaque pixels of a row, not all within RUN_MAX of the face's column. words: with its steps. */
+static __attribute__((noinline)) void paint_runs(const fxl_gradient *attributes,
+                                                 const word_row *row, uint16_t *pixels, int32_t x0,
+                                                 int32_t x1, fxl_colour_words *words)
+{
+    const int32_t column = (int32_t)upper(attributes[0].at);
+    while (x0 < x1) {
+        const int32_t end = smaller(words_at(attributes, row, x0 - column, words) + column, x1);
+        fxl_paint_colour_run(words, pixels + x0, (uint32_t)(end - x0));
+        x0 = end;
+    }
+}
+
+/* The same of a row that is within it. */
+static inline void paint_near_run(const fxl_gradient *attributes, const word_row *row,
+                                  uint16_t *pixels, int32_t x0, int32_t x1, fxl_colour_words *words)
+{
+    const int32_t distance = x0 - (int32_t)upper(attributes[0].at);
+    begin_words(row->red, (row->green << 4) + (uint32_t)distance * words->green_step, row->blue,
+                distance, words);
+    fxl_paint_colour_run(words, pixels + x0, (uint32_t)(x1 - x0));
+}
+
+/* Whether the pixels of a polygon are within RUN_MAX of the face's column. Places are below 2^27
+ * in 1/65536 pixel: on the screen, or beside it. */
+static bool is_near_column(const fxl_gradient *attributes, const fxl_screen_point *points,
+                           uint32_t count)
+{
+    const int32_t column = (int32_t)upper(attributes[0].at);
+    uint32_t farthest = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t distance = (uint32_t)((points[i].x >> 16) - column + RUN_MAX);
+        farthest = distance > farthest ? distance : farthest;
+    }
+    return farthest <= 2 * RUN_MAX;
+}
+
 /* A part of a row. */
 static void paint_words(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     const fxl_gradient *attributes = paint->gradients->attributes;
     const word_row at = row_of(attributes, row->y);
+    const int32_t column = (int32_t)upper(attributes[0].at);
     fxl_colour_words words;
     find_word_steps(attributes, &words);
-    words_at(attributes, &at, x0, &words);
     if (is_opaque(paint)) {
-        fxl_paint_colour_run(&words, (uint16_t *)(void *)row->pixels + x0, (uint32_t)(x1 - x0));
+        uint16_t *pixels = (uint16_t *)(void *)row->pixels;
+        if (x0 - column >= -RUN_MAX && x1 - column <= RUN_MAX + 1) {
+            paint_near_run(attributes, &at, pixels, x0, x1, &words);
+        } else {
+            paint_runs(attributes, &at, pixels, x0, x1, &words);
+        }
         return;
     }
-    for (; x0 < x1; x0++) {
-        const int32_t channels[3] = {(int32_t)(words.both >> 16),
-                                     (int32_t)(words.green >> (32u - 6u - FRACTION)),
-                                     (int32_t)(words.both & 0xFFFFu)};
-        show(paint, row, x0, channels);
-        words.both += words.step;
-        words.green += words.green_step;
+    while (x0 < x1) {
+        const int32_t end = smaller(words_at(attributes, &at, x0 - column, &words) + column, x1);
+        for (; x0 < end; x0++) {
+            const int32_t channels[3] = {(int32_t)(words.both >> 16),
+                                         (int32_t)(words.green >> (32u - 6u - FRACTION)),
+                                         (int32_t)(words.both & 0xFFFFu)};
+            show(paint, row, x0, channels);
+            words.both += words.step;
+            words.green += words.green_step;
+        }
     }
 }
 
@@ -202,6 +268,7 @@ bool fxl_paint_colour_polygon(const fxl_paint *paint, const fxl_screen_point *po
         return false;
     }
     const word_row down = down_of(attributes);
+    const bool is_near = is_near_column(attributes, points, count);
     find_word_steps(attributes, &words);
     fxl_scan_outline(points, count, band, scan);
     while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
@@ -212,9 +279,10 @@ bool fxl_paint_colour_polygon(const fxl_paint *paint, const fxl_screen_point *po
             (uint16_t *)(void *)band->pixels + (size_t)(y - band->first_row) * band->stride;
         for (; y < trapezoid->end_row; y++) {
             const int32_t x0 = a.x <= b.x ? a.x : b.x, x1 = a.x <= b.x ? b.x : a.x;
-            if (x0 < x1) {
-                words_at(attributes, &row, x0, &words);
-                fxl_paint_colour_run(&words, pixels + x0, (uint32_t)(x1 - x0));
+            if (x0 < x1 && is_near) {
+                paint_near_run(attributes, &row, pixels, x0, x1, &words);
+            } else if (x0 < x1) {
+                paint_runs(attributes, &row, pixels, x0, x1, &words);
             }
             fxl_edge_step(&a);
             fxl_edge_step(&b);

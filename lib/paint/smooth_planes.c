@@ -11,7 +11,7 @@ bool fxl_find_smooth_planes(const fxl_screen_corners *corners, const fxl_lens *l
                             fxl_depth_plane *depth)
 {
     fxl_corner_planes planes;
-    return fxl_corner_planes_begin(corners, lens, true, &planes) &&
+    return fxl_corner_planes_begin(corners, lens, FXL_WORDS_SIDE_MAX, &planes) &&
            fxl_corner_planes_linear(&planes, light, gradients, depth);
 }
 

@@ -71,12 +71,12 @@ WRAPPED(bool, fxl_find_screen_corners,
 }
 
 WRAPPED(bool, fxl_corner_planes_begin,
-        (const fxl_screen_corners *corners, const fxl_lens *lens, bool for_words,
+        (const fxl_screen_corners *corners, const fxl_lens *lens, int32_t side_max,
          fxl_corner_planes *planes))
 {
-    const bool is_small = __real_fxl_corner_planes_begin(corners, lens, for_words, planes);
-    counted.small_faces += is_small && !planes->is_for_words;
-    return is_small;
+    const bool is_begun = __real_fxl_corner_planes_begin(corners, lens, side_max, planes);
+    counted.small_faces += is_begun && (side_max == FXL_COLOURS_SIDE_MAX || !planes->is_for_words);
+    return is_begun;
 }
 
 /* A small face whose weight is not constant has it as one plane more. */

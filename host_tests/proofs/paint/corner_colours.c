@@ -48,7 +48,7 @@ void prove_share(void)
     shared_planes shared;
     const int32_t corner = nondet_s32();
     ASSUME(WITHIN(corner, 1 << 27) && planes.x == corner - 32768 && WITHIN(planes.y, 1 << 27));
-    ASSUME(planes.exponent >= 17 && planes.exponent <= 36);
+    ASSUME(planes.exponent >= 17 && planes.exponent <= 40);
     ASSUME(WITHIN(planes.along[0], 1 << 30) && WITHIN(planes.along[1], 1 << 30));
     ASSUME(WITHIN(planes.down[0], 1 << 30) && WITHIN(planes.down[1], 1 << 30));
     if (share(&planes, corner >> 16, &shared)) {
@@ -112,6 +112,10 @@ void prove_set_words(void)
 {
     channel_words channels[3];
     fxl_gradients gradients;
+    for (int i = 0; i < 3; i++) { /* find_channel */
+        ASSUME(channels[i].along >= -(INT32_MAX - (1 << 23)) &&
+               channels[i].along <= INT32_MAX - (1 << 23));
+    }
     set_words(nondet_s32(), channels, &gradients);
     ASSERT("two records of words", fxl_has_colour_words(&gradients) && gradients.count == 2);
     PROOF_ENDS();
