@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
 """What single steps of a frame cost, as differences of whole frames and as stages of one: [[budgets]] of bench/bench.toml.
 
-They need no name of a function of the library, so that they mean the same after a change of it.
+They need no name of a function of the library, so that they mean the same after a change of it. Only what no difference shows
+is counted by the calls of a function.
 """
 
 from fixel.base import parallel, scratch
-from fixel.bench import bench_plan, bench_rgb565, bench_run, bench_terrain
+from fixel.base.errors import ToolError
+from fixel.bench import bench_plan, bench_rgb565, bench_run, bench_terrain, places
 
 WIDE, NARROW, SHORT = (320, 64), (32, 64), (32, 32)     # screens of a wall that covers all of them
 
@@ -59,6 +61,16 @@ def _stage(frames):
     return frames.staged(frames.image()[0]) / frames.entry["per"]
 
 
+def _calls(frames):
+    """A call of a function, with what it calls."""
+    taken, _ = bench_run.profile(frames.plan, bench_rgb565.CORE, frames.entry["program"], frames.image()[0])
+    rows = {row["function"]: row for row in places.as_json(taken, 1)["functions"]}
+    row = rows.get(frames.entry["function"])
+    if row is None:
+        raise ToolError(f"{frames.entry['name']}: no frame calls {frames.entry['function']}; bench/bench.toml names a function")
+    return row["inclusive"] / row["entered"] / frames.entry["per"]
+
+
 def _terrain(frames):
     """A stage in a frame of a terrain, for each face of it."""
     scene = bench_terrain.terrain(frames.image()[1], frames.entry["faces"])
@@ -66,7 +78,7 @@ def _terrain(frames):
     return frames.staged(file) / frames.entry["faces"] / frames.entry["per"]
 
 
-KINDS = {"pixel": _pixel, "row": _row, "added": _added, "times": _times, "stage": _stage, "terrain": _terrain}
+KINDS = {"pixel": _pixel, "row": _row, "added": _added, "times": _times, "stage": _stage, "calls": _calls, "terrain": _terrain}
 
 
 def _measure(plan, entry):
