@@ -165,71 +165,30 @@ static inline void find_word_steps(const fxl_gradient *attributes, fxl_colour_wo
     words->green_step = upper(attributes[0].along);
 }
 
-/* The words of column x, which is so far from one at which red and blue are known. */
-static inline void begin_words(uint32_t red, uint32_t green, uint32_t blue, int32_t distance,
-                               fxl_colour_words *words)
-{
-    words->both = fxl_colours_both((int32_t)red, (int32_t)blue) + (uint32_t)distance * words->step;
-    words->green = green;
-}
-
-/* The words of column x, which is so far from the face's column. Returns how far the first column
- * is that begins with others. */
+/* The words of a column that is so far from the face's. is_near: it is known to be within RUN_MAX.
+ * Returns how far the first column is that begins with others. */
 static inline int32_t words_at(const fxl_gradient *attributes, const word_row *row,
-                               int32_t distance, fxl_colour_words *words)
+                               int32_t distance, bool is_near, fxl_colour_words *words)
 {
-    const uint32_t green = (row->green << 4) + (uint32_t)distance * words->green_step;
-    if (distance >= -RUN_MAX && distance <= RUN_MAX) {
-        begin_words(row->red, green, row->blue, distance, words);
-        return RUN_MAX + 1;
+    uint32_t red = row->red, blue = row->blue;
+    int32_t begin = 0, end = RUN_MAX + 1;
+    if (!is_near && (distance < -RUN_MAX || distance > RUN_MAX)) {
+        const bool is_left = distance < 0;
+        const int32_t size = ((is_left ? -distance : distance) - 1) & -RUN_MAX;
+        begin = is_left ? -size : size;
+        end = is_left ? begin : begin + RUN_MAX + 1;
+        red += (uint32_t)begin * (uint32_t)attributes[1].along;
+        blue += (uint32_t)begin * upper(attributes[1].along);
     }
-    const bool is_left = distance < 0;
-    const int32_t size = ((is_left ? -distance : distance) - 1) & -RUN_MAX; /* RUN_MAX or more */
-    const int32_t begin = is_left ? -size : size;
-    begin_words(row->red + (uint32_t)begin * (uint32_t)attributes[1].along, green,
-                row->blue + (uint32_t)begin * upper(attributes[1].along), distance - begin, words);
-    return begin + (is_left ? 0 : RUN_MAX + 1);
-}
-
-/* Opaque pixels of a row, not all within RUN_MAX of the face's column. words: with its steps. */
-static __attribute__((noinline)) void paint_runs(const fxl_gradient *attributes,
-                                                 const word_row *row, uint16_t *pixels, int32_t x0,
-                                                 int32_t x1, fxl_colour_words *words)
-{
-    const int32_t column = (int32_t)upper(attributes[0].at);
-    while (x0 < x1) {
-        const int32_t end = smaller(words_at(attributes, row, x0 - column, words) + column, x1);
-        fxl_paint_colour_run(words, pixels + x0, (uint32_t)(end - x0));
-        x0 = end;
-    }
-}
-
-/* The same of a row that is within it. */
-static inline void paint_near_run(const fxl_gradient *attributes, const word_row *row,
-                                  uint16_t *pixels, int32_t x0, int32_t x1, fxl_colour_words *words)
-{
-    const int32_t distance = x0 - (int32_t)upper(attributes[0].at);
-    begin_words(row->red, (row->green << 4) + (uint32_t)distance * words->green_step, row->blue,
-                distance, words);
-    fxl_paint_colour_run(words, pixels + x0, (uint32_t)(x1 - x0));
-}
-
-/* Whether the pixels of a polygon are within RUN_MAX of the face's column. Places are below 2^27
- * in 1/65536 pixel: on the screen, or beside it. */
-static bool is_near_column(const fxl_gradient *attributes, const fxl_screen_point *points,
-                           uint32_t count)
-{
-    const int32_t column = (int32_t)upper(attributes[0].at);
-    uint32_t farthest = 0;
-    for (uint32_t i = 0; i < count; i++) {
-        const uint32_t distance = (uint32_t)((points[i].x >> 16) - column + RUN_MAX);
-        farthest = distance > farthest ? distance : farthest;
-    }
-    return farthest <= 2 * RUN_MAX;
+    words->both =
+        fxl_colours_both((int32_t)red, (int32_t)blue) + (uint32_t)(distance - begin) * words->step;
+    words->green = (row->green << 4) + (uint32_t)distance * words->green_step;
+    return end;
 }
 
 /* A part of a row. */
-static void paint_words(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+static __attribute__((noinline)) void paint_words(const fxl_paint *paint, const fxl_paint_row *row,
+                                                  int32_t x0, int32_t x1)
 {
     const fxl_gradient *attributes = paint->gradients->attributes;
     const word_row at = row_of(attributes, row->y);
@@ -238,16 +197,17 @@ static void paint_words(const fxl_paint *paint, const fxl_paint_row *row, int32_
     find_word_steps(attributes, &words);
     if (is_opaque(paint)) {
         uint16_t *pixels = (uint16_t *)(void *)row->pixels;
-        if (x0 - column >= -RUN_MAX && x1 - column <= RUN_MAX + 1) {
-            paint_near_run(attributes, &at, pixels, x0, x1, &words);
-        } else {
-            paint_runs(attributes, &at, pixels, x0, x1, &words);
-        }
+        do {
+            const int32_t next = words_at(attributes, &at, x0 - column, false, &words);
+            const int32_t end = smaller(next + column, x1);
+            fxl_paint_colour_run(&words, pixels + x0, (uint32_t)(end - x0));
+            x0 = end;
+        } while (x0 < x1);
         return;
     }
     while (x0 < x1) {
-        const int32_t end = smaller(words_at(attributes, &at, x0 - column, &words) + column, x1);
-        for (; x0 < end; x0++) {
+        const int32_t next = words_at(attributes, &at, x0 - column, false, &words);
+        for (const int32_t end = smaller(next + column, x1); x0 < end; x0++) {
             const int32_t channels[3] = {(int32_t)(words.both >> 16),
                                          (int32_t)(words.green >> (32u - 6u - FRACTION)),
                                          (int32_t)(words.both & 0xFFFFu)};
@@ -264,11 +224,17 @@ bool fxl_paint_colour_polygon(const fxl_paint *paint, const fxl_screen_point *po
     const fxl_gradient *attributes = paint->gradients->attributes;
     const fxl_trapezoid *trapezoid;
     fxl_colour_words words;
+    fxl_paint_row far; /* what paint_words reads of it */
     if (!fxl_has_colour_words(paint->gradients) || !is_opaque(paint)) {
         return false;
     }
+    const int32_t column = (int32_t)upper(attributes[0].at);
+    bool is_near = true; /* places are below 2^27: on the screen, or beside it */
+    for (uint32_t i = 0; i < count; i++) {
+        const int32_t distance = (points[i].x >> 16) - column;
+        is_near = is_near && distance >= -RUN_MAX && distance <= RUN_MAX;
+    }
     const word_row down = down_of(attributes);
-    const bool is_near = is_near_column(attributes, points, count);
     find_word_steps(attributes, &words);
     fxl_scan_outline(points, count, band, scan);
     while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
@@ -280,9 +246,12 @@ bool fxl_paint_colour_polygon(const fxl_paint *paint, const fxl_screen_point *po
         for (; y < trapezoid->end_row; y++) {
             const int32_t x0 = a.x <= b.x ? a.x : b.x, x1 = a.x <= b.x ? b.x : a.x;
             if (x0 < x1 && is_near) {
-                paint_near_run(attributes, &row, pixels, x0, x1, &words);
+                (void)words_at(attributes, &row, x0 - column, true, &words);
+                fxl_paint_colour_run(&words, pixels + x0, (uint32_t)(x1 - x0));
             } else if (x0 < x1) {
-                paint_runs(attributes, &row, pixels, x0, x1, &words);
+                far.pixels = (uint8_t *)(void *)pixels;
+                far.y = y;
+                paint_words(paint, &far, x0, x1);
             }
             fxl_edge_step(&a);
             fxl_edge_step(&b);
