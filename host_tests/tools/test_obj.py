@@ -142,7 +142,7 @@ def test_colours_of_four_numbers(tmp_path, rows, expected):
 def test_colours_that_are_no_numbers_are_none(tmp_path):
     lines = [f"v {x} {y} 0 {colour}\n" for x, y, colour in ((0, 0, "1 0 0"), (1, 0, "1 0 0"), (0, 1, "1 0 0"), (1, 1, "nan -nan(ind) 1.#QNAN"))]
     made, notes = read(tmp_path, "".join(lines) + "f 1 2 3\nf 2 4 3\n")
-    assert made.surfaces.colours() == [(255, 0, 0), (200, 192, 176)]
+    assert made.surfaces.colours() == [(255, 0, 0), (237, 64, 59)]
     assert any("colours of vertices that are no numbers: 1 (first: model.obj:4)" in note for note in notes)
 
 
@@ -194,11 +194,12 @@ def test_colours_of_vertices_are_a_faces_mean(tmp_path, most):
              ((0, 0, 1, 0, 0), (1, 0, 0, 1, 0), (0, 1, 0, 0, 1), (1, 1, 1, 1, 1))] + ["v 5 5 5", "v 6 6 6 1", ""]
     faces = "f 1 2 3\nf 4 4 4\nf 1 2 5\nf 1 2 6\n"
     made, notes = read(tmp_path, "\n".join(lines) + faces)
-    assert made.surfaces.colours() == [(85, 85, 85), (255, 255, 255), (200, 192, 176), (200, 192, 176)]
+    assert made.surfaces.colours() == [(85, 85, 85), (255, 255, 255), (152, 149, 59), (152, 149, 59)]
+    assert any("vertices without a colour beside those with one: 2, which are grey" in note for note in notes)
     assert sum("mean of its corners' colours" in note for note in notes) == 1
     (tmp_path / "m.mtl").write_text("newmtl a\nKd 1 0.6 0\n")
     made, _ = read(tmp_path, "mtllib m.mtl\nusemtl a\n" + "\n".join(lines) + faces)
-    assert made.surfaces.colours() == [(85, 51, 0), (255, 153, 0), (255, 153, 0), (255, 153, 0)]
+    assert made.surfaces.colours() == [(85, 51, 0), (255, 153, 0), (170, 102, 0), (170, 102, 0)]
 
 
 def test_a_file_without_faces_is_refused(tmp_path):

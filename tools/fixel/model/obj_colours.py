@@ -21,9 +21,7 @@ def _scaled(colour, most):
 
 
 def _tint(found):
-    """What a face's colour is multiplied by: the mean of its vertices' colours; None where one has none, or it is white."""
-    if None in found:
-        return None
+    """What a face's colour is multiplied by: the mean of its vertices' colours; None where it is white."""
     mean = mean_tint(found)
     return None if mean == WHITE else mean
 
@@ -71,13 +69,16 @@ class Colours:
         notes = [f"{self.name}: colours of vertices that are no numbers: {self.wrong[0]:,} (first: {self.wrong[1]})"] if self.wrong[0] else []
         if not any(colours):
             return False, notes
-        scaled = [colour and _scaled(colour, most) for colour in colours]
+        # One without a colour is as all would be without: white times the material, or grey.
+        bare = WHITE if has_materials else GREY
+        scaled = [_scaled(colour, most) if colour else bare for colour in colours]
+        without = sum(colours[corner] is None for corner in {corner for face in faces for corner in face})
+        if without:
+            notes.append(f"{self.name}: vertices without a colour beside those with one: {without:,}, which are {'white' if has_materials else 'grey'}")
         surfaces.tints = [_tint([scaled[corner] for corner in face]) for face in faces]
         surfaces.give_corners([[scaled[corner] for corner in face] for face in faces])
         if not has_materials:   # the vertices' colours are the faces'
             surfaces.materials = [Material(each.name, WHITE) for each in surfaces.materials]
-            grey = {number for number, tint in enumerate(surfaces.tints) if tint is None and None in [colours[c] for c in faces[number]]}
-            surfaces.tints = [GREY if number in grey else tint for number, tint in enumerate(surfaces.tints)]
         if is_clear:
             notes.append(f"{self.name}: left out alpha of the colours: every face is opaque")
         return True, [f"{self.name}: {MEAN_NOTE}", *notes]
