@@ -2,6 +2,7 @@
 """Models in scenes: materials, images, fit, mend, merge."""
 
 import struct
+import time
 import zlib
 
 import numpy
@@ -222,6 +223,12 @@ def test_the_first_material_that_is_not_there_is_named(tmp_path):
 def test_mtllib_of_absurd_lengths(tmp_path, lines, line):
     _, colours, notes = painted(tmp_path, PAINT, obj="\n".join(lines) + "\n" + QUADS.replace("mtllib paint.mtl\n", ""), **{"m.mtl": PAINT})
     assert colours == [(255, 0, 51), (255, 255, 128)] and any(f"m.obj:{line}: left out what is behind" in note for note in notes)
+
+
+def test_thousands_of_options_take_no_time(tmp_path):
+    started = time.process_time()
+    _, colours, _ = painted(tmp_path, f"newmtl cloth\nmap_Kd {'-s ' * 150_000}{'-o 0 ' * 50_000}skin.png\n", **{"skin.png": SKIN})
+    assert colours[1] == (200, 100, 50) and time.process_time() - started < 8
 
 
 def test_a_missing_image_is_a_note_and_kd_is_the_colour(tmp_path):

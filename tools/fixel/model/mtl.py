@@ -68,7 +68,7 @@ def _options(words):
         option = words[place]
         place += 1
         if option in _NUMBERS:
-            found[option], count = _numbers(words[place:], _NUMBERS[option])
+            found[option], count = _numbers(words[place:place + 3], _NUMBERS[option])
         elif option in _WORDS:
             count = _WORDS[option]
             found[option] = words[place:place + count]
