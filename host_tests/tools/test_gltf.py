@@ -281,13 +281,20 @@ def test_emissive_and_unlit_materials(tmp_path, entry, colour, unlit, note):
     assert any("emissive" in each for each in notes) == note
 
 
-@pytest.mark.parametrize("alphas, mode, note", [((0, 128), "BLEND", True), ((0, 255), "BLEND", False), ((0, 128), "MASK", False)])
-def test_alpha_between_clear_and_opaque_is_named_where_it_would_blend(tmp_path, alphas, mode, note):
+@pytest.mark.parametrize("alphas, mode, note, opacity", [
+    ((0, 100), "BLEND", False, 100 / 255), ((97, 100), "BLEND", False, 0.386), ((60, 128), "BLEND", True, 1), ((128, 255), "BLEND", True, 1),
+    ((0, 255), "BLEND", False, 1), ((0, 128), "MASK", False, 1)])
+def test_alpha_between_clear_and_opaque_is_named_where_it_would_blend(tmp_path, alphas, mode, note, opacity):
+    """One alpha of all that is not clear is the opacity of the material."""
     image = png([[(200, 0, 0, alphas[0])] * 4 + [(0, 100, 0, alphas[1])] * 4] * 8)
     data, blob = make(uvs=[(0, 0), (1, 0), (1, 1), (0, 1)], image=image)
     data["materials"][0]["alphaMode"] = mode
-    _, notes = read(tmp_path, glb(data, blob))
+    mesh, notes = read(tmp_path, glb(data, blob))
+    material = mesh.surfaces.materials[0]
     assert any('1 x "an image\'s alpha between clear and opaque: from a half on it is opaque"' in each for each in notes) == note
+    assert abs(material.opacity - opacity) < 0.01
+    if opacity < 1:
+        assert set(material.image.pixels[..., 3].flat) == ({0, 255} if 0 in alphas else {255})
 
 
 @pytest.mark.parametrize("colours, note", [([(255, 0, 0, 255), (0, 255, 0, 255)] * 2, True), ([(255, 255, 255, 255)] * 4, False)])

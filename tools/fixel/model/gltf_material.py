@@ -177,9 +177,13 @@ class Materials:
             factor, found = self._with_glow(factor, found, glow, glow_texture and self._texture(glow_texture, where), where)
         image, *rest = found or (None,)
         cutoff, = gltf_check.numbers(self.checked, {"alphaCutoff": [entry.get("alphaCutoff", 0.5)]}, "alphaCutoff", 1, where)
-        if mode == "BLEND" and image is not None and image.is_translucent():
-            self.left_out.add("an image's alpha between clear and opaque: from a half on it is opaque", where)
         opacity = {"OPAQUE": 1.0, "BLEND": min(max(factor[3], 0.0), 1.0), "MASK": 0.0 if image is None and factor[3] < cutoff else 1.0}[mode]
+        if mode == "BLEND" and image is not None and image.is_translucent():
+            alpha = image.one_alpha()
+            if alpha is None:
+                self.left_out.add("an image's alpha between clear and opaque: from a half on it is opaque", where)
+            else:
+                image, opacity = image.with_alpha(alpha / 510), opacity * alpha / 255
         material = Material(_name(entry, number), tuple(map(srgb, factor[:3])), opacity, self._with_alpha(image, mode, factor[3], cutoff),
                             is_unlit=keeps_colour, is_two_sided=entry.get("doubleSided") is True, is_clear=mode != "OPAQUE")
         return Read(material, *rest)

@@ -20,6 +20,7 @@ FORMATS = ("PNG", "JPEG", "BMP", "TGA", "GIF", "PPM", "WEBP")
 EXIF_MAX, _EXIF = 64, b"Exif\0\0"
 COMMENTS_MAX, _PLAIN = 64, (b"P1", b"P2", b"P3")
 PngImagePlugin.MAX_TEXT_MEMORY = 1 << 22    # bytes of compressed texts that Pillow reads before anything else
+ALPHA_MOST = 4      # of 255
 _EDGE_SHARE = 1 / 20
 _CHUNK = 1024           # triangles at a time
 _ROWS = 256             # of an image of 16 bits, at a time
@@ -70,6 +71,13 @@ class Texture:
         """Whether more than a few of its pixels, as edges have them, are neither clear nor opaque."""
         alpha = self.pixels[..., 3]
         return bool(np.count_nonzero((alpha > 0) & (alpha < 255)) > _EDGE_SHARE * alpha.size)
+
+    def one_alpha(self):
+        """The alpha, 1..254, of all but a few of its pixels that are not clear, to within ALPHA_MOST; None where they have several."""
+        shown = self.pixels[..., 3][self.pixels[..., 3] > 0].astype(int)
+        middle = int(np.median(shown)) if shown.size else 255
+        off = np.count_nonzero(np.abs(shown - middle) > ALPHA_MOST)
+        return middle if middle < 255 and off <= _EDGE_SHARE * self.pixels[..., 3].size else None
 
     def mirrored(self, across, down):
         """The image and its mirror image beside it, below it, or both."""
