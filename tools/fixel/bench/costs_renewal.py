@@ -17,7 +17,7 @@ from fixel.base.table import table
 from fixel.report import showcase_models
 
 OWN = ("", "_sphere", "_surfaces", "_rooms", "_lights", "_lamps", "_turned", "_turned_lit", "_depth", "_depth_textures", "_smooth",
-       "_glass", "_pane", "_billboards", "_wood", "_beams", "_tree", "_texels", "_colours", "_all")
+       "_glass", "_pane", "_billboards", "_wood", "_beams", "_tree", "_texels", "_colours", "_colours_wall", "_all")
 TEXTURED = ("bench/scenes/tqa.toml", "bench/scenes/tqp.toml", "bench/scenes/crates.toml")
 MORE = (*(f"bench/costs{name}.toml" for name in OWN), *TEXTURED, "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml",
         "scenes/landscape.toml")
