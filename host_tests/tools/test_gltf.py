@@ -616,6 +616,7 @@ BAD = {
     "no version": (changed(["asset"], {}), ["names no version", "npx gltf-pipeline"]),
     "sampler": (changed(["textures", 0, "sampler"], 3), ["sampler 3 does not exist"]),
     "alpha": (changed(["materials", 0, "alphaMode"], "GLASS"), ['"GLASS"', "OPAQUE"]),
+    "emissive image": (changed(["materials", 0], {"emissiveFactor": [1, 1, 1], "emissiveTexture": {}}), ["material 0", "index is missing"]),
     "emissive": (changed(["materials", 0, "emissiveFactor"], [1, 2]), ["emissiveFactor must be 3 numbers"]),
     "transform": (changed(["materials", 0, "pbrMetallicRoughness", "baseColorTexture", "extensions"],
                           {"KHR_texture_transform": {"offset": 3}}), ["offset must be 2 numbers"]),

@@ -338,6 +338,13 @@ def test_damaged_animations_are_refused(tmp_path, damage, said):
         compiled(made.write(tmp_path / "car.glb"))
 
 
+def test_a_track_of_a_path_that_is_no_text_is_left_out(tmp_path):
+    made = car()
+    made.data["animations"][0]["channels"][0]["target"]["path"] = ["rotation"]
+    _, notes = compiled(made.write(tmp_path / "car.glb"))
+    assert any("left out 1 tracks that move no node" in note for note in notes)
+
+
 # --- skins -----------------------------------------------------------------------------------
 
 def figure(soft=False, moves=True):
@@ -395,6 +402,15 @@ def test_a_second_set_of_joints_counts(tmp_path, weight, is_rigid):
                                                                "WEIGHTS_1": made.add([[weight, 0, 0, 0]] * 24, "<f4", "VEC4")}
     scene, notes = compiled(made.write(tmp_path / "m.glb"))
     assert (scene.names == ["hip", "shoulder", "elbow"]) == is_rigid != any("left out 1 skins" in note for note in notes)
+
+
+def test_a_skinned_node_without_faces_is_no_part(tmp_path):
+    made = figure()
+    made.data["accessors"].append({**made.data["accessors"][made.data["meshes"][0]["primitives"][0]["indices"]], "count": 0})
+    made.data["meshes"].append({"primitives": [{**made.data["meshes"][0]["primitives"][0], "indices": len(made.data["accessors"]) - 1}]})
+    made.data["nodes"].append({"name": "nothing", "mesh": 1, "skin": 0})
+    made.data["scenes"][0]["nodes"].append(4)
+    assert compiled(made.write(tmp_path / "m.glb"))[0].names == ["hip", "shoulder", "elbow"]
 
 
 def test_several_meshes_may_hang_on_one_joint(tmp_path):

@@ -174,7 +174,8 @@ class Materials:
             factor, texture, glow, keeps_colour = [*glow, factor[3]], glow_texture, (0, 0, 0), True
         found = self._texture(texture, where) if texture is not None else None
         if any(glow) and not keeps_colour:
-            factor, found = self._with_glow(factor, found, glow, glow_texture and self._texture(glow_texture, where), where)
+            other = None if glow_texture is None else self._texture(glow_texture, where)
+            factor, found = self._with_glow(factor, found, glow, other, where)
         image, *rest = found or (None,)
         cutoff, = gltf_check.numbers(self.checked, {"alphaCutoff": [entry.get("alphaCutoff", 0.5)]}, "alphaCutoff", 1, where)
         opacity = {"OPAQUE": 1.0, "BLEND": min(max(factor[3], 0.0), 1.0), "MASK": 0.0 if image is None and factor[3] < cutoff else 1.0}[mode]

@@ -57,7 +57,7 @@ class Animation:
         samplers, self.channels, self.others = entry.get("samplers"), {}, 0
         for channel in entry.get("channels") if isinstance(entry.get("channels"), list) else []:
             target = channel.get("target") if isinstance(channel, dict) else None
-            if not isinstance(target, dict) or not isinstance(target.get("node"), int) or target.get("path") not in _WIDTHS:
+            if not isinstance(target, dict) or not isinstance(target.get("node"), int) or target.get("path") not in list(_WIDTHS):
                 self.others += 1
                 continue
             sampler = channel.get("sampler")

@@ -72,8 +72,9 @@ class Nodes:
         return {self.names[number]: self.ranges[number] for number in self.names if number in self.ranges}
 
     def bind(self, number, joints):
-        """What hangs on joints at a node: see gltf_skins.rigid."""
-        self.skins[number] = joints
+        """What hangs on joints at a node: see gltf_skins.rigid. A node without faces has nothing that hangs."""
+        if number in self.ranges:
+            self.skins[number] = joints
 
     def hang(self, move):
         """Gives the faces of rigid skins to their joints, once all nodes are known; are_rigid says whether all were. move: takes faces to their place by a matrix
