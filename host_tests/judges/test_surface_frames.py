@@ -2,6 +2,8 @@
 """Frames of scenes with surfaces, against the reference renderer in double (docs/extras/surfaces.md)."""
 
 import json
+import math
+import random
 import subprocess
 
 import pytest
@@ -179,3 +181,52 @@ keys = [{ position = [0, 0, 0], frames = 4 }, { position = [0.5, 0, 0] }]
     file.write_text(text)
     image = built(file, tmp_path, "narrow")
     assert judged(build, image, drawn(build, image, "narrow"))["pixels_unexplained"] == 0
+
+
+def test_a_level_at_its_border_may_be_either(build, tmp_path):
+    """Squares of a texture of 8 x 8 texels about as large as 8 / sqrt(2) pixels, from where on it shows its second level: by the rounding of
+    their corners some show another one than in double (SPEC.md, 9.4), and those within the bound alone are explained."""
+    rows, side = ["vt 0 0", "vt 0 1", "vt 1 1", "vt 1 0"], 8 / math.sqrt(2) * 1000 / (160 / math.tan(math.radians(30)))
+    for number in range(26 * 18):
+        left, low = 40.37 * (number % 26) - 520.1, 40.61 * (number // 26) - 370.2
+        wide = side + (number - 234) / 65536
+        rows += [f"v {x:.9f} {y:.9f} 0" for x, y in ((left, low), (left, low + side), (left + wide, low + side), (left + wide, low))]
+        rows.append("f -4/1 -1/4 -2/3 -3/2")
+    (tmp_path / "squares.obj").write_text("\n".join(rows) + "\n")
+    scene = tmp_path / "squares.toml"
+    scene.write_text(head(320, 240, ["fov = 60", "far = 2000"], [("t", "crate", 8, "levels = 4")]) + """
+[[objects]]
+model = "squares.obj"
+position = [0, 0, 1000]
+texture = "t"
+mapping = "file"
+shade = false
+[path]
+keys = [{ position = [0, 0, 0], frames = 3 }, { position = [3, 1.7, 0] }]
+""")
+    image = built(scene, tmp_path)
+    verdict = judged(build, image, drawn(build, image, "squares"))
+    assert verdict["pixels_unexplained"] == 0 and verdict["texel_pixels"] > 0
+
+
+def test_three_thousand_faces_about_a_pixel_have_room(build, tmp_path):
+    """Small triangles of 40 colours at depths close together: each that may be seen explains a pixel."""
+    chance, rows = random.Random(3), ["mtllib m.mtl"]
+    for number in range(3000):
+        x, y, z = chance.uniform(-.4, .4), chance.uniform(-.4, .4), chance.uniform(-.02, .02)
+        rows += [f"v {x + right:.6f} {y + up:.6f} {z:.6f}" for right, up in ((0, 0), (0, .3), (.3, 0))]
+        rows += [f"usemtl m{number % 40}", "f -1 -2 -3"]
+    (tmp_path / "m.obj").write_text("\n".join(rows) + "\n")
+    (tmp_path / "m.mtl").write_text("".join(f"newmtl m{i}\nKd {i / 40} {i * 7 % 40 / 40} {i * 3 % 40 / 40}\n" for i in range(40)))
+    scene = tmp_path / "many.toml"
+    scene.write_text(head(96, 64, ["near = 0.1", "far = 400", "depth = 16"]) + """
+[[objects]]
+model = "m.obj"
+position = [0.1, 0.07, 100]
+[path]
+keys = [{ position = [0, 0, 0], frames = 20 }, { position = [3, 1.7, 0] }]
+""")
+    image, out = built(scene, tmp_path), tmp_path / "many.fxld"
+    subprocess.run([build / "host" / "frames", image, out], check=True, capture_output=True)
+    verdict = judged(build, image, out)
+    assert verdict["pixels_unexplained"] == 0 and verdict["pixels_differing"] > 0

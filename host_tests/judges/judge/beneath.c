@@ -6,8 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Ends the program: a pixel is beyond what the judge has room for. */
-static void give_up(const char *why)
+void judge_give_up(const char *why)
 {
     fprintf(stderr, "error: %s\n", why);
     exit(2);
@@ -30,7 +29,7 @@ void judge_showing_add(judge_showing *found, uint16_t colour)
         }
     }
     if (found->count == JUDGE_COLOURS_MAX) {
-        give_up("a surface may show so many colours at one pixel that the judge has no room");
+        judge_give_up("a surface may show so many colours at one pixel that the judge has no room");
     }
     found->colours[found->count++] = colour;
 }
@@ -123,7 +122,7 @@ static void add_range(judge_beneath *to, const judge_range *range)
         }
     }
     if (to->count == JUDGE_RANGES_MAX) {
-        give_up("so many surfaces are blended at one pixel that the judge has no room");
+        judge_give_up("so many surfaces are blended at one pixel that the judge has no room");
     }
     to->ranges[to->count++] = *range;
 }
@@ -135,7 +134,7 @@ static void blend_ranges(judge_beneath *of, const ref_surface_view *look,
     const size_t size = (size_t)count * sizeof(judge_range);
     judge_range *before = malloc(size > 0 ? size : 1);
     if (!before) {
-        give_up("there is not enough memory");
+        judge_give_up("there is not enough memory");
     }
     memcpy(before, of->ranges, size);
     judge_beneath_leave_out(of, made.out);

@@ -2,6 +2,7 @@
 #include "judge/explain.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "judge/beneath.h"
 #include "judge/outlined.h"
@@ -101,6 +102,17 @@ static void add_texels(const ref_surface_view *look, const ref_place *place, dou
     }
 }
 
+/* The same of the other level that the library may choose. */
+static void add_other_texels(const ref_surface_view *look, const ref_lens *lens,
+                             const judge_question *question, judge_showing *found)
+{
+    const ref_surface_view other = ref_surface_with_level(look, look->other);
+    ref_place place;
+    if (ref_surface_place(&other, lens, question->x + 0.5, question->y + 0.5, &place)) {
+        add_texels(&other, &place, 1, found);
+    }
+}
+
 /* The parts of its colour that light may leave at a place of an RGB565 frame. */
 static void find_parts(const ref_surface_view *look, const ref_place *place, double part,
                        judge_showing *found)
@@ -145,6 +157,9 @@ static void find_showing(const ref_lens *lens, const ref_drawn *drawn,
         find_colours(&place, question->texels ? 1 : 0, found);
     } else {
         add_texels(look, &place, question->texels ? 1 : 0, found);
+        if (question->texels && look->other) {
+            add_other_texels(look, lens, question, found);
+        }
         if (look->rgb565 && look->light) {
             find_parts(look, &place, question->texels ? 1 : 0, found);
         }
@@ -211,10 +226,6 @@ double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_b
 
 /* --- by depth ------------------------------------------------------------------------------- */
 
-enum {
-    NEAR_MAX = 1024 /* polygons about one pixel */
-};
-
 /* A polygon about the pixel. */
 typedef struct {
     const ref_drawn *drawn;
@@ -237,6 +248,27 @@ static candidate candidate_of(const ref_lens *lens, const ref_drawn *drawn, cons
     one.made.in = is_in ? 0 : judge_edge_distance(most, cx, cy);
     one.made.out = is_out ? 0 : judge_edge_distance(least, cx, cy);
     return one;
+}
+
+/* The polygons about a pixel, which the caller frees, and how many there are. */
+static candidate *candidates_of(const ref_lens *lens, const ref_drawn *drawn,
+                                const judge_box *boxes, size_t count,
+                                const judge_question *question, size_t *found)
+{
+    size_t near_count = 0;
+    for (size_t i = 0; i < count; i++) {
+        near_count += !box_is_beyond(&boxes[i], question->x + 0.5, question->y + 0.5, 1);
+    }
+    candidate *near = malloc((near_count + 1) * sizeof *near);
+    if (!near) {
+        judge_give_up("there is not enough memory");
+    }
+    for (size_t i = 0; i < count && *found < near_count; i++) {
+        if (!box_is_beyond(&boxes[i], question->x + 0.5, question->y + 0.5, 1)) {
+            near[(*found)++] = candidate_of(lens, &drawn[i], &boxes[i], question);
+        }
+    }
+    return near;
 }
 
 /* Whether one is nearer than another, which may be null: the background, for sure. */
@@ -274,19 +306,14 @@ static double explain_by(const candidate *near, size_t count, const candidate *s
 double judge_explain_by_depth(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
                               size_t count, const judge_question *question, double resolution)
 {
-    candidate near[NEAR_MAX];
     size_t found = 0;
-    near[0].drawn = NULL; /* there may be none */
-    for (size_t i = 0; i < count && found < NEAR_MAX; i++) {
-        if (!box_is_beyond(&boxes[i], question->x + 0.5, question->y + 0.5, 1)) {
-            near[found++] = candidate_of(lens, &drawn[i], &boxes[i], question);
-        }
-    }
+    candidate *near = candidates_of(lens, drawn, boxes, count, question, &found);
     double best = explain_by(near, found, NULL, question, resolution);
     for (size_t i = 0; i < found; i++) {
         if (!ref_is_blended(near[i].drawn)) {
             best = fmin(best, explain_by(near, found, &near[i], question, resolution));
         }
     }
+    free(near);
     return best;
 }

@@ -94,18 +94,53 @@ static double texels_a_pixel(const ref_surface_view *view, const ref_lens *lens,
                : 0;
 }
 
+/* What part of itself the library's texels a pixel may be off by: those of a face whose corners are
+ * all in front of the eye may be found by its area on the screen, whose corners are off by up to
+ * 0.55/65536 pixel along each axis. */
+static double part_off(const ref_surface_view *view, const ref_view_point corners[3])
+{
+    const ref_screen_point *p = view->points;
+    const double area = fabs(area_of(p));
+    double sides = 0;
+    for (int i = 0; i < 3; i++) {
+        const ref_screen_point *next = &p[(i + 1) % 3];
+        sides += fabs(next->x - p[i].x) + fabs(next->y - p[i].y);
+        if (!(corners[i].z > 0)) {
+            return 0x1p-26;
+        }
+    }
+    return 0x1p-26 + (area > 0 ? fmin(0.55 / 65536 * sides / area, 1) : 0);
+}
+
+ref_surface_view ref_surface_with_level(const ref_surface_view *view,
+                                        const ref_texture_level *level)
+{
+    ref_surface_view changed = *view;
+    changed.level = level;
+    changed.scales[0] = (double)level->width / view->texture->levels[0].width;
+    changed.scales[1] = (double)level->height / view->texture->levels[0].height;
+    return changed;
+}
+
+static int level_of(const ref_texture *texture, double twice)
+{
+    int level = 0;
+    while (level + 1 < texture->level_count && ldexp(1, 2 * (level + 1)) <= twice) {
+        level++;
+    }
+    return level;
+}
+
 static void choose_level(ref_surface_view *view, const ref_lens *lens,
                          const ref_view_point corners[3])
 {
     const ref_texture *texture = view->texture;
     const double twice = 2 * texels_a_pixel(view, lens, corners);
-    int level = 0;
-    while (level + 1 < texture->level_count && ldexp(1, 2 * (level + 1)) <= twice) {
-        level++;
-    }
-    view->level = &texture->levels[level];
-    view->scales[0] = (double)view->level->width / texture->levels[0].width;
-    view->scales[1] = (double)view->level->height / texture->levels[0].height;
+    const double off = part_off(view, corners) * twice;
+    const int level = level_of(texture, twice), least = level_of(texture, twice - off),
+              most = level_of(texture, twice + off);
+    *view = ref_surface_with_level(view, &texture->levels[level]);
+    view->other = least != most ? &texture->levels[least < level ? least : most] : NULL;
 }
 
 static void spread_values(ref_surface_view *view, double at[3][REF_VALUES])

@@ -80,6 +80,7 @@ typedef struct {
     ref_screen_point points[3];                      /* where it is affine: its corners */
     double values[REF_VALUES], steps[2][REF_VALUES]; /* at the corner, and what each side adds */
     double scales[2];            /* texels of the level for one of the texture */
+    const ref_texture_level *other; /* that the library may choose as well (SPEC.md, 9.4); or null */
     double rounding[REF_VALUES]; /* added to what a value may be off: of a billboard */
     uint8_t own;                 /* the face's own colour */
 } ref_surface_view;
@@ -99,6 +100,10 @@ void ref_surface_look(const ref_scene *scene, const ref_camera *camera, const re
  */
 bool ref_surface_place(const ref_surface_view *view, const ref_lens *lens, double x, double y,
                        ref_place *place);
+
+/* The same look with the other level, if there is one. */
+ref_surface_view ref_surface_with_level(const ref_surface_view *view,
+                                        const ref_texture_level *level);
 
 /* The colour of the texel in a column and a row, repeated or clamped; or REF_CLEAR. Without a
  * texture: the face's own. */
