@@ -188,7 +188,7 @@ def test_a_damaged_program_ends_in_a_sentence(elf, tmp_path):
 def test_a_file_that_is_no_program(scene, image, tmp_path):
     assert "is not an ELF file" in refuse(image, BOARD, scene, scene)
     assert "does not name its board" in refuse(image, BOARD, pathlib.Path("/bin/sh"), scene)
-    assert "cannot be read" in refuse(image, BOARD, tmp_path / "none.elf", scene)
+    assert "there is no such program" in refuse(image, BOARD, tmp_path / "none.elf", scene)
 
 
 def test_a_program_that_does_not_fit(elf, scene, image, tmp_path):

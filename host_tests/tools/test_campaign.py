@@ -97,8 +97,10 @@ def test_a_killed_campaign_goes_on(command):
     assert SHARDS // 3 <= len(begun) < SHARDS and not (command.folder / "killed").exists()
     command("after", "--jobs", 8, **ALLOWED)
     rest, there = command.asked(), command.rates()
-    assert there["kept"] + len(rest) == there["done"] == there["shards"] == SHARDS
-    assert len(begun) - 3 <= there["kept"] <= len(begun), "what was under way is all that was lost"
+    assert there["done"] == there["shards"] == SHARDS
+    # Each of the three processes of the killed command may ask for one more shard before it finds itself alone.
+    assert SHARDS <= there["kept"] + len(rest) <= SHARDS + 3
+    assert abs(there["kept"] - len(begun)) <= 3, "what was under way is all that was lost"
     assert set(begun) | set(rest) == {f"{kind.what} {number}" for kind in report_shards.CLAIMS if kind.what in CLAIMS.split()
                                       for number, _ in report_shards.shards_of(kind, report_shards.SAMPLES)}
     assert command.report("after") == command.report("whole")
