@@ -101,6 +101,15 @@ void test_what_each_module_is_told_at_each_turn(void)
     }
 }
 
+void test_a_module_with_inverted_colours_is_told_so(void)
+{
+    fxl_display_config config = fxl_display_config_default(&fxl_ssd1351, 0);
+    config.is_inverted = true;
+    memset(settings, 0, sizeof settings);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
+    TEST_ASSERT_TRUE(settings[0xA7] == 0xA7 && settings[0xA6] == 0);
+}
+
 /* What it is told before its first pixels, at turn 0. */
 void test_the_order_of_its_commands(void)
 {
