@@ -185,7 +185,7 @@ def scale_of(made, number, size):
 
 def test_wheels_turn_on_a_body_that_moves(tmp_path):
     made, notes = compiled(car().write(tmp_path / "car.glb"))
-    assert any("the animation takes 60 frames and moves 9 parts" in note for note in notes) and not any("left out" in note for note in notes)
+    assert any("the animation takes 60 frames and moves 9 of 9 parts" in note for note in notes) and not any("left out" in note for note in notes)
     numbers = by_name(made)
     scale, parents = scale_of(made, numbers["body"], 2), [motion.parent for motion in made.motions]
     assert parents[0] == 0 and set(parents[1:]) == {1}
@@ -242,7 +242,7 @@ def test_of_several_animations_one_is_played(tmp_path):
     path = made.write(tmp_path / "m.glb")
     for wanted, frames in (("", 30), ("jump", 60), ("j*", 60)):
         scene, notes = compiled(path, animation=wanted)
-        assert scene.motions[0].keys[-1].frame == frames and any(f"left out 1 other animations; --animation NAME plays another one: {'jump' if not wanted else 'walk'}" in note for note in notes)
+        assert scene.motions[0].keys[-1].frame == frames and any(f"left out other animations (1); --animation NAME plays another one: {'jump' if not wanted else 'walk'}" in note for note in notes)
     with pytest.raises(ToolError, match='--animation: no animation .* like "fly"; the file\'s: walk, jump'):
         compiled(path, animation="fly")
 
@@ -323,7 +323,7 @@ def test_keep_is_refused_without_nodes_and_a_tree_stands_still(tmp_path):
     (tmp_path / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     assert_one_sentence(run_cli("build", tmp_path / "m.obj", "-o", tmp_path / "a.fxls", "--keep", "*"), "m.obj", "--keep is for the nodes of a glTF file, and for o and g of an OBJ file")
     made, notes = compiler.compile_scene(str(car().write(tmp_path / "car.glb")), 4, layers="all", look=look.Look(depth=0))
-    assert made.tree and not made.motions and any("left out 1 animations" in note for note in notes)
+    assert made.tree and not made.motions and any("left out animations (1)" in note for note in notes)
 
 
 @pytest.mark.parametrize("damage, said", [
@@ -342,7 +342,7 @@ def test_a_track_of_a_path_that_is_no_text_is_left_out(tmp_path):
     made = car()
     made.data["animations"][0]["channels"][0]["target"]["path"] = ["rotation"]
     _, notes = compiled(made.write(tmp_path / "car.glb"))
-    assert any("left out 1 tracks that move no node" in note for note in notes)
+    assert any("left out tracks that move no node (1)" in note for note in notes)
 
 
 # --- skins -----------------------------------------------------------------------------------
@@ -374,7 +374,7 @@ def figure(soft=False, moves=True):
 def test_a_skin_whose_faces_hang_on_one_joint_each_is_rigid_parts(tmp_path):
     made, notes = compiled(figure().write(tmp_path / "m.glb"))
     assert made.names == ["hip", "shoulder", "elbow"] and len(made.motions) == 1
-    assert not any("left out 1 skins" in note or "left out 1 animations" in note for note in notes)
+    assert not any("left out skins (1)" in note or "left out animations (1)" in note for note in notes)
     scale = scale_of(made, 0, 1)
     hip = placed(made, 0, 0).mean(axis=0)
     for frame in (0, 10, 29):
@@ -383,7 +383,7 @@ def test_a_skin_whose_faces_hang_on_one_joint_each_is_rigid_parts(tmp_path):
         wanted = numpy.array([1 + 0.5 * math.cos(angle), 1 + 0.5 * math.sin(angle), 0]) * scale
         assert abs(middle - wanted).max() < 3e-3 * scale
     still, more = compiled(figure(moves=False).write(tmp_path / "s.glb"))
-    assert still.names == ["hip", "shoulder", "elbow"] and not still.motions and not any("left out 1 skins" in note for note in more)
+    assert still.names == ["hip", "shoulder", "elbow"] and not still.motions and not any("left out skins (1)" in note for note in more)
     mesh, _ = gltf.read(str(tmp_path / "s.glb"))
     assert min(y for _, y, _ in mesh.vertices) == 5 * UNIT      # where the joints stand
 
@@ -401,7 +401,7 @@ def test_a_second_set_of_joints_counts(tmp_path, weight, is_rigid):
     made.data["meshes"][0]["primitives"][0]["attributes"] |= {"JOINTS_1": made.add([[0, 0, 0, 0]] * 24, "<u1", "VEC4"),
                                                                "WEIGHTS_1": made.add([[weight, 0, 0, 0]] * 24, "<f4", "VEC4")}
     scene, notes = compiled(made.write(tmp_path / "m.glb"))
-    assert (scene.names == ["hip", "shoulder", "elbow"]) == is_rigid != any("left out 1 skins" in note for note in notes)
+    assert (scene.names == ["hip", "shoulder", "elbow"]) == is_rigid != any("left out skins (1)" in note for note in notes)
 
 
 def test_a_skinned_node_without_faces_is_no_part(tmp_path):
@@ -420,14 +420,14 @@ def test_several_meshes_may_hang_on_one_joint(tmp_path):
     made.data["scenes"][0]["nodes"].append(4)
     made.box((1, 0.5, 1), middle=(0.5, 3, 0), JOINTS_0=made.add([[1, 0, 0, 0]] * 8, "<u1", "VEC4"), WEIGHTS_0=made.add([[1, 0, 0, 0]] * 8, "<f4", "VEC4"))
     scene, notes = compiled(made.write(tmp_path / "m.glb"))
-    assert scene.names == ["hip", "shoulder", "elbow"] and not any("left out 1 skins" in note for note in notes)
+    assert scene.names == ["hip", "shoulder", "elbow"] and not any("left out skins (1)" in note for note in notes)
     mesh, _ = gltf.read(str(tmp_path / "m.glb"))
     assert max(y for _, y, _ in mesh.vertices) == (3 + 0.25 + 5) * UNIT        # as the joints stand: 5 higher than bound
 
 
 def test_other_skins_stay_in_the_pose_in_which_they_were_bound(tmp_path):
     made, notes = compiled(figure(soft=True).write(tmp_path / "m.glb"))
-    assert made.names == ["figure"] and not made.motions and any("left out 1 skins" in note for note in notes)
+    assert made.names == ["figure"] and not made.motions and any("left out skins (1)" in note for note in notes)
     damaged = figure()
     damaged.data["meshes"][0]["primitives"][0]["attributes"] |= {"JOINTS_1": damaged.add([[0, 0, 0, 0]] * 5, "<u1", "VEC4"),
                                                                   "WEIGHTS_1": damaged.add([[0, 0, 0, 0]] * 5, "<f4", "VEC4")}

@@ -239,9 +239,9 @@ def test_an_animation_turns_the_model_and_is_left_out_with_a_note_where_nothing_
     made, notes = as_made("animated.glb")
     motion, = made.motions
     assert motion.repeats and len(motion.keys) > 2 and len({key.angles for key in motion.keys}) > 2
-    assert said(notes, "the animation takes 60 frames and moves 1 parts") == 1 and not said(notes, "left out 1 animations")
+    assert said(notes, "the animation takes 60 frames and moves 1 of 1 parts") == 1 and not said(notes, "left out animations (1)")
     still, more = compiled("animated.glb")
-    assert not still.motions and said(more, "animated.glb: left out 1 animations") == 1
+    assert not still.motions and said(more, "animated.glb: left out animations (1)") == 1
 
 
 def test_a_material_that_shines_is_as_bright_on_every_side():

@@ -20,8 +20,8 @@ _HARMLESS = ("KHR_materials_", "KHR_lights_punctual", "KHR_xmp")
 # What is left out with words of its own.
 _TOLD = {_INSTANCES: f"meshes placed by lists of instances ({_INSTANCES}), each of which stands at its node once: {_BLENDER} them as nodes",
          _VARIANTS: f"other materials ({_VARIANTS}): the model has those that it has without; {_BLENDER} it with those that it shows"}
-_LISTS = {"animations": "animations: the model is shown as it stands without", "skins": "skins: what hangs on joints is shown in the pose "
-          "in which it was bound", "cameras": "cameras; --camera NAME takes one as the path of a model without a scene file"}
+_LISTS = {"animations": ": the model is shown as it stands without", "skins": ": what hangs on joints is shown in the pose in which it was "
+          "bound", "cameras": "; --camera NAME takes one as the path of a model without a scene file"}
 
 
 def refuse_required(name, required):
@@ -56,13 +56,13 @@ def notes(checked):
     name, found, kinds = checked.name, [], {}
     for key, what in _LISTS.items():
         if _count(checked.data.get(key)):
-            kinds[key] = f"{name}: left out {_count(checked.data[key]):,} {what}"
+            kinds[key] = f"{name}: left out {key} ({_count(checked.data[key]):,}){what}"
     if _morphs(checked):
-        found.append(f"{name}: left out the other shapes of {_morphs(checked):,} parts (morph targets)")
+        found.append(f"{name}: left out other shapes (morph targets) of parts of meshes: {_morphs(checked):,}")
     extensions = checked.data.get("extensions")
     lights = extensions.get("KHR_lights_punctual") if isinstance(extensions, dict) else None
     if isinstance(lights, dict) and _count(lights.get("lights")):
-        kinds["lights"] = f"{name}: left out {_count(lights['lights']):,} lights: the tool's own light falls on the model"
+        kinds["lights"] = f"{name}: left out lights ({_count(lights['lights']):,}): the tool's own light falls on the model"
     lists = [checked.data.get(key) for key in ("extensionsUsed", "extensionsRequired")]
     used = {each for names in lists if isinstance(names, list) for each in names if isinstance(each, str)}
     found += [f"{name}: left out {_TOLD[each]}" for each in sorted(used & set(_TOLD))]

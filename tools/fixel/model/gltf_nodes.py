@@ -184,10 +184,10 @@ class _Moves:
         checked, animation = self.nodes.checked, self.animation
         others = len(checked.rows("animations")) - 1
         there = [name for name in gltf_motion.names(checked) if name != animation.name]
-        found = [f"{checked.name}: left out {others:,} other animations; --animation NAME plays another one" +
+        found = [f"{checked.name}: left out other animations ({others:,}); --animation NAME plays another one" +
                  (f": {shortened(', '.join(there))}" if there else "")] if others else []
         if animation.others:
-            found.append(f"{checked.name}: {shortened(animation.name)}: left out {animation.others:,} tracks that move no node, such as those of "
+            found.append(f"{checked.name}: {shortened(animation.name)}: left out tracks that move no node ({animation.others:,}), such as those of "
                          "other shapes (morph targets)")
         if round(animation.seconds * RATE) > FRAMES_MAX:
             found.append(f"{checked.name}: {shortened(animation.name)}: left out what comes after {FRAMES_MAX:,} frames")

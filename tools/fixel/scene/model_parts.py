@@ -182,7 +182,7 @@ def divide(mesh, name, look):
     notes = notes + _play(parts, max(frames, 1), name)
     if frames:
         moving = sum(part.is_turned for part in parts)
-        notes.append(f"{name}: the animation takes {frames:,} frames and moves {moving:,} parts" if moving else
+        notes.append(f"{name}: the animation takes {frames:,} frames and moves {moving:,} of {len(parts):,} parts" if moving else
                      f"{name}: the animation moves nothing that has faces")
     poses = {camera.name: nodes[camera.name].poses() for camera in scenery.cameras if nodes[camera.name].poses is not None}
     return Played(parts, frames, notes, uses, poses)
