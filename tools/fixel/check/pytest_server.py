@@ -42,7 +42,7 @@ class Report:
 
     def __init__(self, asked):
         self.file, self.lines, self.enough = asked["report"], asked["lines"], asked["enough"]
-        self.recorder = sys.modules.get("sitecustomize")
+        self.recorder = sys.modules.get("line_recorder")
         self.number, self.spent, self.test = 0, {}, ""
 
     def pytest_runtest_logstart(self, nodeid, location):

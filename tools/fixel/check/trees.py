@@ -49,7 +49,7 @@ class Tree:
             if not (venv / "bin" / command.name).exists():
                 (venv / "bin" / command.name).symlink_to(command)
         (venv / "pyvenv.cfg").write_text(f"home = {pathlib.Path(sys._base_executable).parent}\n", encoding="utf-8")
-        (made / "recorder.pth").write_text(f"{packages}\n{RECORDER}\nimport sitecustomize\n", encoding="utf-8")
+        (made / "recorder.pth").write_text(f"{packages}\n{RECORDER}\nimport line_recorder\n", encoding="utf-8")
         self._server = Client(venv / "bin/python", FIXEL_LINES_OF=str(self.folder / "tools/fixel"))
 
     def write(self, file, text):

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Records which lines of the tools a test executes, in its process and in all that it starts.
 
-The Python of the tests imports this module when it starts (fixel.check.trees, Tree.record). FIXEL_LINES_OF is the
-folder whose lines are recorded, FIXEL_LINES the file to which each process adds "FILE:LINE", once for each line. A
-process that starts without FIXEL_LINES records nothing before begin(): to import packages would be slow.
+The Python of the tests imports this module when it starts (fixel.check.trees, Tree.record), by a name of its own: a module
+sitecustomize may be there already, as on Debian. FIXEL_LINES_OF is the folder whose lines are recorded, FIXEL_LINES the file to
+which each process adds "FILE:LINE", once for each line. A process that starts without FIXEL_LINES records nothing before
+begin(): to import packages would be slow.
 """
 
 import os
