@@ -2,16 +2,20 @@
 """make test's own driver: counts what ran, and no ending passes for a success without being one."""
 
 import json
+import os
 import re
 import shlex
+import signal
 import stat
+import subprocess
+import sys
 import types
 
 import pytest
 from board_programs import EVERY_BOARD, ROOT, built
-from conftest import dry_run, run_cli, run_make
+from conftest import TOOLS, dry_run, environment, run_cli, run_make, write_files
 
-from fixel.check import all_tests, pytest_server
+from fixel.check import all_tests, pytest_client, pytest_server
 
 GOOD = "a.c:1:test_one:PASS\na.c:2:test_two:PASS\n\n-----------------------\n2 Tests 0 Failures 0 Ignored \nOK"
 BAD = "a.c:1:test_one:PASS\na.c:2:test_two:FAIL: Expected 1 Was 2\n\n2 Tests 1 Failures 0 Ignored \nFAIL"
@@ -186,7 +190,7 @@ def test_a_board_that_is_none_is_refused():
 def test_a_run_of_pytest_that_fails_itself_counts_as_a_test_that_failed(tmp_path, code, failures, failed):
     report = tmp_path / "report.xml"
     report.write_text(f'<testsuites><testsuite tests="5" skipped="1" failures="{failures}" errors="0"/></testsuites>')
-    outcome = all_tests._pytest_outcome(report, code, "words")
+    outcome = all_tests._pytest_outcome("f", report, code, "words")
     assert (outcome.passed, outcome.failed, outcome.skipped, outcome.output) == (4 - failed, failed, 1, "words")
 
 
@@ -198,3 +202,56 @@ def test_a_run_of_tests_is_answered_by_its_process_and_then_by_how_it_ended(monk
     monkeypatch.setattr(pytest_server.os, "wait4", lambda process, _: (process, 2 << 8, used))
     pytest_server.answer()
     assert capsys.readouterr().out == 2 * "4321\n2 1.75\n"
+
+
+# --- processes that end -------------------------------------------------------
+
+ENDS = {"leaves_with_0": "os._exit(0)", "leaves_with_1": "os._exit(1)", "kills_itself": "os.kill(os.getpid(), signal.SIGKILL)",
+        "kills_its_parent": "os.kill(os.getppid(), signal.SIGKILL)"}
+
+
+def test_a_file_whose_process_ends_is_a_failure_and_the_others_run(tmp_path):
+    """Each of these is followed by one that passes."""
+    files = {}
+    for number, (name, body) in enumerate(ENDS.items()):
+        files[f"room/test_{number}_{name}.py"] = f"import os, signal\ndef test_it():\n    {body}\n"
+        files[f"room/test_{number}_then.py"] = "def test_it():\n    pass\n"
+    write_files(tmp_path, files)
+    program = (f"import pathlib, sys\nsys.path.insert(0, {str(TOOLS)!r})\nfrom fixel.check import all_tests, test\n"
+               f"all_tests.TESTS = pathlib.Path({str(tmp_path)!r})\nsys.exit(test.main(['--only', 'room/', '--workers', '1']))")
+    done = subprocess.run([sys.executable, "-c", program], env=environment(), stdin=subprocess.DEVNULL, capture_output=True,
+                          text=True, check=False)
+    lines = done.stdout.splitlines()
+    assert (done.returncode, lines[-1]) == (1, f"{len(ENDS)} passed, {len(ENDS)} failed"), done.stderr
+    for number, name in enumerate(ENDS):
+        assert re.search(rf"FAIL room/test_{number}_{name} +0 passed, 1 failed", done.stdout)
+        assert re.search(rf"ok   room/test_{number}_then +1 passed", done.stdout)
+        assert re.search(rf"test_{number}_{name}\.py: .*ended with", done.stdout), "why"
+
+
+@pytest.mark.parametrize("noticed", [True, False])
+def test_a_process_that_ends_between_two_runs_is_started_anew(tmp_path, noticed):
+    """Also if it ends just when it is asked."""
+    (tmp_path / "test_it.py").write_text("def test_it():\n    pass\n")
+    request = {"folder": str(tmp_path), "words": ["-q", "-p", "no:cacheprovider", "test_it.py"], "said": str(tmp_path / "said")}
+    client = pytest_client.Client()
+    try:
+        assert client.run(request, 100)[0] == 0
+        first = client._process
+        first.kill()
+        first.wait()
+        if not noticed:
+            first.poll = lambda: None
+        assert client.run(request, 100)[0] == 0
+        assert client._process is not first
+    finally:
+        client.close()
+
+
+def test_a_job_that_cannot_be_done_is_a_failure_of_each_of_its_suites(capsys):
+    def cannot(_argument):
+        raise OSError("no more processes")
+    jobs = [all_tests.Job(("board/a", "board/b"), cannot, None), all_tests.Job(("c",), lambda _: all_tests.Outcome(passed=1), None)]
+    outcomes, _ = all_tests.run_jobs(jobs, 1)
+    assert {name: outcome.failed for name, outcome in outcomes.items()} == {"board/a": 1, "board/b": 1, "c": 0}
+    assert capsys.readouterr().out.count("OSError: no more processes") == 2

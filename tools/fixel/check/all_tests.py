@@ -11,6 +11,7 @@ import re
 import sys
 import threading
 import time
+import traceback
 import xml.etree.ElementTree
 
 from fixel.base import limits, output, scratch, spent
@@ -23,6 +24,7 @@ PYTEST_CPU = 1800       # and for all that the tests of a file start
 SLOWEST = 10            # files of tests that are named
 QUIET = 20.0            # seconds without a line after which the one running is named
 TESTS = pathlib.Path(__file__).resolve().parents[3] / "host_tests"
+WARM = TESTS / "tools"  # the folder of warm_start.py
 
 
 @dataclasses.dataclass
@@ -78,7 +80,7 @@ class Pytest:
 
     def start(self, count):
         """To be called before run, by a thread that outlives all runs (children.py). count: how many run at a time."""
-        self._clients = [pytest_client.Client(warm=TESTS / "tools") for _ in range(count)]
+        self._clients = [pytest_client.Client(warm=WARM) for _ in range(count)]
         for client in self._clients:
             self._idle.put(client)
 
@@ -99,9 +101,9 @@ class Pytest:
                          f"--junitxml={report}", f"--basetemp={folder}/tmp"]
                 try:
                     code, cpu = client.run({"folder": os.getcwd(), "words": words, "said": str(said)}, PYTEST_CPU)
-                except limits.LimitError as error:
-                    return Outcome(failed=1, output=f"{_read(said)}\n{error}")
-                return dataclasses.replace(_pytest_outcome(report, code, _read(said)), cpu=cpu)
+                except (limits.LimitError, pytest_client.EndedError) as error:
+                    return Outcome(failed=1, output=f"{_read(said)}\n{file}: {error}")
+                return dataclasses.replace(_pytest_outcome(file, report, code, _read(said)), cpu=cpu)
         finally:
             self._idle.put(client)
 
@@ -110,13 +112,13 @@ def _read(file):
     return file.read_text(encoding="utf-8", errors="replace") if file.exists() else ""
 
 
-def _pytest_outcome(report, code, text):
+def _pytest_outcome(file, report, code, text):
     try:
         suite = xml.etree.ElementTree.parse(report).getroot().find("testsuite")
         total, skipped = int(suite.get("tests")), int(suite.get("skipped"))
         failed = int(suite.get("failures")) + int(suite.get("errors"))
     except (OSError, AttributeError, xml.etree.ElementTree.ParseError):
-        return Outcome(failed=1, output=text)
+        return Outcome(failed=1, output=f"{text}\n{file}: its process ended with {code} before its report")
     if code and not failed:     # 1: some failed; anything else: pytest itself did
         failed = 1
     return Outcome(max(0, total - failed - skipped), failed, skipped, text)
@@ -218,7 +220,10 @@ def run_jobs(jobs, workers):
 
     def one(job):
         printer.start(job)
-        outcome = job.function(job.argument)
+        try:
+            outcome = job.function(job.argument)
+        except Exception:   # the others run, and the last line comes
+            outcome = {name: Outcome(failed=1, output=traceback.format_exc()) for name in job.names}
         outcomes = outcome if isinstance(outcome, dict) else {job.names[0]: outcome}
         printer.end(job, outcomes)
         return outcomes

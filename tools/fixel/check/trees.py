@@ -10,7 +10,7 @@ import sysconfig
 import time
 
 from fixel.base import limits
-from fixel.check.pytest_client import Client
+from fixel.check.pytest_client import Client, EndedError
 
 RECORDER = pathlib.Path(__file__).with_name("recorder")
 COPIED = ("tools", "host_tests")
@@ -59,7 +59,7 @@ class Tree:
         os.utime(self.folder / file, (self._time, self._time))
 
     def run(self, tests, cpu, *options, lines=None, enough=0.0):
-        """(exit code of pytest or words that say which limit it passed, the report of each test by pytest_server.py).
+        """(exit code of pytest or words that say how else it ended, the report of each test by pytest_server.py).
         lines: the folder for the lines that each executes, of each test only parameters that take enough seconds."""
         if self._server is None:
             self._server = Client()
@@ -68,7 +68,7 @@ class Tree:
         try:
             code, _ = self._server.run({"folder": str(self.folder), "words": words, "said": str(self._said),
                                         "report": str(self._report), "lines": lines and str(lines), "enough": enough}, cpu, ASLEEP)
-        except limits.LimitError as error:
+        except (limits.LimitError, EndedError) as error:
             code = str(error)
         report = self._report.read_text(encoding="utf-8").splitlines() if self._report.exists() else []
         return code, [json.loads(line) for line in report]
