@@ -50,7 +50,8 @@ int main(int argc, char **argv)
 """
 
 
-# Prints what a record says: memory, glass, offset, whether blue comes first, inversion.
+# Prints what a record says: glass, memory, offset, whether blue comes first, inversion; then of each turn that it has access, first
+# column and row, and the argument of D3.
 RECORDS = r"""
 #include <stdio.h>
 #include <fixel/driver.h>
@@ -61,18 +62,23 @@ int main(void)
     for (size_t i = 0; i < sizeof modules / sizeof modules[0]; i++) {
         const fxl_display_module *of = modules[i];
         const int is_blue_first = of->driver->family == &fxl_display_ssd1351 ? !(of->access & 4) : (of->access & 8) != 0;
-        printf("%u x %u|%u x %u|%u, %u|%s|%s\n", of->width, of->height, of->columns, of->rows, of->left, of->top,
+        printf("%u x %u|%u x %u|%u, %u|%s|%s", of->width, of->height, of->columns, of->rows, of->left, of->top,
                of->driver->family->exchanges == 0 ? "" : is_blue_first ? "BGR" : "RGB", of->is_inverted ? "yes" : "no");
+        for (uint32_t turns = 0; turns < 4; turns++) {
+            const fxl_display_config config = fxl_display_config_turned(of, turns);
+            if (config.driver != NULL) { printf("|%02X %u, %u %02X", config.access, config.left, config.top, config.display_offset); }
+        }
+        printf("\n");
     }
     return 0;
 }
 """
 
 
-def rows_of_page():
-    """The table of modules in docs/displays.md: its columns by the name of the module."""
+def rows_of_page(second="module"):
+    """A table of modules in docs/displays.md, by the name of its second column: its columns by the name of the module."""
     lines = (CHECKOUT / "docs/displays.md").read_text(encoding="utf-8").splitlines()
-    head = next(at for at, line in enumerate(lines) if line.startswith("| `fxl_module_` |"))
+    head = next(at for at, line in enumerate(lines) if line.startswith(f"| `fxl_module_` | {second} |"))
     rows = []
     for line in lines[head + 2:]:
         if not line.startswith("|"):
@@ -107,15 +113,64 @@ def fixture_show(tmp_path_factory):
     return folder
 
 
-def test_the_page_says_of_each_module_what_its_record_says(tmp_path):
+@pytest.fixture(scope="module", name="records")
+def fixture_records(tmp_path_factory):
+    """What RECORDS prints, a list of cells for each module."""
+    tmp_path = tmp_path_factory.mktemp("records")
     (tmp_path / "records.c").write_text(RECORDS.replace("MODULES", ", ".join(f"&fxl_module_{name}" for name in NAMES)), encoding="utf-8")
     subprocess.run(["gcc", "-std=c11", "-Wall", "-Wextra", "-Werror", "-ffunction-sections", "-Wl,--gc-sections", f"-I{CHECKOUT / 'lib/include'}",
                     "records.c", *LIBRARY, "-o", "records"], cwd=tmp_path, check=True)
     said = subprocess.run(["./records"], cwd=tmp_path, text=True, capture_output=True, check=True).stdout
+    return [line.split("|") for line in said.splitlines()]
+
+
+def test_the_page_says_of_each_module_what_its_record_says(records):
     head, rows = rows_of_page()
     assert head[2:7] == ["glass", "memory as wired", "offset", "colours", "inverted"]
     assert [row[0].strip("`") for row in rows] == NAMES
-    assert [row[2:7] for row in rows] == [line.replace("x", "×").split("|") for line in said.splitlines()]
+    assert [row[2:7] for row in rows] == [[cell.replace("x", "×") for cell in record[:5]] for record in records]
+
+
+def at_turns(cell, count):
+    """The values of a cell, one a turn."""
+    values = cell.split("; ")
+    return values * count if len(values) == 1 else values
+
+
+def told(show, name, turns):
+    """The model of a module after a frame of the program."""
+    width, height = wires.glass_of(name, turns)
+    subprocess.run(["./show", str(NAMES.index(name)), str(turns), "0"], cwd=show, check=True, input=bytes(768 + width * height))
+    model = controllers.start(name)
+    with (show / "wires.bin").open("rb") as record:
+        assert not list(wires.read(record, model))
+    model.finish()
+    return model
+
+
+def test_each_module_is_told_the_facts_of_the_page(show, records):
+    """The table of facts, each with its source, against the record at every turn and against what comes over the wires."""
+    head, rows = rows_of_page("access")
+    assert head[3:] == ["lines", "start", "offset", "COM pins", "pixels", "source"] and [row[0].strip("`") for row in rows] == NAMES
+    for (name, access, place, lines, start, offset, com_pins, pixels, source), record in zip(rows, records):
+        name, turned = name.strip("`"), record[5:]
+        is_pages = controllers.is_mono(name)
+        assert len(source) > 10 and len(turned) == (2 if is_pages else 4)
+        wanted = zip(at_turns(access, len(turned)), at_turns(place, len(turned)), at_turns(offset or "00", len(turned)))
+        assert [" ".join(each) for each in wanted] == turned, name
+        for turns in (0, 2) if is_pages else range(4):
+            model = told(show, name, turns)
+            if is_pages:
+                settings = model.settings
+                assert pixels == "1 bit" and start == "0" and settings[0xA8] + 1 == int(lines) and settings.get(0xDC, 0) == 0, name
+                assert settings[0xD3] == int(at_turns(offset, 2)[turns // 2], 16) and (com_pins == "" or settings[0xDA] == int(com_pins, 16)), name
+                assert int(at_turns(access, 2)[turns // 2], 16) == 8 * model.scan_mirrored + model.segments_mirrored, name
+            else:
+                assert model.format == {"16 bits": 0x55, "18 bits": 0x66}[pixels] and offset == com_pins == "", name
+            if "ssd1351" in name:
+                assert (model.lines, model.start_line) == (int(lines), int(start)), name
+            elif not is_pages:
+                assert model.access == int(at_turns(access, 4)[turns], 16) and lines == start == "", name
 
 
 def test_the_page_says_of_each_module_how_it_is_joined():

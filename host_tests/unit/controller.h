@@ -35,7 +35,7 @@ typedef struct {
     bool has_reset, is_awake, is_on, is_inverted, is_charged;
     uint32_t paused; /* ms since it last changed between sleep and being awake */
     uint8_t command; /* the last one, whose arguments come */
-    uint8_t arguments[4];
+    uint8_t arguments[10];
     uint32_t argument_count;
     uint8_t access, format;
     uint16_t range[2][2]; /* columns, rows: first, last */
@@ -43,6 +43,7 @@ typedef struct {
     uint32_t part;        /* 0, or 1 and behind it the first bytes of a pixel */
     uint8_t unlocks;      /* how many of FE and EF a GC9A01 got, in order */
     bool is_told_scan;    /* by B6 */
+    uint32_t undescribed; /* bit 0: it got register 66; bit 1: 67 */
     uint8_t multiplex, wires, mode, reference;
     uint8_t offset, start_row, clock, contrast; /* of the glass; as somebody else left them */
     bool is_all_on;                             /* every pixel, whatever the memory has */

@@ -34,7 +34,7 @@ static const facts colours[] = {
      true},
     {&fxl_module_st7789_135x240, CONTROLLER_ST7789, 135, 240, 52, 40, 240, 320, false, false, false,
      true},
-    {&fxl_module_st7789_172x320, CONTROLLER_ST7789, 172, 320, 34, 0, 240, 320, false, false, true,
+    {&fxl_module_st7789_172x320, CONTROLLER_ST7789, 172, 320, 34, 0, 240, 320, false, false, false,
      true},
     {&fxl_module_st7789_170x320, CONTROLLER_ST7789, 170, 320, 35, 0, 240, 320, false, false, false,
      true},
@@ -57,7 +57,7 @@ static const facts colours[] = {
     {&fxl_module_st7796_320x480, CONTROLLER_ST7796, 320, 480, 0, 0, 320, 480, true, false, true,
      false},
     {&fxl_module_st7796_222x480, CONTROLLER_ST7796, 222, 480, 49, 0, 320, 480, true, false, true,
-     false},
+     true},
     {&fxl_module_gc9a01_240x240, CONTROLLER_GC9A01, 240, 240, 0, 0, 240, 240, true, false, true,
      true},
 };

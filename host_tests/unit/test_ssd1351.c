@@ -72,8 +72,10 @@ void test_a_window_at_each_turn(void)
     }
 }
 
-/* Line n shows the row of the memory that lies the start line behind row n, or, in a scan that is
- * mirrored, behind row 127 - n. The glass has rows 0 to 95, or 127, at each turn. */
+/* By the data sheet line i of the scan shows the row of the memory that lies i behind the start
+ * line. It drives COM i, or, in a scan that is mirrored, the COM that lies i before the last one of
+ * the multiplex ratio. Whoever holds the module so that the picture is upright has COM 0 below if the
+ * scan is mirrored, else above. */
 void test_what_each_module_is_told_at_each_turn(void)
 {
     static const struct {
@@ -95,8 +97,9 @@ void test_what_each_module_is_told_at_each_turn(void)
         TEST_ASSERT_TRUE(settings[0xA6] == 0xA6 && settings[0xA7] == 0 && settings[0xA2] == 0);
         for (uint32_t line = 0; line < height; line++) {
             const bool is_mirrored = (settings[0xA0] & 0x10u) != 0;
-            const uint32_t row = ((is_mirrored ? 127u - line : line) + settings[0xA1]) & 127u;
-            TEST_ASSERT_EQUAL(is_mirrored ? height - 1u - line : line, row);
+            const uint32_t com = is_mirrored ? settings[0xCA] - line : line;
+            const uint32_t row = (line + settings[0xA1]) & 127u;
+            TEST_ASSERT_EQUAL(is_mirrored ? height - 1u - com : com, row);
         }
     }
 }

@@ -104,9 +104,13 @@ const fxl_display_driver fxl_ili9488 = {
 /* Which way its columns are joined to the glass is a setting too, and the access is right for one
  * of them alone. */
 static const uint8_t gc9a01_commands[] = {
-    1, 0xFE,             /* unlock 0xB6: first half */
+    1, 0xFE,             /* unlock those below: first half */
     1, 0xEF,             /* second half */
     3, 0xB6, 0x00, 0x00, /* columns and rows are scanned from the first one on */
+    /* Two registers that its data sheet does not describe. Without them there is no picture, as the
+     * author of micropython-nano-gui found; all public drivers set them so. */
+    11, 0x66, 0x3C, 0x00, 0xCD, 0x67, 0x45, 0x45, 0x10, 0x00, 0x00, 0x00,
+    11, 0x67, 0x00, 0x3C, 0x00, 0x00, 0x00, 0x01, 0x54, 0x10, 0x32, 0x98,
     0,
 };
 const fxl_display_driver fxl_gc9a01 = {&fxl_display_colour,

@@ -30,7 +30,7 @@ const fxl_display_module fxl_module_st7789_240x240 =
 const fxl_display_module fxl_module_st7789_135x240 =
     COLOURS(fxl_st7789, 135, 240, 52, 40, 240, 320, 0x00, true);
 const fxl_display_module fxl_module_st7789_172x320 =
-    COLOURS(fxl_st7789, 172, 320, 34, 0, 240, 320, 0x08, true);
+    COLOURS(fxl_st7789, 172, 320, 34, 0, 240, 320, 0x00, true);
 const fxl_display_module fxl_module_st7789_170x320 =
     COLOURS(fxl_st7789, 170, 320, 35, 0, 240, 320, 0x00, true);
 const fxl_display_module fxl_module_st7789_240x280 =
@@ -50,7 +50,7 @@ const fxl_display_module fxl_module_st7735_80x160_column_24 =
 const fxl_display_module fxl_module_st7796_320x480 =
     COLOURS(fxl_st7796, 320, 480, 0, 0, 320, 480, 0x48, false);
 const fxl_display_module fxl_module_st7796_222x480 =
-    COLOURS(fxl_st7796, 222, 480, 49, 0, 320, 480, 0x48, false);
+    COLOURS(fxl_st7796, 222, 480, 49, 0, 320, 480, 0x48, true);
 const fxl_display_module fxl_module_ili9488_320x480 =
     COLOURS(fxl_ili9488, 320, 480, 0, 0, 320, 480, 0x48, false);
 const fxl_display_module fxl_module_gc9a01_240x240 =

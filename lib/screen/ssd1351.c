@@ -18,7 +18,6 @@ enum {
 #define EXCHANGES       0x01u
 #define MIRRORS_COLUMNS 0x02u
 #define MIRRORS_ROWS    0x10u
-#define LINES           127u /* bits of the start line */
 
 static const uint8_t start_commands[] = {
     2, 0xFD, 0x12,             /* unlock */
@@ -42,16 +41,17 @@ static bool send_command(const fxl_display *display, const uint8_t *command, siz
     return fxl_display_command(display, command[0], command + 1, size - 1u);
 }
 
-/* Rows that are scanned from the last to the first begin behind the last one. */
+/* As many lines are scanned as the glass has. A mirrored scan begins with the last of them, and the
+ * first line that is scanned shows the row of the start line: so that is row 0 at every turn. */
 static bool set_up(const fxl_display *display, const fxl_display_config *config)
 {
+    static const uint8_t first_row = 0;
     const uint32_t rows = (config->access & EXCHANGES) != 0 ? config->width : config->height;
     const uint8_t multiplex = (uint8_t)(rows - 1u);
-    const uint8_t line = (config->access & MIRRORS_ROWS) != 0 ? (uint8_t)(rows & LINES) : 0;
     return fxl_display_send_commands(display, start_commands) &&
            fxl_display_command(display, SET_MULTIPLEX, &multiplex, 1) &&
            fxl_display_command(display, SET_ACCESS, &config->access, 1) &&
-           fxl_display_command(display, SET_START_LINE, &line, 1) &&
+           fxl_display_command(display, SET_START_LINE, &first_row, 1) &&
            fxl_display_command(display, config->is_inverted ? INVERT : INVERT_OFF, NULL, 0);
 }
 

@@ -25,7 +25,7 @@ extern const fxl_display_module fxl_module_st7735_128x128_row_32;    /* 1.44", a
 extern const fxl_display_module fxl_module_st7735_80x160;            /* 0.96" */
 extern const fxl_display_module fxl_module_st7735_80x160_column_24;  /* 0.96", older */
 extern const fxl_display_module fxl_module_st7796_320x480;           /* 3.5" */
-extern const fxl_display_module fxl_module_st7796_222x480;           /* 222 x 480 */
+extern const fxl_display_module fxl_module_st7796_222x480;           /* 2.33" */
 extern const fxl_display_module fxl_module_ili9488_320x480;          /* 3.5" */
 extern const fxl_display_module fxl_module_gc9a01_240x240;           /* 1.28", round */
 extern const fxl_display_module fxl_module_ssd1351_128x128;          /* 1.5" */

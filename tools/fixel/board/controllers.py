@@ -12,6 +12,7 @@ from fixel.base.errors import ToolError
 
 UNWRITTEN = 0xDEAD  # a colour of the noise in a controller's memory when power comes
 REST = 120          # milliseconds that a controller wants after a reset, and after it was woken
+ROWS_OF_SSD1351 = 128
 
 
 def require(holds, sentence):
@@ -157,11 +158,13 @@ class Ili9488(Colour):
 
 class Gc9a01(Colour):
     """Its B6, which FE and EF unlock, says which way sources and gates are scanned. Libraries disagree on what it does after
-    reset, so it must be told."""
+    reset, so it must be told. 66 and 67 are in no data sheet: gc9a01_mpy, issue 38, has that there is no picture without them."""
+
+    UNDESCRIBED = {0x66: bytes.fromhex("3C00CD67454510000000"), 0x67: bytes.fromhex("003C0000000154103298")}
 
     def __init__(self, glass):
         super().__init__(glass)
-        self.unlocked, self.scan = b"", None
+        self.unlocked, self.scan, self.told = b"", None, set()
 
     def _do(self, command, data):
         if command in (0xFE, 0xEF):
@@ -169,13 +172,17 @@ class Gc9a01(Colour):
         elif command == 0xB6:
             require(self.unlocked.endswith(b"\xFE\xEF") and len(data) == 2, "command 0xb6 is locked, or has not two bytes of data")
             self.scan = data[1]
+        elif command in self.UNDESCRIBED:
+            require(self.unlocked.endswith(b"\xFE\xEF") and data == self.UNDESCRIBED[command], f"register {command:#x} is locked, or set otherwise")
+            self.told.add(command)
         else:
             super()._do(command, data)
             if command == 0x01:
-                self.unlocked, self.scan = b"", None
+                self.unlocked, self.scan, self.told = b"", None, set()
 
     def picture(self, turns=0):
         require(self.scan is not None, "it was not told which way it scans")
+        require(self.told == set(self.UNDESCRIBED), "registers 0x66 and 0x67 were not set: it shows no picture")
         written = self.memory
         self.memory = written[::-1 if self.scan & 0x40 else 1, ::-1 if self.scan & 0x20 else 1]
         shown = super().picture(turns)
@@ -185,7 +192,7 @@ class Gc9a01(Colour):
 
 class Ssd1351(Colour):
     """An OLED of colours: commands of its own, and bits 0 and 1 of its access are 5 and 6 of MIPI's. Bit 4 mirrors the scan and not
-    the memory: then line n shows row 127 - n of the memory, and with the start line that many rows farther on."""
+    the memory."""
 
     WRITE = 0x5C
     ARGUMENTS = {0xA0: 1, 0xA1: 1, 0xA2: 1, 0xAB: 1, 0xB1: 1, 0xB3: 1, 0xB4: 3, 0xB5: 1, 0xB6: 1, 0xBE: 1, 0xC1: 3, 0xC7: 1,
@@ -215,6 +222,8 @@ class Ssd1351(Colour):
             self.scan_mirrored = bool(data[0] & 0x10)
         elif command == 0xA1:
             self.start_line = data[0] & 127
+        elif command == 0xA2:
+            require(data[0] == 0, "its lines are moved, which this model does not play")
         elif command in (0xA6, 0xA7):
             self.inverted = command == 0xA7
         elif command in (0xAE, 0xAF):
@@ -222,11 +231,19 @@ class Ssd1351(Colour):
         elif command == 0xCA:
             self.lines = data[0] + 1
 
+    def _rows(self):
+        """Which row of the memory each line of the glass shows. By the data sheet the scan has N lines, the multiplex ratio. Line i
+        of it shows the row that lies i behind the start line, and drives pin COM i, or COM N - 1 - i if bit 4 of A0 mirrors it. The
+        glass has the pins from COM 0 on."""
+        rows = numpy.full(ROWS_OF_SSD1351, -1)
+        for line in range(self.lines):
+            rows[self.lines - 1 - line if self.scan_mirrored else line] = (self.start_line + line) % ROWS_OF_SSD1351
+        require((rows[:self.glass.height] >= 0).all(), "a line of the glass is not scanned")
+        return rows[:self.glass.height]
+
     def picture(self, turns=0):
-        require(self.lines == self.glass.height, "it was told of another glass")
-        lines = numpy.arange(self.lines)
         written = self.memory
-        self.memory = written[(127 - lines if self.scan_mirrored else lines) + self.start_line & 127]
+        self.memory = written[self._rows()]
         shown = super().picture(turns)
         self.memory = written
         return shown
@@ -374,7 +391,7 @@ MODULES = {
     "ssd1306": _oled(128, 128, 64), "ssd1309": _SSD1309, "sh1106": _SH1106, "sh1107": _sh1107(128, 0),
     "ili9341_240x320": _ILI9341,
     "st7789_240x320": _st7789(240, 320), "st7789_240x240": _st7789(240, 240), "st7789_135x240": _st7789(135, 240, 52, 40),
-    "st7789_172x320": _st7789(172, 320, 34, blue_first=True), "st7789_170x320": _st7789(170, 320, 35),
+    "st7789_172x320": _st7789(172, 320, 34), "st7789_170x320": _st7789(170, 320, 35),
     "st7789_240x280": _st7789(240, 280, 0, 20),
     "st7735_128x160": _st7735(128, 160, 128, 160),
     "st7735_128x160_green": _st7735(132, 162, 128, 160, 2, 1, blue_first=True),
@@ -383,7 +400,7 @@ MODULES = {
     "st7735_80x160": _st7735(132, 162, 80, 160, 26, 1, blue_first=True, inverted=True),
     "st7735_80x160_column_24": _st7735(128, 160, 80, 160, 24, 0),
     "st7796_320x480": (Colour, Glass(320, 480, 320, 480, mirrored=(True, False), blue_first=True)),
-    "st7796_222x480": (Colour, Glass(320, 480, 222, 480, 49, mirrored=(True, False), blue_first=True)),
+    "st7796_222x480": (Colour, Glass(320, 480, 222, 480, 49, mirrored=(True, False), blue_first=True, inverted=True)),
     "gc9a01_240x240": _GC9A01,
     "ssd1306_128x64": _oled(128, 128, 64), "ssd1306_128x32": _oled(128, 128, 32, com_pins=0x02),
     "ssd1306_128x64_com_02": _oled(128, 128, 64, com_pins=0x02),
