@@ -19,7 +19,7 @@ bool journal_begin(uint32_t number, const fxl_pose *pose);
 
 /* Ends the frame after its last pixel. Notes the outcome of its polygons, the number of steps so
  * far in which the player's position was clamped to the range, and the number of instructions
- * that drawing took (0: the board cannot count). Returns false where that failed, or where
+ * that drawing took (0: it was not counted). Returns false where that failed, or where
  * pixels of the frame are missing. */
 bool journal_end(const fxl_counters *counters, uint32_t clamped, uint64_t instructions);
 

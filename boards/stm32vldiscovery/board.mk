@@ -11,10 +11,10 @@ BOARD_OPENOCD := -f board/stm32vldiscovery.cfg
 # handlers' (memory.ld), 2560 for the renderer, 128 that are free, and these: eight rows of 128, or one
 # of the widest screen; the 174 objects of the plaza, or what scenes/landscape.toml sorts; a list of
 # 15 polygons of four vertices, in which every frame of scenes/tiny.toml fits; no vertices are kept.
-# A program with surfaces has a stack of 2024 bytes and fewer entries. What else the walk is made of
+# A program with surfaces has a stack of 2232 bytes and fewer entries. What else the walk is made of
 # knows nothing of the entries, so only its own object differs.
 BOARD_BAND_BYTES := 1024
-BOARD_ORDER_ENTRIES := $(if $(filter surfaces,$(VISIBILITY)),124,178)
+BOARD_ORDER_ENTRIES := $(if $(filter surfaces,$(VISIBILITY)),106,178)
 BOARD_LIST_BYTES := 600
 BOARD_CACHE_ENTRIES := 0
 
@@ -29,7 +29,7 @@ BOARD_DRIVER_ROWS := 0
 BOARD_OWN_FLAGS := -Os
 
 # A BSP tree would take 4 KiB of flash more than the program has, and of stack more than there is. Surfaces take
-# 18 KiB of flash: the program of VISIBILITY=surfaces has them, and scenes have 18 KiB less (memory.ld). Billboards
+# 36 KiB of flash: the program of VISIBILITY=surfaces has them, and scenes have 36 KiB less (memory.ld). Billboards
 # would take 4 KiB, RGB565 more.
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=24000000u WALK_WITHOUT_BSP WALK_WITHOUT_SURFACES WALK_WITHOUT_BILLBOARDS WALK_WITHOUT_DEPTH WALK_WITHOUT_RGB565
 

@@ -15,7 +15,7 @@ from fixel.base.errors import ToolError
 from fixel.scene import making, target
 from fixel.image import image, memory_needed
 from fixel.bench import bench_plan, costs_renewal, frame_costs, prediction
-from fixel.board import dump, emulator, flash_memory, fleet
+from fixel.board import counted, dump, emulator, flash_memory, fleet
 
 SCENES = ("scenes/spin.toml", "scenes/knot-moving.toml", "examples/game/game.toml")
 BOARDS = ("microbit", "mps2-an385")
@@ -112,7 +112,7 @@ def drawn(tmp_path_factory):
         flash_memory.flash(board, elf, image, flashed)
         done = emulator.run(board, flashed, elf, file, FRAMES)
         frames = dump.read_dump(file).frames
-        found[board, source] = (numpy.mean([frame.instructions for frame in frames]),
+        found[board, source] = (numpy.mean(counted.counts_of(frames)),
                                 int(fleet.STACK.search(done.output)[1]))
     return found
 

@@ -12,7 +12,7 @@ from board_programs import built
 from conftest import sampled
 from test_predict import predicted
 
-from fixel.board import dump, emulator, flash_memory
+from fixel.board import counted, dump, emulator, flash_memory
 from fixel.scene import making
 
 BOARD, SEEDS = "mps2-an385", (1, 2, 3)
@@ -28,7 +28,7 @@ def error_of(folder, seed, number):
     elf = built(f"{BOARD}/walk.elf")
     flash_memory.flash(BOARD, elf, image, flashed)
     emulator.run(BOARD, flashed, elf, file)
-    taken = numpy.mean([frame.instructions for frame in dump.read_dump(file).frames])
+    taken = numpy.mean(counted.counts_of(dump.read_dump(file).frames))
     result = predicted(BOARD, source)
     assert result["why_not"] is None
     return result["instructions_per_frame"]["mean"] / taken - 1

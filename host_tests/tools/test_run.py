@@ -156,9 +156,11 @@ def test_host_is_a_board(build, tmp_path, result):
     ([0, 0], (None, None, None, None)),
     ([5, 0, 7], (None, None, None, None)),  # a frame whose clock stood still or ran backward
     ([5, 6, 10], (5, 6, 7, 10)),
+    ([5, 6, 10, 0, 7], (5, 6, 7, 10)),      # a frame that the walk drew as two rectangles
+    ([0, 0, 0, 9, 0], (None, None, None, None)),
 ])
 def test_frames_that_were_not_counted(counts, figures):
-    found = counted.figures([types.SimpleNamespace(instructions=count) for count in counts])
+    found = counted.figures([types.SimpleNamespace(number=number, instructions=count) for number, count in enumerate(counts)])
     assert tuple(found.values()) == figures
 
 

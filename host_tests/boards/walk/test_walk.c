@@ -29,6 +29,9 @@ static const fxl_path_segment strides[1] = {{FXL_KEY_FORWARD, 2}};
 
 static scene_bytes scene;
 
+fxl_status __real_fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
+fxl_status __wrap_fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
+
 void setUp(void)
 {
     scene_bytes_make(&scene, 1, poses, NULL, 3);
@@ -68,7 +71,7 @@ static void draw_whole(const fxl_pose *pose, uint8_t *pixels)
                       fxl_renderer_init_with(&renderer, &image.scene, &image.lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     fxl_fill_band(&band, image.background);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    TEST_ASSERT_EQUAL(FXL_OK, __real_fxl_frame_draw(&renderer, &band));
 }
 
 void test_every_row_of_every_frame_is_flushed_once_and_downward(void)
@@ -103,6 +106,59 @@ void test_bands_together_are_the_frame_that_one_band_gives(void)
     }
     TEST_ASSERT_EQUAL(SCENE_COLOUR, board.pixels[0][SCENE_HEIGHT / 2][SCENE_WIDTH / 2]);
     TEST_ASSERT_EQUAL(SCENE_BACKGROUND, board.pixels[0][0][0]);
+}
+
+/* What fxl_frame_draw was asked for in the frame that is being drawn: how often each pixel of it, and
+ * the first column of the last rectangle. */
+static uint8_t times_asked[FRAMES_MAX][SCENE_HEIGHT][SCENE_WIDTH];
+static uint32_t calls[FRAMES_MAX], borders[FRAMES_MAX];
+
+fxl_status __wrap_fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
+{
+    const uint32_t frame = board.begun > 0 ? board.begun - 1 : 0;
+    const uint32_t columns = band->columns > 0 ? band->columns : band->width;
+    uint32_t row, column;
+
+    calls[frame]++;
+    borders[frame] = band->first_column;
+    for (row = 0; row < band->rows; row++) {
+        for (column = 0; column < columns; column++) {
+            times_asked[frame][band->first_row + row][band->first_column + column]++;
+        }
+    }
+    return __real_fxl_frame_draw(renderer, band);
+}
+
+/* Frames 3 and 7 of eight; none of a live walk. */
+void test_every_fourth_frame_is_two_rectangles_whose_border_moves(void)
+{
+    static const fxl_pose still[FRAMES_MAX];
+    uint8_t whole[SCENE_HEIGHT][SCENE_WIDTH], once[SCENE_HEIGHT][SCENE_WIDTH];
+    uint32_t frame;
+    int live;
+
+    scene_bytes_make(&scene, 1, still, NULL, FRAMES_MAX);
+    memset(once, 1, sizeof once);
+    for (live = 0; live < 2; live++) {
+        board_double_begin(&scene);
+        board.live = live;
+        board.frames_asked = FRAMES_MAX;
+        board.clock_step = 100;
+        memset(times_asked, 0, sizeof times_asked);
+        memset(calls, 0, sizeof calls);
+        TEST_ASSERT_EQUAL(SYSTEM_EXIT_DONE, walk());
+        for (frame = 0; frame < FRAMES_MAX; frame++) {
+            const bool parted = live == 0 && frame % 4 == 3;
+
+            TEST_ASSERT_EQUAL(parted ? 2 * BANDS : BANDS, calls[frame]);
+            TEST_ASSERT_EQUAL(parted, borders[frame] > 0);
+            TEST_ASSERT_EQUAL_UINT64(parted ? 0 : 100 * (1 + BANDS), board.instructions[frame]);
+            TEST_ASSERT_EQUAL_MEMORY(once, times_asked[frame], sizeof once);
+            draw_whole(&board.poses[frame], whole[0]);
+            TEST_ASSERT_EQUAL_MEMORY(whole, board.pixels[frame], sizeof whole);
+        }
+        TEST_ASSERT_TRUE(live == 1 || borders[3] != borders[7]);
+    }
 }
 
 void test_as_many_frames_as_asked(void)

@@ -67,7 +67,7 @@ $(WALK_TEST)/test_walk: $(addprefix $(WALK_TEST)/,test_walk.o test_walk_runner.o
         scene_bytes.o walk.o billboards.o looks.o surfaces.o methods.o targets.o act_path.o path.o unity.o cmock.o) $(WALK_TEST_MOCKS:.c=.o) $(HOST_LIBRARIES) \
         $(BUILD)/host/libreference.a
 	$(SAY)
-	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -lm -o $@
+	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -Wl,--wrap=fxl_frame_draw -lm -o $@
 
 $(WALK_TEST)/test_path: $(addprefix $(WALK_TEST)/,test_path.o test_path_runner.o scene_bytes.o path.o unity.o) \
         $(HOST_LIBRARIES)

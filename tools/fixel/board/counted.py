@@ -4,11 +4,17 @@
 import statistics
 
 NOTHING = {"min": None, "median": None, "mean": None, "max": None}
+PARTED_EVERY = 4    # frames; the walk draws the last one of each as two rectangles, and counts nothing there
+
+
+def counts_of(frames):
+    """The counts of frames, without those that the walk drew as two rectangles; a 0 was not counted."""
+    return [frame.instructions for frame in frames if frame.instructions or frame.number % PARTED_EVERY != PARTED_EVERY - 1]
 
 
 def figures(frames):
     """Of the counts of frames; null where the board cannot count."""
-    counts = [frame.instructions for frame in frames]
+    counts = counts_of(frames)
     if not counts or not all(counts):
         return NOTHING
     return {"min": min(counts), "median": int(statistics.median(counts)),

@@ -33,7 +33,7 @@ class Frame:
     pixels: numpy.ndarray   # height x width: uint8, palette indices; or uint16, colours of RGB565
     counters: dict
     clamped: int        # steps in which a coordinate was held at the range's end
-    instructions: int   # 0 where the board cannot tell
+    instructions: int   # 0 where the board cannot tell, and in a frame that the walk drew as two rectangles
 
     @property
     def sha256(self):

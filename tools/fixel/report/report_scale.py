@@ -4,7 +4,7 @@
 import dataclasses
 
 from fixel.base import output
-from fixel.board import drawing, dump, emulator, firmware, methods
+from fixel.board import counted, drawing, dump, emulator, firmware, methods
 from fixel.image import image
 from fixel.base.errors import ToolError
 from fixel.base.progress import Progress
@@ -51,15 +51,15 @@ def measure(programs, board, scene, folder):
         for place, factor in enumerate(SCALES):
             drawn = _draw(programs, board, scene, factor, folder,
                           lambda done, _, before=place * scene.frames: progress(before + done))
-            counts = [frame.instructions for frame in drawn.frames]
+            counts = counted.counts_of(drawn.frames)
             if not all(counts):
                 raise ToolError(f"board {board} did not count the instructions of every frame, and the claim "
                                 "scale needs them", 1)
             first = first or (drawn, counts)
             differing = sum(int((one.pixels != other.pixels).sum())
                             for one, other in zip(drawn.frames, first[0].frames, strict=True))
-            rows.append({"scale": factor, "frames": len(counts),
-                         "pixels": len(counts) * drawn.width * drawn.height,
+            rows.append({"scale": factor, "frames": len(drawn.frames),
+                         "pixels": len(drawn.frames) * drawn.width * drawn.height,
                          "pixels_differing": differing,
                          "instructions_per_frame": round(sum(counts) / len(counts)),
                          "instructions_percent": 100 * abs(sum(counts) / sum(first[1]) - 1)})
