@@ -74,6 +74,23 @@ void diary_finish(void)
     count(transfer.size);
 }
 
+static bool is_time_for(const char *fault)
+{
+    const char *wanted = getenv("FAULT");
+
+    return wanted != NULL && strcmp(wanted, fault) == 0 && sent > PIXEL_BYTES;
+}
+
+bool diary_hangs(void)
+{
+    return is_time_for("hang");
+}
+
+bool diary_fails(void)
+{
+    return is_time_for("error");
+}
+
 bool diary_is_sending(void)
 {
     return transfer.bytes != NULL;

@@ -20,6 +20,9 @@ void diary_start(const uint8_t *bytes, size_t size);
 /* Ends the transfer that was started. Ends the program after a few frames. */
 void diary_finish(void);
 bool diary_is_sending(void);
+/* Whether FAULT=hang or FAULT=error of the environment is to happen now: after a frame of pixels, so that the display was opened. */
+bool diary_hangs(void);
+bool diary_fails(void);
 void diary_sleep(unsigned milliseconds);
 void diary_setup(const char *text);
 

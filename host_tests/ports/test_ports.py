@@ -54,14 +54,18 @@ def built(folder, name, scene, sources, includes):
     return program
 
 
-def diary_of(example, folder, scene):
-    """(word, argument) of each line that the example's doubles wrote."""
+def program_of(example, folder, scene):
+    """The example with its doubles."""
     sources = WINDOWS[example] if example in WINDOWS else EXAMPLES[example][0]
     declarations = TESTS / example.split("/")[0]
     double = next(declarations.glob("double.*"))
-    program = built(folder, "example", scene, [*(PORTS / example / name for name in sources), double, TESTS / "diary.c"],
+    return built(folder, "example", scene, [*(PORTS / example / name for name in sources), double, TESTS / "diary.c"],
                     [declarations, PORTS / example, *BESIDE.get(example, ())])
-    done = subprocess.run([program], stdout=subprocess.PIPE, text=True, timeout=60, check=False)
+
+
+def diary_of(example, folder, scene):
+    """(word, argument) of each line that the example's doubles wrote."""
+    done = subprocess.run([program_of(example, folder, scene)], stdout=subprocess.PIPE, text=True, timeout=60, check=False)
     faults = re.findall("^fault (.*)$", done.stdout, re.MULTILINE)
     assert not faults and done.returncode == 0, faults
     return [line.split(" ", 1) for line in done.stdout.splitlines()]
@@ -176,7 +180,8 @@ def test_a_display_of_the_sdk_gets_the_frames_of_the_library(example, scene, tmp
 
 @pytest.mark.parametrize("example, broken, found", [
     ("esp_idf/main", ("(void)xSemaphoreGiveFromISR(esp->is_done, &is_woken);", "(void)esp;"), "nobody was woken"),
-    ("esp_idf/main", ("esp->is_sending = xSemaphoreTake(esp->is_done, portMAX_DELAY) != pdTRUE;", "esp->is_sending = false;"), "while another one is under way"),
+    ("esp_idf/main", ("esp->is_sending = xSemaphoreTake(esp->is_done, esp->patience) != pdTRUE;", "esp->is_sending = false;"), "while another one is under way"),
+    ("esp_idf/main", ("esp->patience)", "portMAX_DELAY)"), "another time than the bytes take"),
     ("zephyr/src", (" && display_blanking_off(display) == 0", ""), "the display is off")])
 def test_a_broken_sink_is_found(example, broken, found, scene, tmp_path, monkeypatch):
     copied(example, WINDOWS[example][1], broken, tmp_path, monkeypatch)
@@ -202,8 +207,8 @@ def test_pixels_go_by_dma_where_there_is_some(example, seeks_dma, scene, tmp_pat
 
 
 @pytest.mark.parametrize("example, broken, found", [
-    ("pico_sdk", ("        dma_channel_wait_for_finish_blocking(channel);\n", ""), "before the transfer's end"),
-    ("pico_sdk", ("        while (spi_is_busy(spi0)) { /* the last bytes leave the queue */\n        }\n", ""), "while bytes leave"),
+    ("pico_sdk", ("dma_channel_is_busy(channel) || ", ""), "before the transfer's end"),
+    ("pico_sdk", (" || spi_is_busy(spi0)", ""), "while bytes leave"),
     ("stm32_hal", ("HAL_SPI_GetState(&FIXEL_STM32_SPI) != HAL_SPI_STATE_READY", "0"), "while bytes leave"),
     ("arduino/cube", ("SPI.transfer(piece, count)", "SPI.transfer((void *)(uintptr_t)bytes, count)"), "")])
 def test_a_broken_port_is_found(example, broken, found, scene, tmp_path, monkeypatch):
@@ -216,6 +221,17 @@ def test_a_broken_port_is_found(example, broken, found, scene, tmp_path, monkeyp
         wanted = expected(tmp_path, scene)
         assert all((shown == frame).all() for shown, frame in zip(module.pictures, wanted)), "pixels differ"
     assert found in str(error.value)
+
+
+@pytest.mark.parametrize("example, fault", [("esp_idf/main", "hang"), ("esp_idf/main", "error"), ("pico_sdk", "hang"), ("stm32_hal", "hang"),
+                                            ("stm32_hal", "error"), ("zephyr/src", "error")])
+def test_a_transfer_that_hangs_or_fails_ends_the_program(example, fault, scene, tmp_path):
+    """docs/safety/constraints.md, T4: the pump answers FXL_E_DISPLAY, and each example returns then. Without a fault none returns."""
+    program = program_of(example, tmp_path, scene)
+    done = subprocess.run([program], env={"FAULT": fault}, stdout=subprocess.PIPE, text=True, timeout=60, check=False)
+    assert done.returncode == 1 and "fault" not in done.stdout, done.stdout[-200:]
+    pixels = sum(len(line) for line in re.findall("^(?:done|bytes) (.{33,})", done.stdout, re.MULTILINE)) // 4
+    assert WIDTH * HEIGHT <= pixels < 2 * WIDTH * HEIGHT, "it ends in the frame of the fault, after the black one that opened the display"
 
 
 @pytest.mark.parametrize("example", EXAMPLES)

@@ -8,6 +8,7 @@
 
 static uint channel; /* of the DMA */
 static bool is_sending;
+static uint32_t begun, patience; /* microseconds: when the transfer began; how long it may take */
 
 static void select_for(bool is_data)
 {
@@ -15,12 +16,19 @@ static void select_for(bool is_data)
     gpio_put(FIXEL_PICO_SELECT, false);
 }
 
+/* False after twice the time that the bytes take: then they may still be read. The time is read first, so an interrupt behind it
+ * makes no transfer late that has ended. */
 static bool wait(void *user)
 {
     (void)user;
     if (is_sending) {
-        dma_channel_wait_for_finish_blocking(channel);
-        while (spi_is_busy(spi0)) { /* the last bytes leave the queue */
+        uint32_t now = time_us_32();
+
+        while (dma_channel_is_busy(channel) || spi_is_busy(spi0)) { /* the last bytes leave the queue */
+            if (now - begun > patience) {
+                return false;
+            }
+            now = time_us_32();
         }
         gpio_put(FIXEL_PICO_SELECT, true);
         is_sending = false;
@@ -32,7 +40,9 @@ static bool send(void *user, bool is_data, const uint8_t *bytes, size_t size)
 {
     int sent;
 
-    (void)wait(user);
+    if (!wait(user)) {
+        return false;
+    }
     select_for(is_data);
     sent = spi_write_blocking(spi0, bytes, size);
     gpio_put(FIXEL_PICO_SELECT, true);
@@ -43,11 +53,15 @@ static bool start(void *user, const uint8_t *bytes, size_t size)
 {
     dma_channel_config config = dma_channel_get_default_config(channel);
 
-    (void)wait(user);
+    if (!wait(user)) {
+        return false;
+    }
     channel_config_set_transfer_data_size(&config, DMA_SIZE_8);
     channel_config_set_dreq(&config, spi_get_dreq(spi0, true));
     select_for(true);
     is_sending = true;
+    patience = (uint32_t)(16000000ull * size / spi_get_baudrate(spi0)) + 2u; /* 2 x 8 bits a byte */
+    begun = time_us_32();
     dma_channel_configure(channel, &config, &spi_get_hw(spi0)->dr, bytes, (uint)size, true);
     return true;
 }

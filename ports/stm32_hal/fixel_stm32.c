@@ -19,7 +19,7 @@ static void deselect(void)
     HAL_GPIO_WritePin(LCD_CS_GPIO_Port, LCD_CS_Pin, GPIO_PIN_SET);
 }
 
-/* The HAL's interrupt makes the state ready when the last bit has left. */
+/* The HAL's interrupt makes the state ready when the last bit has left, and also when the DMA failed. */
 static bool wait(void *user)
 {
     const uint32_t begun = HAL_GetTick();
@@ -35,7 +35,7 @@ static bool wait(void *user)
     }
     deselect();
     is_sending = false;
-    return true;
+    return HAL_SPI_GetError(&FIXEL_STM32_SPI) == HAL_SPI_ERROR_NONE;
 }
 
 /* Older HALs take bytes that are not const. They only read them. */

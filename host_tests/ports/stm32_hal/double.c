@@ -41,12 +41,19 @@ HAL_StatusTypeDef HAL_SPI_Transmit_DMA(SPI_HandleTypeDef *spi, uint8_t *bytes, u
 HAL_SPI_StateTypeDef HAL_SPI_GetState(SPI_HandleTypeDef *spi)
 {
     require(spi == &hspi1, "another SPI");
-    if (polls > 0) {
-        polls--;
+    if (polls > 0 || diary_hangs()) {
+        polls -= polls > 0;
         return HAL_SPI_STATE_BUSY_TX;
     }
     diary_finish();
     return HAL_SPI_STATE_READY;
+}
+
+/* Of the transfer that was begun last. */
+uint32_t HAL_SPI_GetError(SPI_HandleTypeDef *spi)
+{
+    require(spi == &hspi1 && !diary_is_sending(), "asked before the transfer's end");
+    return diary_fails() ? HAL_SPI_ERROR_DMA : HAL_SPI_ERROR_NONE;
 }
 
 void HAL_GPIO_WritePin(GPIO_TypeDef *port, uint16_t pin, GPIO_PinState state)

@@ -27,6 +27,9 @@ typedef struct {
 HAL_StatusTypeDef HAL_SPI_Transmit(SPI_HandleTypeDef *spi, uint8_t *bytes, uint16_t size,
                                    uint32_t timeout);
 HAL_StatusTypeDef HAL_SPI_Transmit_DMA(SPI_HandleTypeDef *spi, uint8_t *bytes, uint16_t size);
+#define HAL_SPI_ERROR_NONE 0x00000000u
+#define HAL_SPI_ERROR_DMA  0x00000010u
+uint32_t HAL_SPI_GetError(SPI_HandleTypeDef *spi);
 HAL_SPI_StateTypeDef HAL_SPI_GetState(SPI_HandleTypeDef *spi);
 void HAL_GPIO_WritePin(GPIO_TypeDef *port, uint16_t pin, GPIO_PinState state);
 void HAL_Delay(uint32_t milliseconds);

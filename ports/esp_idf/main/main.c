@@ -11,6 +11,7 @@
 #define HEIGHT 240
 #define ROWS   20 /* of a band; two of them are sent in turn */
 #define HOST   SPI2_HOST
+#define HZ     40000000u
 
 enum { CLOCK = 12, DATA_OUT = 11, SELECT = 10, DATA_COMMAND = 9, RESET = 8 };
 
@@ -27,7 +28,7 @@ static bool open_panel(esp_lcd_panel_handle_t *panel, esp_lcd_panel_io_handle_t 
     const spi_bus_config_t bus = {.sclk_io_num = CLOCK, .mosi_io_num = DATA_OUT, .miso_io_num = -1, .quadwp_io_num = -1,
                                   .quadhd_io_num = -1, .max_transfer_sz = WIDTH * ROWS * 2};
     const esp_lcd_panel_io_spi_config_t wires = {.cs_gpio_num = SELECT, .dc_gpio_num = DATA_COMMAND, .spi_mode = 0,
-                                                 .pclk_hz = 40000000, .trans_queue_depth = 2, .lcd_cmd_bits = 8,
+                                                 .pclk_hz = HZ, .trans_queue_depth = 2, .lcd_cmd_bits = 8,
                                                  .lcd_param_bits = 8};
     const esp_lcd_panel_dev_config_t module = {.reset_gpio_num = RESET, .rgb_ele_order = LCD_RGB_ELEMENT_ORDER_RGB,
                                                .bits_per_pixel = 16};
@@ -47,7 +48,7 @@ void app_main(void)
     esp_lcd_panel_io_handle_t io = NULL;
     uint32_t frame;
 
-    if (!open_panel(&panel, &io) || !fixel_esp_open(&esp, panel, io, WIDTH) ||
+    if (!open_panel(&panel, &io) || !fixel_esp_open(&esp, panel, io, WIDTH, HZ) ||
         fxl_renderer_init(&renderer, &cube_scene, &cube_config, memory, sizeof memory) != FXL_OK ||
         fxl_pixels_init(&colours, &fxl_pixels_rgb565, cube_palette[0]) != FXL_OK ||
         fxl_pump_init(&pump, &bands, &esp.sink, pump_memory, sizeof pump_memory) != FXL_OK) {

@@ -18,5 +18,5 @@ void channel_config_set_dreq(dma_channel_config *config, uint dreq);
 void dma_channel_configure(uint channel, const dma_channel_config *config,
                            volatile void *write_address, const volatile void *read_address,
                            uint count, bool trigger);
-void dma_channel_wait_for_finish_blocking(uint channel);
+bool dma_channel_is_busy(uint channel);
 #endif

@@ -24,6 +24,7 @@ uint spi_init(spi_inst_t *spi, uint baudrate);
 void spi_set_format(spi_inst_t *spi, uint data_bits, spi_cpol_t cpol, spi_cpha_t cpha,
                     spi_order_t order);
 int spi_write_blocking(spi_inst_t *spi, const uint8_t *bytes, size_t size);
+uint spi_get_baudrate(const spi_inst_t *spi);
 bool spi_is_busy(const spi_inst_t *spi);
 uint spi_get_dreq(spi_inst_t *spi, bool is_tx);
 spi_hw_t *spi_get_hw(spi_inst_t *spi);

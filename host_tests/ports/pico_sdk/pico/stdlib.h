@@ -7,4 +7,5 @@
 #include <stdint.h>
 typedef unsigned int uint;
 void sleep_ms(uint32_t milliseconds);
+uint32_t time_us_32(void);
 #endif
