@@ -13,14 +13,13 @@ set(FIXEL_CROSS riscv64-unknown-elf- CACHE STRING "how the names of the compiler
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES FIXEL_ARCH FIXEL_ABI FIXEL_CROSS)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 
-set(CMAKE_C_COMPILER ${FIXEL_CROSS}gcc)
-set(CMAKE_CXX_COMPILER ${FIXEL_CROSS}g++)
-set(CMAKE_ASM_COMPILER ${FIXEL_CROSS}gcc)
 # Debian's compiler has no C library, and no stdint.h without -ffreestanding; with a library, FIXEL_LIBC is what chooses it.
 set(FIXEL_LIBC -ffreestanding CACHE STRING "flags of the C library, such as --specs=picolibc.specs")
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES FIXEL_LIBC)
-# The small data section would need a register that start code sets up; medany reaches RAM from 0x80000000 on.
-foreach(language C CXX ASM)
-    set(CMAKE_${language}_FLAGS_INIT "-march=${FIXEL_ARCH} -mabi=${FIXEL_ABI} -mcmodel=medany -msmall-data-limit=0 ${FIXEL_LIBC}")
-endforeach()
+# The small data section would need a register that start code sets up; medany reaches RAM from 0x80000000 on. All this is a part of the
+# compiler's name, so that -DCMAKE_C_FLAGS=-Os adds to it.
+separate_arguments(FIXEL_CORE UNIX_COMMAND "-march=${FIXEL_ARCH} -mabi=${FIXEL_ABI} -mcmodel=medany -msmall-data-limit=0 ${FIXEL_LIBC}")
+set(CMAKE_C_COMPILER ${FIXEL_CROSS}gcc ${FIXEL_CORE})
+set(CMAKE_CXX_COMPILER ${FIXEL_CROSS}g++ ${FIXEL_CORE})
+set(CMAKE_ASM_COMPILER ${FIXEL_CROSS}gcc ${FIXEL_CORE})
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)

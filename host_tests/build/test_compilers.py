@@ -3,13 +3,18 @@
 
 import concurrent.futures
 import functools
+import json
 import os
+import pathlib
+import re
+import shlex
 import shutil
 import subprocess
+import tempfile
 
 import pytest
 
-from conftest import CHECKOUT, environment, sampled
+from conftest import CHECKOUT, environment, run_make, sampled
 
 INCLUDE = CHECKOUT / "lib" / "include"
 SOURCES = sorted(path for path in (CHECKOUT / "lib").rglob("*") if path.suffix in (".c", ".S"))
@@ -215,6 +220,58 @@ def test_a_cmake_project_gets_optimised_code_unless_it_chooses(tmp_path, options
     flags = (tmp_path / "build" / "fixel" / "CMakeFiles" / "fixel.dir" / "flags.make").read_text(encoding="utf-8")
     line = next(line for line in flags.splitlines() if line.startswith("C_FLAGS"))
     assert [word for word in line.split() if word.startswith("-O")] == wanted
+
+
+# What decides which kernels a library has: the families of cores, and whether it is small or compact.
+CHOOSING = re.compile(r"FXL_(KERNELS|CORE)_|FXL_\w+_IN_ASSEMBLY|FXL_IS_(COMPACT|SMALL)|FXL_SCANS_BY_CHAINS|FXL_FILLS_COMPACT")
+
+
+def places_of(commands, folder):
+    """In which source each function of the kernels and of the sources beside them is, for commands that compile; each must be in one."""
+    places = {}
+    for command in commands:
+        source = re.search(r"lib/(\w+/\w+\.[cS])(?=[\s\"']|$)", command.split(" -c ")[1])[1]
+        if source.startswith("study/") or not CHOOSING.search((CHECKOUT / "lib" / source).read_text(encoding="utf-8")):
+            continue
+        words = shlex.split(command)
+        target = folder / source.replace("/", "_")
+        words[words.index("-o") + 1] = str(target)
+        subprocess.run(words, cwd=CHECKOUT, check=True)
+        names = subprocess.run(["arm-none-eabi-nm", "--defined-only", "--extern-only", target], check=True, text=True, capture_output=True).stdout
+        for name in re.findall(r" [A-TV-Z] (\w+)$", names, re.MULTILINE):
+            assert places.setdefault(name, source) == source, f"{name} is in {places[name]} and in {source}"
+    return places
+
+
+@functools.cache
+def places_by_make(flags):
+    """The places of make lib."""
+    with tempfile.TemporaryDirectory() as folder:
+        done = run_make("lib", "--always-make", "--dry-run", "V=1", "CORE=cortex-m3", f"LIB_FLAGS={flags}")
+        return places_of([re.sub(" -(MMD|MP|fstack-usage)", "", line) for line in done.stdout.splitlines() if " -c lib/" in line], pathlib.Path(folder))
+
+
+@pytest.mark.parametrize("options, by_make", [
+    (["-DCMAKE_C_FLAGS=-Os"], "-Os"), (["-DCMAKE_C_FLAGS=-O2"], ""), (["-DCMAKE_BUILD_TYPE=MinSizeRel"], "-Os"),
+    (["-DCMAKE_BUILD_TYPE=Release"], ""), (["-DFXL_COMPACT=OFF"], "")])
+def test_a_cmake_project_has_the_kernels_that_make_lib_has(tmp_path, options, by_make):
+    """Whatever options the two languages have, C and assembly agree whether the library is compact: each function is there once."""
+    code, text = run(["cmake", "-S", CHECKOUT, "-B", tmp_path, "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
+                      f"-DCMAKE_TOOLCHAIN_FILE={CHECKOUT / 'cmake' / 'arm-none-eabi.cmake'}", *options])
+    assert code == 0, text
+    commands = [each["command"] for each in json.loads((tmp_path / "compile_commands.json").read_text(encoding="utf-8"))]
+    places = places_of(commands, tmp_path)
+    assert len([name for name, source in places.items() if source.endswith(".S")]) >= 12
+    wanted = places_by_make(by_make)
+    assert places == wanted, {name: (places.get(name), wanted.get(name)) for name in set(places) ^ set(wanted)}
+    assert places_by_make("") != places_by_make("-Os")
+
+
+@pytest.mark.parametrize("options, is_refused", [([], True), (["-O2"], False), (["-DFXL_COMPACT=1"], False), (["-DFXL_SMALL"], False)])
+def test_assembly_that_cannot_know_how_c_is_compiled_is_refused(tmp_path, options, is_refused):
+    done = subprocess.run(["arm-none-eabi-gcc", "-mcpu=cortex-m3", "-mthumb", *options, "-c", CHECKOUT / "lib/clip/clip_by_view_armv7m.S", "-o", tmp_path / "x.o"],
+                          text=True, capture_output=True, check=False)
+    assert (done.returncode != 0) == is_refused and ("FXL_COMPACT, 0 or 1" in done.stderr) == is_refused
 
 
 STUDY = """#include <fixel.h>

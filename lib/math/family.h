@@ -41,29 +41,35 @@
 #define FXL_KERNELS_MVE 0
 #endif
 
-/* Compiled for size (-Os), Armv7-M has an edge's intersection in C. */
+/* Assembly without an -O cannot know how the C files are compiled. */
+#if defined __ASSEMBLER__ && defined FXL_COMPACT_IS_A_GUESS && !defined __OPTIMIZE__ && \
+    FXL_KERNELS_ARMV7M
+#error "define FXL_COMPACT, 0 or 1, for C and assembly, or give both the same -O"
+#endif
+
+/* Compact, Armv7-M has an edge's intersection in C. */
 #if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
 #define FXL_INTERSECTS_IN_ASSEMBLY 1
 #else
 #define FXL_INTERSECTS_IN_ASSEMBLY 0
 #endif
 
-/* So compiled, it has the matrix of a turned instance in C, too. */
+/* So is the matrix of a turned instance. */
 #define FXL_PLACEMENTS_IN_ASSEMBLY FXL_INTERSECTS_IN_ASSEMBLY
 
-/* So compiled, it paints the texels of segments and divided pixels in C, too. */
+/* And it paints the texels of segments and divided pixels in C. */
 #define FXL_TEXELS_IN_ASSEMBLY FXL_INTERSECTS_IN_ASSEMBLY
 
 /* Whether outlines that are painted row by row are scanned between two chains where they can be,
- * or else all by active edges. Compiled for size, Armv7-M has chains only in its kernel for
- * outlines of one colour. */
+ * or else all by active edges. Compact, Armv7-M has chains only in its kernel for outlines of one
+ * colour. */
 #if FXL_IS_SMALL || (FXL_KERNELS_ARMV7M && FXL_IS_COMPACT)
 #define FXL_SCANS_BY_CHAINS 0
 #else
 #define FXL_SCANS_BY_CHAINS 1
 #endif
 
-/* So compiled, it fills rows by a text of a sixth of the bytes. */
+/* Compact, it fills rows by a text of a sixth of the bytes. */
 #if FXL_KERNELS_ARMV7M && !FXL_KERNELS_MVE && FXL_IS_COMPACT
 #define FXL_FILLS_COMPACT 1
 #else

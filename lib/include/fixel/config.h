@@ -3,6 +3,8 @@
  * -DFXL_SMALL. None changes a pixel.
  *
  *   FXL_SMALL             defined or not: few bytes of code instead of few instructions
+ *   FXL_COMPACT           0 or 1: without what saves few instructions for its bytes; default: 1
+ *                         if the compiler makes few bytes (-Os, -Oz), else 0
  *   FXL_POLYGON_CAPACITY  a number, 12..32: the most vertices of a polygon; default 32
  *   FXL_PORTABLE_KERNELS  defined or not: kernels in plain C on every core
  *   FXL_ASSERT_HOOK       defined or not, for tests: assertions call fxl_assert_failed, which
@@ -23,12 +25,20 @@
 #define FXL_IS_SMALL 0
 #endif
 
-/* A library that the compiler makes for size (-Os) omits what saves few instructions for its bytes.
- * It keeps the algorithms that are several times faster. A flat frame takes 1.2 times the
- * instructions of -O2, one with textures on an Armv7-M 2.3 to 3.1 times: it paints these in C.
- * There it also scans them by active edges, which takes 2 to 5 % more of a crate's frame. All
- * sources, also those in assembly, must be compiled with the same choice. */
-#if defined FXL_SMALL || defined __OPTIMIZE_SIZE__
+/* A compact library, as one that the compiler makes for size (-Os), omits what saves few
+ * instructions for its bytes. It keeps the algorithms that are several times faster. A flat frame
+ * takes 1.2 times the instructions of -O2, one with textures on an Armv7-M 2.3 to 3.1 times: it
+ * paints these in C. There it also scans them by active edges, which takes 2 to 5 % more of a
+ * crate's frame. C and assembly read this one switch, and must read it alike: a build that gives
+ * its -O to C alone must define FXL_COMPACT for both (lib/math/family.h refuses assembly that
+ * cannot know). */
+#if !defined FXL_COMPACT && defined __OPTIMIZE_SIZE__
+#define FXL_COMPACT 1
+#elif !defined FXL_COMPACT
+#define FXL_COMPACT 0
+#define FXL_COMPACT_IS_A_GUESS
+#endif
+#if defined FXL_SMALL || FXL_COMPACT
 #define FXL_IS_COMPACT 1
 #else
 #define FXL_IS_COMPACT 0
