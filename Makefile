@@ -350,11 +350,11 @@ costs: ## renew bench/costs.json, from which make predict predicts [COSTS_CORES=
 # BOARD= on the command line: what runs on that board and nothing else.
 TEST_BOARD := $(if $(filter BOARD,$(GIVEN)),$(BOARD_CHOSEN))
 # Without it, the unit tests run on a board for each build of the library, on the one with the most memory for a band of
-# pixels; make boards runs them on every board.
+# pixels, and with ONLY= on the default board; make boards runs them on every board.
 TEST_BOARDS_OF = $(foreach board,$(TARGET_BOARDS),$(if $(filter $(1),$(call CORE_SHARED,$(call CORE_NAME,$(board)))),$(board)))
 TEST_BOARD_OF = $(lastword $(shell printf '%s\n' $(foreach board,$(1),$(BOARD_BAND_BYTES.$(board)):$(board)) | sort -n | tr ':\n' '  '))
 TEST_BOARDS = $(eval TEST_BOARDS := $$(TEST_BOARDS_FOUND))$(TEST_BOARDS)
-TEST_BOARDS_FOUND = $(if $(TEST_BOARD),$(filter $(TEST_BOARD),$(TARGET_BOARDS)),\
+TEST_BOARDS_FOUND = $(if $(or $(TEST_BOARD),$(value ONLY)),$(filter $(BOARD_CHOSEN),$(TARGET_BOARDS)),\
     $(foreach core,$(CORES_SHARED),$(call TEST_BOARD_OF,$(call TEST_BOARDS_OF,$(core)))))
 # What the tests of the bench run.
 BENCH_TESTED := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_OUT)/$(core)/calibration.elf) $(BENCH_PROGRAMS.m3) $(BENCH_SIZES.m3)
@@ -364,15 +364,24 @@ TEST_PROGRAMS = $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) $(CLIPPERS_TES
     $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board)) $(BOARD_UNITS.$(board))))
 # For tools: a board, and what says which unit tests it has.
 UNIT_OPTIONS = $(foreach board,$(1),--units $(board) $(BOARD_UNITS.$(board)))
+TEST_UNIT_OPTIONS = $(if $(value ONLY),$(foreach board,$(TEST_BOARDS),--units $(board) $(BOARD_UNITS_CHOSEN.$(board))),$(call UNIT_OPTIONS,$(TEST_BOARDS)))
 # A folder and the names in it, not a path for each: Linux gives one command 128 KiB.
 HOST_UNIT_OPTIONS = $(foreach folder,$(sort $(dir $(UNITY_TESTS))),--host-units $(folder) $(notdir $(filter $(folder)%,$(UNITY_TESTS))))
 
-$(if $(filter test-programs,$(MAKECMDGOALS)),$(eval test-programs: $(TEST_UNITS) $(TEST_PROGRAMS)))
+TEST_OPTIONS = --json $(BUILD)/tests.json $(HOST_UNIT_OPTIONS) $(TEST_UNIT_OPTIONS) $(TEST_BOARD:%=--board %)
+
+# With ONLY= the tests that it names say what they need: "unit:" and a file of tests for boards; files to make; or "everything".
+TEST_NEEDS := $(if $(and $(filter test-programs,$(MAKECMDGOALS)),$(value ONLY)),$(shell $(TOOL) test --needs $(TEST_OPTIONS)))
+UNITS_CHOSEN := $(patsubst unit:%,%,$(filter unit:%,$(TEST_NEEDS)))
+TEST_BUILT = $(if $(value ONLY),$(filter-out unit:% everything,$(TEST_NEEDS)) $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS_CHOSEN.$(board))) \
+    $(if $(filter everything,$(TEST_NEEDS)),$(TEST_PROGRAMS)),$(TEST_UNITS) $(TEST_PROGRAMS))
+$(if $(filter test-programs,$(MAKECMDGOALS)),$(eval test-programs: $(TEST_BUILT))\
+    $(if $(value ONLY),$(foreach board,$(TEST_BOARDS),$(eval $(call BOARD_$(if $(UNITS_CHOSEN),,NONE_)CHOSEN_RULES,$(board))))))
 
 test: ## run the tests, on the host and on a board for each build of the library [BOARD= of one board, ONLY=, WHOLE=1: all of what is otherwise sampled]
 	@tools/setup.sh test$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) test-programs
-	@FIXEL_BUILT='$(TEST_PROGRAMS)' $(TOOL) test --json $(BUILD)/tests.json $(HOST_UNIT_OPTIONS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) $(TEST_BOARD:%=--board %)
+	@FIXEL_BUILT='$(if $(value ONLY),,$(TEST_PROGRAMS))' $(TOOL) test $(TEST_OPTIONS)
 
 test-anywhere: ## run the tests of packages and of what make test has no tools for; says what was not run, and why [ONLY=]
 	@tools/setup.sh test
@@ -466,7 +475,7 @@ seeded-bugs: ## break the library on purpose, one place at a time; the tests mus
 
 trace: ## join each clause of the specification with its code and its tests; BREAK=1: the tests must fail when it is broken [BREAK=1 ONLY= SAMPLE= ACCEPT=1 JOBS= CLUSTER= FRESH=1]
 	@tools/setup.sh $(if $(value BREAK),units,tools)
-	@$(if $(value BREAK),$(MAKE) $(UNIT_PROGRAMS))
+	@$(if $(value BREAK),$(MAKE) $(UNIT_PROGRAMS) $(UNIT_ARCHIVES))
 	@$(TOOL) trace --build $(BUILD) --units $(UNIT_OUT) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK'
 
 prove: ## prove properties of the library's text for every input, and say of each function what shows it; JSON [ONLY= BUGS=1 JOBS= CLUSTER= FRESH=1]
@@ -489,7 +498,7 @@ rules: ## check lib/ by the rules of MISRA C:2012 that cppcheck 2.10 knows: the 
 
 # What only the other part needs is not built.
 MUTANTS_PART := $(call ONE_OF,$(PART),lib tools)
-MUTANTS_LIB := $(if $(filter tools,$(MUTANTS_PART)),,$(UNIT_PROGRAMS) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%))
+MUTANTS_LIB := $(if $(filter tools,$(MUTANTS_PART)),,$(UNIT_PROGRAMS) $(UNIT_ARCHIVES) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%))
 MUTANTS_TOOLS := $(if $(filter lib,$(MUTANTS_PART)),,all $(BENCH_TESTED) $(CLIPPERS_TESTED))
 mutants: ## put random small mistakes into the library and the tools; a test must fail for most of them [SEED=1 COUNT=100 PART= ONLY= JOBS= CLUSTER= FRESH=1]
 	@tools/setup.sh $(if $(MUTANTS_LIB),units) $(if $(MUTANTS_TOOLS),test)
@@ -501,7 +510,7 @@ mutants: ## put random small mistakes into the library and the tools; a test mus
 BREAKS_COVERED = $(COVERAGE_TESTS) $(FUZZ_TARGETS:%=$(COVERAGE_OUT)/replay_%)
 breaks: ## break what the project claims, by a list of breaks that nobody wrote for the tests; commands must fail and name them [SEED=1 DRAW=20 ONLY= SAMPLES=]
 	@tools/setup.sh units report coverage rules predict
-	@$(MAKE) $(UNIT_PROGRAMS) $(BREAKS_COVERED)
+	@$(MAKE) $(UNIT_PROGRAMS) $(UNIT_ARCHIVES) $(BREAKS_COVERED)
 	@$(TOOL) breaks --build $(BUILD) --units $(UNIT_OUT) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK'
 
 format: ## format the C sources with clang-format

@@ -20,7 +20,7 @@ LIB_NAMES_FOR = $(filter-out $(call LIB_FOREIGN,$(1)),$(LIB_NAMES))
 # program, or names of records of the library.
 LIB_NEEDED = $(filter $(sort $(foreach source,$(1),$(LIB_NEEDS.$(source)))),$(LIB_NAMES))
 LIB_USERS := $(wildcard boards/*/*.c firmware/*/*.c examples/*/*.c bench/firmware/*.c bench/listing/*.c \
-    host_tests/judges/*/*.c host_tests/stages/*.c host_tests/stages/*/*.c) $(filter-out host_tests/unit/test_%,$(wildcard host_tests/unit/*.c))
+    host_tests/judges/*/*.c host_tests/stages/*.c host_tests/stages/*/*.c host_tests/unit/*.c)
 $(BUILD)/lib_needs.mk: lib/needs.py $(LIB_SOURCES) $(wildcard lib/*/*.h) $(LIB_HEADERS) $(LIB_USERS)
 	$(MAKE_FOLDER)
 	@python3 $< $(LIB_SOURCES) -- $(LIB_USERS) > $@.$$$$ && mv $@.$$$$ $@

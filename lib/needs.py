@@ -6,6 +6,8 @@
 
 Writes a variable of make for each source of a program, and for each record of the library, by which make chooses a
 clipper, a visibility method or a driver: LIB_NEEDS.<source or record> := the library's sources without lib/ and ending.
+For a unit test another variable has the sources beside it whose headers it includes, which need the library too:
+UNIT_HELPERS.<source> := their names without folder and ending.
 
 A source needs another if it, or the code in a header that it includes, contains a name that the other defines. No
 condition of the preprocessor is heeded, so a source may be named that no core needs. If one were missed, the program
@@ -20,6 +22,7 @@ import sys
 
 FOLDERS = ("lib/include", "lib", "firmware/walk", "boards", "examples", "host_tests", "host_tests/judges", "host_tests/stages",
            "host_tests/unit")
+UNIT_TESTS = "host_tests/unit"
 COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">]', re.MULTILINE)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:\\\n|[^\n])*", re.MULTILINE)
@@ -77,11 +80,16 @@ def names_in_header(file):
 
 
 def pasted_names(file):
-    """The names that the code of a source, and what it includes, makes of another, as FXL_SURFACES_OF(fxl_palette) does."""
+    """The names that the code of a source, and what it includes, makes of another, as FXL_SURFACES_OF(fxl_palette) does.
+    Where a macro passes on an argument of its own, that may be any name in the file."""
     texts = [text_of(each) for each in included(file)]
     pastes = {macro: end for text in texts for macro, _, end in PASTES.findall(text)}
-    return {name + end for macro, end in pastes.items()
-            for text in texts for name in re.findall(rf"\b{macro}\((fxl_\w+)\)", text)}
+    found = set()
+    for text in texts:
+        for macro, end in pastes.items():
+            for argument in re.findall(rf"(?<!define )\b{macro}\((\w+)\)", text):
+                found |= {name + end for name in ([argument] if NAME.fullmatch(argument) else NAME.findall(text))}
+    return found
 
 
 @functools.cache
@@ -120,11 +128,28 @@ def closure(names, where):
     return sorted(os.path.splitext(source)[0].removeprefix("lib/") for source in needed)
 
 
+@functools.cache
+def with_helpers(source):
+    """A source of the unit tests, and the sources beside it of the headers that it and these include."""
+    found, waiting = set(), [source]
+    while waiting:
+        each = waiting.pop()
+        if each not in found:
+            found.add(each)
+            beside = (os.path.splitext(file)[0] + ".c" for file in included(each) if os.path.dirname(file) == UNIT_TESTS)
+            waiting += filter(os.path.isfile, beside)
+    return sorted(found)
+
+
 def main(argv):
     division = argv.index("--")
     where, records = definitions(argv[:division])
     for source in argv[division + 1:]:
-        print(f"LIB_NEEDS.{source} := {' '.join(closure(names_in(source), where))}")
+        program = with_helpers(source) if os.path.dirname(source) == UNIT_TESTS else [source]
+        print(f"LIB_NEEDS.{source} := {' '.join(closure(set().union(*map(names_in, program)), where))}")
+        if len(program) > 1:
+            helpers = (os.path.splitext(os.path.basename(each))[0] for each in program if each != source)
+            print(f"UNIT_HELPERS.{source} := {' '.join(helpers)}")
     for record in sorted(records):
         print(f"LIB_NEEDS.{record} := {' '.join(closure([record], where))}")
 

@@ -80,14 +80,51 @@ BOARD_TEST_OBJECTS = $(patsubst %.c,$(BOARD_CORE_OUT)/unit/%.o,firmware/unittest
     $(BOARD_CORE_OUT)/unit/unity.o $(BOARD_PARTS_OF) $(BOARD_TEST_PARTS)
 BOARD_TEST_ARCHIVES = $(BOARD_CORE_OUT)/unit/libhelpers.a $(BOARD_CORE_OUT)/unit/libfixel.a
 
+# $(1): a board, $(2): its archive of tests, $(3): the archives of helpers and library.
+BOARD_TEST_PROGRAMS = $(FIRMWARE_QUIET)$(PY) firmware/unittest/programs.py --folder $(@D) --cross $(call CROSS_OF,$(1)) --tests $(2) --archives $(3) \
+    -- $(BOARD_LINK) $(BOARD_TEST_LINK) $(filter %.o,$(BOARD_TEST_OBJECTS)) $(2) $(3) -lm -lc -lgcc
+
+# With make test ONLY=, of the files of tests that are chosen alone (UNITS_CHOSEN): their objects, and what they need of the rest.
+UNITS_CHOSEN_SOURCES = $(UNITS_CHOSEN:%=host_tests/unit/%.c) $(UNITS_CHOSEN_HELPERS)
+UNITS_CHOSEN_HELPERS = $(sort $(foreach test,$(UNITS_CHOSEN),$(UNIT_HELPERS.host_tests/unit/$(test).c:%=host_tests/unit/%.c)))
+UNITS_CHOSEN_LIBRARY = $(filter $(call LIB_NAMES_FOR,$(BOARD_CORE.$(1))),$(call LIB_NEEDED,$(UNITS_CHOSEN_SOURCES)))
+
 define BOARD_TEST_RULES
 BOARD_UNITS_FOLDER.$(1) := $(FIRMWARE_OUT)/$(1)/unit
 BOARD_UNITS.$(1) := $(FIRMWARE_OUT)/$(1)/unit/units.json
+BOARD_UNITS_CHOSEN.$(1) := $(FIRMWARE_OUT)/$(1)/unit/chosen/units.json
 
 $$(BOARD_UNITS.$(1)): $(BOARD_CORE_OUT)/unit/libtests.a $(BOARD_TEST_OBJECTS) $(BOARD_TEST_ARCHIVES) $(BOARD_LINK_SCRIPTS) firmware/unittest/programs.py
 	$$(MAKE_FOLDER)
 	$$(SAY)
-	$(FIRMWARE_QUIET)$(PY) firmware/unittest/programs.py --folder $$(@D) --cross $(call CROSS_OF,$(1)) --tests $$< --archives $(BOARD_TEST_ARCHIVES) \
-	    -- $(BOARD_LINK) $(BOARD_TEST_LINK) $$(filter %.o,$$^) $$< $(BOARD_TEST_ARCHIVES) -lm -lc -lgcc
+	$$(call BOARD_TEST_PROGRAMS,$(1),$$<,$(BOARD_TEST_ARCHIVES))
 endef
 $(foreach board,$(TARGET_BOARDS),$(eval $(call BOARD_TEST_RULES,$(board))))
+
+# $(1): a board.
+CHOSEN_TESTS_OF = $(UNITS_CHOSEN:%=$(BOARD_CORE_OUT)/unit/%.o)
+CHOSEN_HELPERS_OF = $(UNITS_CHOSEN_HELPERS:%.c=$(BOARD_CORE_OUT)/unit/%.o)
+CHOSEN_LIBRARY_OF = $(patsubst %,$(call BOARD_TEST_LIB,$(notdir $(BOARD_CORE_OUT)))/%.o,$(UNITS_CHOSEN_LIBRARY))
+# The archives are those of the whole, with fewer members. $(1): a board, $(2): the archive, $(3): its members.
+define CHOSEN_ARCHIVE
+	$(FIRMWARE_QUIET)$(call CROSS_OF,$(1))ar rcs $$(@D)/$(2) $(3)
+	$(if $(UNIT_OBJCOPY.$(2)),$(FIRMWARE_QUIET)$(call CROSS_OF,$(1))objcopy $(UNIT_OBJCOPY.$(2)) $$(@D)/$(2))
+endef
+
+define BOARD_CHOSEN_RULES
+$(BOARD_UNITS_CHOSEN.$(1)): $(CHOSEN_TESTS_OF) $(CHOSEN_HELPERS_OF) $(CHOSEN_LIBRARY_OF) $(BOARD_TEST_OBJECTS) $(BOARD_LINK_SCRIPTS) FORCE
+	$$(MAKE_FOLDER)
+	$$(SAY)
+	$(FIRMWARE_QUIET)rm -f $$(@D)/*.a
+$(call CHOSEN_ARCHIVE,$(1),libtests.a,$(CHOSEN_TESTS_OF))
+$(call CHOSEN_ARCHIVE,$(1),libhelpers.a,$(CHOSEN_HELPERS_OF))
+$(call CHOSEN_ARCHIVE,$(1),libfixel.a,$(CHOSEN_LIBRARY_OF))
+	$$(call BOARD_TEST_PROGRAMS,$(1),$$(@D)/libtests.a,$$(@D)/libhelpers.a $$(@D)/libfixel.a)
+endef
+
+# Where no unit test is chosen.
+define BOARD_NONE_CHOSEN_RULES
+$(BOARD_UNITS_CHOSEN.$(1)): FORCE
+	$$(MAKE_FOLDER)
+	@echo '{"programs": {}, "left_out": {}}' > $$@
+endef

@@ -42,6 +42,25 @@ def test_a_program_needs(tmp_path, kind):
     assert found["main.c"] == {name.removeprefix("lib/").rpartition(".")[0] for name in library}
 
 
+def test_a_unit_test_needs_the_helpers_whose_headers_it_includes_and_what_they_need(tmp_path):
+    unit = {"lib/a/one.c": "void fxl_one(void) { }", "host_tests/unit/helper.h": "void helper(void);\n",
+            "host_tests/unit/helper.c": '#include "helper.h"\nvoid helper(void) { fxl_one(); }', "host_tests/unit/other.c": ""}
+    for name, text in {**unit, "host_tests/unit/test_it.c": '#include "helper.h"\n'}.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    done = subprocess.run([sys.executable, CHECKOUT / "lib" / "needs.py", "lib/a/one.c", "--", "host_tests/unit/test_it.c"],
+                          cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[:2] == ["LIB_NEEDS.host_tests/unit/test_it.c := a/one",
+                                            "UNIT_HELPERS.host_tests/unit/test_it.c := helper"]
+
+
+def test_a_name_that_a_macro_makes_of_its_own_argument_may_be_any(tmp_path):
+    texts = {"lib/a/one.c": "const int fxl_one_rows = 1;", "lib/a/two.c": "const int fxl_two = 2;"}
+    program = ('#define ROWS_OF(target) (&target##_rows)\n#define BOTH(target) ROWS_OF(target), 0\n'
+               "const void *p[] = {BOTH(fxl_one)}; /* of fxl_two nothing */")
+    assert needs(tmp_path, texts, program)["main.c"] == {"a/one"}
+
+
 def test_comments_and_declarations_need_nothing(tmp_path):
     found = needs(tmp_path, {"lib/a/two.c": "void fxl_two(void) { }"}, '#include "code.h"\n/* fxl_two(); */ // fxl_two();\n')
     assert found == {"main.c": set()}

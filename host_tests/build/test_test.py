@@ -129,6 +129,44 @@ def test_files_of_a_program_are_chosen_by_name(tmp_path):
     assert "b/test_b" in done.stdout and "test_a" not in done.stdout and "test_c" not in done.stdout
 
 
+def test_several_words_choose(tmp_path):
+    only = units_json(tmp_path / "b", {"units-01.elf": ["test_a", "test_b"], "units-02.elf": ["test_c"]}, {})
+    done = run_cli("test", "--only", "b/test_a b/test_c", "--units", "b", only)
+    assert "b/test_a" in done.stdout and "b/test_c" in done.stdout and "b/test_b" not in done.stdout
+    assert "on b: BOARD= names another" in done.stdout.splitlines()[-2]
+
+
+def compiled(tmp_path, only, *settings):
+    """The sources that make test ONLY= would compile from nothing."""
+    done = run_make("-n", "test-programs", f"BUILD={tmp_path}", "V=1", *settings, ONLY=only)
+    assert done.returncode == 0, done.stderr
+    return re.findall(r" -c (\S+) -o (\S+)", done.stdout.replace("\\\n", " "))
+
+
+def test_a_unit_test_is_built_with_what_it_needs(tmp_path):
+    """On the host and on the default board, or on the board that is named."""
+    built = compiled(tmp_path, "test_pixels")
+    sources = {source for source, _ in built}
+    assert {"host_tests/unit/test_pixels.c", "lib/screen/rgb332.c"} <= sources and len(built) <= 250
+    assert not sources & {"lib/order/outlines.c", "lib/game/slide.c", "host_tests/unit/test_scan.c", "lib/screen/pages.c"}
+    assert sum("/core/" in target for _, target in built) > 10 and not any("/boards/microbit/" in target for _, target in built)
+    other = compiled(tmp_path, "test_pixels", "BOARD=microbit")
+    assert {target.partition("/boards/")[2].partition("/")[0] for _, target in other} == {"", "microbit"}
+
+
+def test_several_files_of_tests_are_built_together(tmp_path):
+    targets = {target for _, target in compiled(tmp_path, "host/test_scan host/test_slide")}
+    assert {f"{tmp_path}/host/unit/test_{name}.o" for name in ("scan", "slide")} <= targets
+    assert all(target.startswith(str(tmp_path / "host")) for target in targets)
+
+
+def test_a_file_that_names_no_programs_has_all_of_them(tmp_path):
+    everything = all_tests.needs(types.SimpleNamespace(only="build/test_test", board="", host_units=[], units=[]))
+    assert everything == ["everything"]
+    (tmp_path / "test_own.py").write_text("A, B = 1, 2\nPROGRAMS = ('host/judge',)\n")
+    assert all_tests.programs_of(tmp_path / "test_own.py") == ("host/judge",)
+
+
 def command_of(board):
     """What make test of one board would call, as words."""
     done = dry_run("test", f"BOARD={board}")
@@ -155,11 +193,12 @@ def test_unit_tests_run_on_a_board_for_each_build_of_the_library():
         setting = (ROOT / "boards" / board / "board.mk").read_text(encoding="utf-8")
         return re.search(r"^BOARD_CORE := (.*)$", setting, re.MULTILINE)[1].replace("cortex-m7", "cortex-m4")
 
-    def boards(command):
-        words = shlex.split(dry_run(command).stdout.replace("\\\n", " "))
+    def boards(*command):
+        words = shlex.split(dry_run(*command).stdout.replace("\\\n", " "))
         return [words[at + 1] for at, word in enumerate(words) if word == "--units"]
     tested = boards("test")
     assert sorted(map(core, tested)) == sorted({core(board) for board in EVERY_BOARD})
+    assert boards("test", "ONLY=test_pixels") == ["mps2-an385"]
     assert [board for board in sorted(boards("boards")) if board != "rv32"] == EVERY_BOARD     # rv32: where its tools are
 
 

@@ -48,17 +48,22 @@ $(UNIT_OUT)/unity.o: $(UNITY_DIR)/src/unity.c
 	$(SAY)
 	$(HOSTCC) $(UNIT_FOREIGN_CFLAGS) -c $< -o $@
 
-# Archives, so that a test links the stages that it names and what they use.
+# Archives of everything, for commands that link changed objects before them.
+UNIT_ARCHIVES := $(addprefix $(UNIT_OUT)/,libhelpers.a libfixel.a libparts.a)
 $(UNIT_OUT)/libhelpers.a: $(UNIT_HELPER_OBJECTS)
 $(UNIT_OUT)/libfixel.a: $(UNIT_LIB_OBJECTS)
 $(UNIT_OUT)/libparts.a: $(UNIT_PART_OBJECTS)
-$(UNIT_OUT)/libhelpers.a $(UNIT_OUT)/libfixel.a $(UNIT_OUT)/libparts.a:
+$(UNIT_ARCHIVES):
 	@rm -f $@
 	ar rcs $@ $^
 
-$(UNIT_PROGRAMS): $(UNIT_OUT)/test_%: $(UNIT_OUT)/test_%.o $(UNIT_OUT)/test_%_main.o \
-        $(UNIT_OUT)/unity.o $(UNIT_OUT)/assert.o $(UNIT_OUT)/libhelpers.a $(UNIT_OUT)/libfixel.a $(UNIT_OUT)/libparts.a
+# A test links the helpers and the stages that it names, and what these use (lib/needs.py). $(1): its name.
+UNIT_OBJECTS_OF = $(addprefix $(UNIT_OUT)/,$(1).o $(1)_main.o unity.o assert.o $(UNIT_HELPERS.host_tests/unit/$(1).c:%=%.o) \
+    $(patsubst %,lib/%.o,$(filter $(LIB_HOST_NAMES),$(call LIB_NEEDED,host_tests/unit/$(1).c))))
+$(if $(BUILT_GOALS),$(foreach program,$(UNIT_PROGRAMS),$(eval $(program): $(call UNIT_OBJECTS_OF,$(notdir $(program))))))
+$(UNIT_PROGRAMS): $(UNIT_PART_OBJECTS)
 	$(SAY)
 	$(HOSTCC) -fsanitize=address,undefined $^ -o $@ -lm
 
 UNITY_TESTS += $(UNIT_PROGRAMS)
+HOST_TOOLS += $(UNIT_ARCHIVES)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """All tests: units on the host, the same units on emulated boards, the tools."""
 
+import ast
 import concurrent.futures
 import contextlib
 import dataclasses
@@ -134,23 +135,55 @@ class Job:
     title: str = ""     # for the list of the slowest; empty: the suite's name
 
 
+def is_chosen(options, name):
+    """Whether a suite is asked for: its name has one of the words of --only."""
+    words = options.only.split()
+    return (not words or any(word in name for word in words)) and (not options.board or name.startswith(f"{options.board}/"))
+
+
 def board_jobs(options):
     """A job for each program of a board, of its suites that are asked for."""
     for board, elf, names in units.of_boards(options):
-        chosen = [name for name in names if options.only in f"{board}/{name}"]
-        if chosen and options.board in ("", board):
+        chosen = [name for name in names if is_chosen(options, f"{board}/{name}")]
+        if chosen:
             yield Job(tuple(f"{board}/{name}" for name in chosen), run_board, (board, elf, chosen, len(chosen) == len(names)),
                       f"{board}/{elf.stem}")
 
 
-def all_jobs(options, run_pytest):
-    """The tests for pytest first, which take longest, then those of the host, then those of boards."""
+def jobs_of_host(options, run_pytest):
+    """The tests for pytest first, which take longest, then the units of the host."""
     jobs = [Job((f"{file.parent.name}/{file.stem}",), run_pytest, file) for file in sorted(TESTS.glob("*/test_*.py"))]
     jobs += [Job((f"host/{name}",), run_host, pathlib.Path(folder) / name)
              for folder, *names in options.host_units for name in names]
-    return [job for job in jobs
-            if options.only in job.names[0] and (not options.board or job.names[0].startswith(f"{options.board}/"))] + \
-        list(board_jobs(options))
+    return [job for job in jobs if is_chosen(options, job.names[0])]
+
+
+def all_jobs(options, run_pytest):
+    """Those of the host, then those of boards."""
+    return jobs_of_host(options, run_pytest) + list(board_jobs(options))
+
+
+def programs_of(file):
+    """What a file of tests for pytest says that it runs, below build/: its PROGRAMS, as text. None: it does not say."""
+    for line in ast.parse(file.read_text(encoding="utf-8")).body:
+        if isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "PROGRAMS":
+            return ast.literal_eval(line.value)
+    return None
+
+
+def needs(options):
+    """What make must have built for the suites of --only: paths; "unit:NAME" of a file of unit tests for a board; "everything"
+    where a file of tests does not name its programs."""
+    found = set()
+    for job in jobs_of_host(options, None):
+        if job.function == run_host:
+            found.add(str(job.argument))
+        else:
+            programs = programs_of(job.argument)
+            found |= {"everything"} if programs is None else {f"build/{name}" for name in programs}
+    for board, _ in options.units:
+        found |= {f"unit:{file.stem}" for file in (TESTS / "unit").glob("test_*.c") if is_chosen(options, f"{board}/{file.stem}")}
+    return sorted(found)
 
 
 def print_left_out(options, outcomes):
@@ -248,6 +281,9 @@ def print_slowest(taken):
 
 def command(options):
     """The command; its exit code."""
+    if options.needs:
+        print(*needs(options), sep="\n")
+        return 0
     # The tests start tools some thousand times: a tool that Python has compiled before starts a third faster.
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     os.environ["FIXEL_SET_UP"] = os.getcwd()    # tools/setup.sh need not look again
@@ -263,5 +299,8 @@ def command(options):
     if options.json:
         output.write_json(options.json, {name: round(taken[name], 2) for name in sorted(taken, key=taken.get, reverse=True)})
     spent.tell()
+    boards = [board for board, _ in options.units if any(name.startswith(f"{board}/") for name in outcomes)]
+    if options.only and boards and not options.board:
+        print(f"unit tests ran on the host and on {', '.join(boards)}: BOARD= names another, and without ONLY= all run")
     print(f"{passed} passed, {failed} failed" + (f", {skipped} skipped" if skipped else ""))
     return 1 if failed or passed == 0 else 0

@@ -21,7 +21,8 @@ def parser():
                       help="a folder of Unity programs for the host, and their names")
     units.add_options(made)
     made.add_argument("--board", default="", help="run only the suites of this board")
-    made.add_argument("--only", default="", help="run only suites with this word in their name")
+    made.add_argument("--only", default="", help="run only suites with one of these words in their name")
+    made.add_argument("--needs", action="store_true", help="run nothing: print what --only needs of make")
     made.add_argument("--json", help="a file for the CPU seconds of each file of tests, or program of such on a board")
     made.add_argument("--whole", action="store_true", help="run all of what is otherwise sampled")
     # One more than processors: some suites wait, for a browser or for time to pass.
