@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """glTF files of several nodes made by hand, with animations, skins, lights and cameras."""
 
+import math
+
 import numpy
 
 from model_files import glb
@@ -73,4 +75,105 @@ def car(turns=True):
     if turns:
         made.animate(*((node, "rotation", [0, 0.5, 1, 1.5, 2], list(map(about_x, range(0, 361, 90)))) for node in range(5, 9)),
                      (0, "translation", [0, 1, 2], [(0, 0, 0), (0, 0.4, 0), (0, 0, 0)]), name="drive")
+    return made
+
+
+class Limbs:
+    """Collects tubes of four sides whose corners hang on joints, as one mesh."""
+
+    def __init__(self):
+        self.points, self.triangles, self.joints, self.weights = [], [], [], []
+
+    def add(self, axis, *rings):
+        """A tube along an axis. rings: (middle, half a side, {joint: weight}) of each."""
+        first, across = len(self.points), [each for each in range(3) if each != axis]
+        for middle, half, shares in rings:
+            for one, other in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+                point = list(middle)
+                point[across[0]] += one * half
+                point[across[1]] += other * half
+                self.points.append(point)
+                self.joints.append([*shares, *[0] * (4 - len(shares))])
+                self.weights.append([*shares.values(), *[0] * (4 - len(shares))])
+        for ring in range(first, len(self.points) - 4, 4):
+            for a, b in ((0, 1), (1, 2), (2, 3), (3, 0)):
+                self._outward([ring + a, ring + b, ring + 4 + b, ring + 4 + a], numpy.mean(self.points[ring:ring + 8], axis=0))
+        for ring in (first, len(self.points) - 4):
+            self._outward([ring, ring + 1, ring + 2, ring + 3], numpy.mean(self.points[first:], axis=0))
+
+    def _outward(self, corners, middle):
+        """Two triangles of a square that looks away from a point."""
+        a, b, c = (numpy.array(self.points[corner]) for corner in corners[:3])
+        if numpy.dot(numpy.cross(b - a, c - a), a - middle) < 0:
+            corners = corners[::-1]
+        self.triangles += [corners[:3], [corners[0], corners[2], corners[3]]]
+
+    def mesh(self, made, name, colour=(0.9, 0.6, 0.4, 1)):
+        """The number of the mesh in a File."""
+        made.data["materials"].append({"pbrMetallicRoughness": {"baseColorFactor": list(colour)}})
+        made.data["meshes"].append({"name": name, "primitives": [{"material": len(made.data["materials"]) - 1, "attributes": {
+            "POSITION": made.add(self.points, "<f4", "VEC3"), "JOINTS_0": made.add(self.joints, "<u1", "VEC4"),
+            "WEIGHTS_0": made.add(self.weights, "<f4", "VEC4")}, "indices": made.add(numpy.array(self.triangles).ravel(), "<u2", "SCALAR")}]})
+        return len(made.data["meshes"]) - 1
+
+
+def binds(made, places):
+    """The number of the accessor of inverseBindMatrices of joints that stood at these places when the mesh was bound, unturned."""
+    found = [numpy.eye(4) for _ in places]
+    for matrix, place in zip(found, places):
+        matrix[:3, 3] = [-c for c in place]
+    return made.add([matrix.T.ravel() for matrix in found], "<f4", "MAT4")
+
+
+# Joints of a biped: parent, and place in it. It looks along z.
+BONES = {"hips": (None, (0, 2, 0)), "chest": ("hips", (0, 0.7, 0)), "head": ("chest", (0, 0.7, 0)),
+         **{f"{part} {side}": (above, (sign * x, y, z)) for side, sign in (("left", 1), ("right", -1))
+            for part, above, x, y, z in (("thigh", "hips", 0.3, -0.1, 0), ("shin", f"thigh {side}", 0, -0.9, 0), ("arm", "chest", 0.5, 0.5, 0),
+                                         ("hand", f"arm {side}", 0, -0.7, 0))}}
+
+
+def places_of(bones):
+    """Where joints stand in the file."""
+    found = {}
+    for name, (above, place) in bones.items():
+        found[name] = numpy.array(place) + (found[above] if above else 0)
+    return found
+
+
+def biped(bends=True, steps=True):
+    """A figure of one mesh with soft weights at knees, elbows and neck, and a hat, a mesh of the head's node. It walks: two seconds,
+    with the hips going up and down."""
+    numbers, places = {name: number for number, name in enumerate(BONES)}, places_of(BONES)
+    nodes = [{"name": name, "translation": list(place)} for name, (_, place) in BONES.items()]
+    for name, (above, _) in BONES.items():
+        if above:
+            nodes[numbers[above]].setdefault("children", []).append(numbers[name])
+    made, limbs = File(*nodes), Limbs()
+
+    def tube(top, below, half, length, axis=1):
+        """Along y, from a joint down past the next one, which takes its part of the weights around it."""
+        a, b = numbers[top], numbers[below]
+        x, y, z = places[top]
+        knee = y - places[below][1]
+        half_way = {a: 0.5, b: 0.5} if bends else {a: 1}
+        limbs.add(axis, ((x, y, z), half, {a: 1}), ((x, y - knee + 0.15, z), half, {a: 1}), ((x, y - knee, z), half, half_way),
+                  ((x, y - knee - 0.15, z), half, {b: 1}), ((x, y - knee - length, z), half, {b: 1}))
+    limbs.add(1, ((0, 1.8, 0), 0.4, {numbers["hips"]: 1}), ((0, 2.6, 0), 0.4, {numbers["hips"]: 0.5, numbers["chest"]: 0.5}),
+              ((0, 3.3, 0), 0.45, {numbers["chest"]: 1}))
+    limbs.add(1, ((0, 3.3, 0), 0.15, {numbers["chest"]: 0.6, numbers["head"]: 0.4}), ((0, 3.4, 0), 0.28, {numbers["head"]: 1}),
+              ((0, 3.9, 0), 0.28, {numbers["head"]: 1}))
+    for side in ("left", "right"):
+        tube(f"thigh {side}", f"shin {side}", 0.18, 0.9)
+        tube(f"arm {side}", f"hand {side}", 0.13, 0.6)
+    made.data["nodes"].append({"name": "figure", "mesh": limbs.mesh(made, "body"), "skin": 0, "translation": [50, 50, 50]})
+    made.data["scenes"][0]["nodes"].append(len(made.data["nodes"]) - 1)
+    made.data["nodes"].append({"name": "hat", "mesh": made.box((0.7, 0.3, 0.7), (0.2, 0.3, 0.9, 1)), "translation": [0, 0.65, 0]})
+    made.data["nodes"][numbers["head"]].setdefault("children", []).append(len(made.data["nodes"]) - 1)
+    made.data["skins"] = [{"joints": list(numbers.values()), "inverseBindMatrices": binds(made, [places[name] for name in BONES])}]
+    if steps:
+        times, waves = [0, 0.5, 1, 1.5, 2], numpy.sin(numpy.linspace(0, 2 * math.pi, 5))
+        made.animate(*((numbers[f"{part} {side}"], "rotation", times, [about_x(size * sign * wave + rest) for wave in waves])
+                       for side, sign in (("left", 1), ("right", -1)) for part, size, rest in (("thigh", -35, 0), ("shin", 30, 30), ("arm", 30, 0),
+                                                                                              ("hand", -20, -20))),
+                     (numbers["hips"], "translation", times, [(0, 2 + 0.05 * abs(wave), 0) for wave in waves]), name="walk")
     return made

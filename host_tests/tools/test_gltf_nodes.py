@@ -16,7 +16,7 @@ from fixel.model.gltf_motion import between
 from fixel.model.mesh import UNIT
 from fixel.model.turning import matrix
 from fixel.scene import compiler, look, toml_scene, tracks
-from node_files import CORNERS, SIDES, WHEELS, File, about_x, car
+from node_files import CORNERS, WHEELS, File, about_x, car
 
 
 def compiled(path, **wanted):
@@ -343,102 +343,6 @@ def test_a_track_of_a_path_that_is_no_text_is_left_out(tmp_path):
     made.data["animations"][0]["channels"][0]["target"]["path"] = ["rotation"]
     _, notes = compiled(made.write(tmp_path / "car.glb"))
     assert any("left out tracks that move no node (1)" in note for note in notes)
-
-
-# --- skins -----------------------------------------------------------------------------------
-
-def figure(soft=False, moves=True):
-    """A trunk, an upper arm and a forearm of one mesh on three joints; the elbow bends by 90 degrees in one second. The joints stand
-    elsewhere than when the mesh was bound: 5 units higher."""
-    made = File({"name": "figure", "mesh": 0, "skin": 0, "translation": [9, 9, 9]}, {"name": "hip", "children": [2], "translation": [0, 5, 0]},
-                {"name": "shoulder", "children": [3], "translation": [0, 2, 0]}, {"name": "elbow", "translation": [1, 0, 0]}, roots=[0, 1])
-    boxes = [((1, 2, 1), (0, 1, 0)), ((1, 0.4, 0.4), (0.5, 2, 0)), ((1, 0.4, 0.4), (1.5, 2, 0))]
-    points = [[c * s + m for c, s, m in zip(corner, size, middle)] for size, middle in boxes for corner in CORNERS]
-    joints = [[joint, 0, 0, 0] for joint in range(3) for _ in CORNERS]
-    weights = [[1, 0, 0, 0]] * len(points)
-    if soft:
-        joints[0], weights = [0, 1, 0, 0], [[0.5, 0.5, 0, 0], *weights[1:]]
-    made.data["meshes"].append({"primitives": [{"attributes": {
-        "POSITION": made.add(points, "<f4", "VEC3"), "JOINTS_0": made.add(joints, "<u1", "VEC4"), "WEIGHTS_0": made.add(weights, "<f4", "VEC4")},
-        "indices": made.add((numpy.array(SIDES)[None] + 8 * numpy.arange(3)[:, None, None]).ravel(), "<u2", "SCALAR")}]})
-    binds = [numpy.eye(4) for _ in range(3)]
-    for matrix, place in zip(binds, [(0, 0, 0), (0, 2, 0), (1, 2, 0)]):
-        matrix[:3, 3] = [-c for c in place]
-    made.data["skins"] = [{"joints": [1, 2, 3], "inverseBindMatrices": made.add([matrix.T.ravel() for matrix in binds], "<f4", "MAT4")}]
-    if moves:
-        half = math.radians(45)
-        made.animate((3, "rotation", [0, 1], [[0, 0, 0, 1], [0, 0, math.sin(half), math.cos(half)]]))
-    return made
-
-
-def test_a_skin_whose_faces_hang_on_one_joint_each_is_rigid_parts(tmp_path):
-    made, notes = compiled(figure().write(tmp_path / "m.glb"))
-    assert made.names == ["hip", "shoulder", "elbow"] and len(made.motions) == 1
-    assert not any("left out skins (1)" in note or "left out animations (1)" in note for note in notes)
-    scale = scale_of(made, 0, 1)
-    hip = placed(made, 0, 0).mean(axis=0)
-    for frame in (0, 10, 29):
-        angle = math.radians(90 * frame / 30)
-        middle = placed(made, 2, frame).mean(axis=0) - hip
-        wanted = numpy.array([1 + 0.5 * math.cos(angle), 1 + 0.5 * math.sin(angle), 0]) * scale
-        assert abs(middle - wanted).max() < 3e-3 * scale
-    still, more = compiled(figure(moves=False).write(tmp_path / "s.glb"))
-    assert still.names == ["hip", "shoulder", "elbow"] and not still.motions and not any("left out skins (1)" in note for note in more)
-    mesh, _ = gltf.read(str(tmp_path / "s.glb"))
-    assert min(y for _, y, _ in mesh.vertices) == 5 * UNIT      # where the joints stand
-
-
-def test_a_figure_is_drawn_as_double_draws_it(build, tmp_path):
-    done = run_cli("run", "--board", "mps2-an385", "--scene", figure().write(tmp_path / "m.glb"), "--frames", 10, "--out", tmp_path / "run")
-    assert done.returncode == 0, done.stderr
-    summary = json.loads((tmp_path / "run" / "summary.json").read_text())
-    assert summary["pixels_unexplained"] == 0 and summary["order_wrong_pixels"] == 0 and summary["host_frames_equal"]
-
-
-@pytest.mark.parametrize("weight, is_rigid", [(0, True), (1, False)])
-def test_a_second_set_of_joints_counts(tmp_path, weight, is_rigid):
-    made = figure()
-    made.data["meshes"][0]["primitives"][0]["attributes"] |= {"JOINTS_1": made.add([[0, 0, 0, 0]] * 24, "<u1", "VEC4"),
-                                                               "WEIGHTS_1": made.add([[weight, 0, 0, 0]] * 24, "<f4", "VEC4")}
-    scene, notes = compiled(made.write(tmp_path / "m.glb"))
-    assert (scene.names == ["hip", "shoulder", "elbow"]) == is_rigid != any("left out skins (1)" in note for note in notes)
-
-
-def test_a_skinned_node_without_faces_is_no_part(tmp_path):
-    made = figure()
-    made.data["accessors"].append({**made.data["accessors"][made.data["meshes"][0]["primitives"][0]["indices"]], "count": 0})
-    made.data["meshes"].append({"primitives": [{**made.data["meshes"][0]["primitives"][0], "indices": len(made.data["accessors"]) - 1}]})
-    made.data["nodes"].append({"name": "nothing", "mesh": 1, "skin": 0})
-    made.data["scenes"][0]["nodes"].append(4)
-    assert compiled(made.write(tmp_path / "m.glb"))[0].names == ["hip", "shoulder", "elbow"]
-
-
-def test_several_meshes_may_hang_on_one_joint(tmp_path):
-    """A hat of its own mesh hangs on the shoulder, where a part of the first mesh hangs too."""
-    made = figure()
-    made.data["nodes"].append({"name": "hat", "mesh": 1, "skin": 0})
-    made.data["scenes"][0]["nodes"].append(4)
-    made.box((1, 0.5, 1), middle=(0.5, 3, 0), JOINTS_0=made.add([[1, 0, 0, 0]] * 8, "<u1", "VEC4"), WEIGHTS_0=made.add([[1, 0, 0, 0]] * 8, "<f4", "VEC4"))
-    scene, notes = compiled(made.write(tmp_path / "m.glb"))
-    assert scene.names == ["hip", "shoulder", "elbow"] and not any("left out skins (1)" in note for note in notes)
-    mesh, _ = gltf.read(str(tmp_path / "m.glb"))
-    assert max(y for _, y, _ in mesh.vertices) == (3 + 0.25 + 5) * UNIT        # as the joints stand: 5 higher than bound
-
-
-def test_other_skins_stay_in_the_pose_in_which_they_were_bound(tmp_path):
-    made, notes = compiled(figure(soft=True).write(tmp_path / "m.glb"))
-    assert made.names == ["figure"] and not made.motions and any("left out skins (1)" in note for note in notes)
-    damaged = figure()
-    damaged.data["meshes"][0]["primitives"][0]["attributes"] |= {"JOINTS_1": damaged.add([[0, 0, 0, 0]] * 5, "<u1", "VEC4"),
-                                                                  "WEIGHTS_1": damaged.add([[0, 0, 0, 0]] * 5, "<f4", "VEC4")}
-    assert compiled(damaged.write(tmp_path / "d.glb"))[0].names == ["figure"]
-    damaged = figure()
-    damaged.data["skins"][0]["joints"] = [1, 2, 77]
-    assert compiled(damaged.write(tmp_path / "d.glb"))[0].names == ["figure"]
-    for key in ("JOINTS_0", "WEIGHTS_0"):
-        damaged = figure()
-        del damaged.data["meshes"][0]["primitives"][0]["attributes"][key]
-        assert compiled(damaged.write(tmp_path / "d.glb"))[0].names == ["figure"]
 
 
 # --- in a scene file ----------------------------------------------------------------------------

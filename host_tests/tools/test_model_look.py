@@ -68,6 +68,44 @@ def test_coordinates_on_an_image_that_no_file_names_are_told(tmp_path):
     assert not [note for note in notes_of(tmp_path / "bare.obj", look.Look(texels=0)) if "no image is named" in note]
 
 
+PAINTED_PLY = "\n".join(["ply", "format ascii 1.0", "element vertex 4", *(f"property float {axis}" for axis in "xyz"), "property uchar red",
+                         "property uchar green", "property uchar blue", "element face 4", "property list uchar int vertex_indices", "end_header",
+                         "0 0 0 255 0 0", "1 0 0 0 255 0", "0 1 0 0 0 255", "0 0 1 9 9 9", "3 0 2 1", "3 0 1 3", "3 0 3 2", "3 1 2 3", ""])
+
+
+def coloured(folder, kind):
+    """A model whose faces or vertices have colours of their own; obj and ply without materials."""
+    path = folder / f"m.{kind}"
+    if kind == "glb":
+        data, blob = gltf(colours=[(255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 255, 255), (255, 255, 0, 255)], material={"baseColorFactor": [1, 0.5, 1, 1]})
+        path.write_bytes(glb(data, blob))
+    elif kind == "stl":
+        blob = bytearray(stl())
+        for face, value in enumerate((0x8000, 0xFC00, 0x83E0, 0)):
+            blob[84 + 50 * face + 48:84 + 50 * face + 50] = value.to_bytes(2, "little")
+        path.write_bytes(blob)
+    else:
+        path.write_text(PAINTED_PLY if kind == "ply" else (CASES / "vertex_colours.obj").read_text())
+    return path
+
+
+@pytest.mark.parametrize("kind", ["glb", "stl", "ply", "obj"])
+def test_no_colours_leaves_out_those_of_faces_and_vertices(tmp_path, kind):
+    path = coloured(tmp_path, kind)
+    with_them, without = compiled(path), compiled(path, look.Look(colours=False))
+    assert with_them.palette != without.palette and without.surfaces is None
+    for red, green, blue in {without.palette[face.colour] for model in without.models for face in model.faces}:    # the tool's colour, or that of the material, in some light
+        assert red > green < blue if kind == "glb" else red > green > blue
+    notes = [notes_of(path, look.Look(colours=each)) for each in (True, False)]
+    assert [sum("--no-colours: the colours" in note for note in each) for each in notes] == [0, 1]
+    assert not any("have colours" in note for note in notes[1])
+    assert run_cli("build", path, "-o", tmp_path / "a.fxls", "--no-colours", "--write", tmp_path / "s.toml").returncode == 0
+    assert run_cli("build", tmp_path / "s.toml", "-o", tmp_path / "b.fxls").returncode == 0
+    assert (tmp_path / "a.fxls").read_bytes() == (tmp_path / "b.fxls").read_bytes()
+    assert run_cli("build", path, "-o", tmp_path / "c.fxls", "--look=--no-colours").returncode == 0
+    assert (tmp_path / "a.fxls").read_bytes() == (tmp_path / "c.fxls").read_bytes()
+
+
 def test_faces_are_told_to_be_sorted_where_there_is_no_depth(tmp_path):
     said = {depth: [note for note in notes_of(CASES / "raised_bars.obj", look.Look(depth=depth)) if "sorted far to near" in note]
             for depth in (0, 16)}

@@ -9,7 +9,7 @@ import trimesh
 
 from fixel.model import stl
 from fixel.model.mesh import UNIT
-from fixel.scene import compiler
+from fixel.scene import compiler, look
 from model_files import assert_refused, stl as make, stl_text
 
 
@@ -77,6 +77,21 @@ def test_colours_of_a_binary_file(tmp_path):
     assert mesh.surfaces.colours() == [(255, 0, 0), (0, 255, 0), (0, 0, 255), (200, 192, 176)]
     mesh, _ = read(tmp_path, with_attributes([31, 31 << 5, 31 << 10, 0x8000], b"made by hand COLOR=" + bytes((9, 99, 199, 255))))
     assert mesh.surfaces.colours() == [(255, 0, 0), (0, 255, 0), (0, 0, 255), (9, 99, 199)]
+
+
+@pytest.mark.parametrize("values, header, count", [
+    ([0x8000] * 4, b"", 0), ([0xFC00] * 4, b"", 0), ([0x8000, 0x8000, 0x8000, 0xFC00], b"", 2), ([0xFC00, 0xFC00, 0, 0], b"", 2), ([0x7FFF] * 4, b"", None),
+    ([0x8000] * 4, b"COLOR=\x09\x63\xc7\xff", 1), ([31] * 4, b"COLOR=\x09\x63\xc7\xff", 1)])
+def test_one_value_behind_every_triangle_is_a_colour_only_where_the_head_says_so(tmp_path, values, header, count):
+    """As programs write any bytes there: 12 of 23 published parts of one printer were black or red."""
+    mesh, notes = read(tmp_path, with_attributes(values, header))
+    assert (mesh.surfaces is None) == (not count)
+    assert count in (0, None) or len(set(mesh.surfaces.colours())) == count
+    said = [note for note in notes if "two bytes behind" in note]
+    assert [f"({count} different)" in note and "--no-colours" in note if count else f"0x{values[0]:04x}" in note for note in said] == [True] * (count is not None)
+    made, _ = compiler.compile_scene(str(tmp_path / "model.stl"), 4)
+    plain, _ = compiler.compile_scene(str(tmp_path / "model.stl"), 4, look=look.Look("palette", 0, 0, 0, whole=True, colours=False))
+    assert (made.palette == plain.palette) == (not count)
 
 
 BAD = {

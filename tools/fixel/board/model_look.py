@@ -179,14 +179,15 @@ class _Chooser:
     def largest(self, pixels, depth):
         """The first Look of a target that the board draws at all; else the last one."""
         wanted = looks.smaller(self.options.look, pixels, depth)
-        wanted = wanted[-1:] if self.has_too_many else wanted
+        flat = [each for each in wanted if not each.texels and not each.smooth]
+        wanted = flat if self.has_too_many else wanted
         while True:
             drawn = self.draw(wanted[0])
             wanted = wanted[1:] if drawn.scene is None else looks.after(wanted, drawn.scene)
             if not drawn.why_not or not wanted:
                 return drawn
             if drawn.scene and _order_refusal(self.room, drawn.scene):
-                self.has_too_many, wanted = True, wanted[-1:]   # flat faces of many corners stay whole
+                self.has_too_many, wanted = True, [each for each in wanted if each in flat]     # whose faces of many corners stay whole
 
     def is_good(self, drawn, plain):
         """Whether a board is to draw a Look. plain: answers the Drawn of a palette by distance."""
@@ -213,9 +214,9 @@ class _Chooser:
         first = next((self.tried[look] for look in looks.smaller(self.options.look, pixels, depth) if look in self.tried), found)
         if first is found or not first.why_not:
             return []
-        less = _parts(first.scene) if first.scene else [f"textures of {first.look.texels} texels a side"]
-        return [f"with {' and '.join(part for part in less if part not in _parts(found.scene))}: {first.why_not}"] \
-            if less != _parts(found.scene) else []
+        there, less = (_parts(each.scene) + ["an animation"] * bool(each.scene.motions) if each.scene else
+                       [f"textures of {each.look.texels} texels a side"] for each in (found, first))
+        return [f"with {' and '.join(part for part in less if part not in there)}: {first.why_not}"] if less != there else []
 
 
 def _dear(drawn):

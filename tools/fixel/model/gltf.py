@@ -100,6 +100,7 @@ class _Reader:
         self.materials, self.numbers = Materials(checked), {}
         self.vertices, self.faces, self.places, self.surfaces, self.normals, self.corners = [], [], [], Surfaces(), [], []
         self.left_out = self.parts = self.read = 0  # parts; values of vertices and indices, each time that they are used
+        self.joints, self.shared = [], 0    # of each face the node of the joint on which it hangs, or None; faces that hang on others too
 
     def _add_material(self, material):
         """The number of a material."""
@@ -135,8 +136,8 @@ class _Reader:
         values[used] = np.where(np.abs(moved) <= 1e6, moved, 0.0)
         return material, values
 
-    def part(self, part, matrix, where):
-        """A primitive of a mesh at a node: (its attributes, its triangles)."""
+    def part(self, part, matrix, where, hung=None):
+        """A primitive of a mesh at a node. hung: the gltf_skins.Part of one that hangs on joints, which place it instead of the matrix."""
         checked = self.checked
         self._count_part(where)
         attributes = part.get("attributes")
@@ -147,24 +148,29 @@ class _Reader:
         self._count_values(len(points) + (0 if triangles is None else triangles.size), where)
         if triangles is None:
             self.left_out += 1
-            return attributes, np.zeros((0, 3), int)
+            return
         if len(self.faces) + len(triangles) > FILE_FACES_MAX:
             checked.fail(where, f"the model has more than {FILE_FACES_MAX:,} faces; a scene image has room for fewer, so simplify "
                          "it")
         read = self.materials.get(part, where)
         if not read.material.opacity:
             self.materials.left_out.add("faces of materials that are wholly clear", where)
-            return attributes, np.zeros((0, 3), int)
+            return
         material, uvs = self._coordinates(attributes, read, triangles, len(points), where)
         tints = self._of_vertices(attributes, "COLOR_0", ("VEC3", "VEC4"), len(points), where)
         if tints is not None and material.is_clear and (tints[np.unique(triangles), 3:] < 1).any():
             self.materials.left_out.add("alpha of the vertices' colours", where)
-        placed = self._placed(points, matrix, where)
-        self._add(placed, triangles, material, uvs, tints, where, np.linalg.det(matrix[:3, :3]) < 0)
-        self._add_normals(attributes, triangles, matrix, len(points), where)
-        return attributes, triangles
+        mirrored = np.repeat(np.linalg.det(matrix[:3, :3]) < 0, len(triangles))
+        if hung:
+            places, alone = hung.owners(triangles)
+            self.shared += int((~alone).sum())
+            mirrored = hung.mirrors(places)
+        self.joints += [hung.nodes[place] for place in places.tolist()] if hung else [None] * len(triangles)
+        outlines = np.where(mirrored[:, None], triangles, triangles[:, ::-1])
+        self._add(self._placed(points, matrix, where, hung), triangles, outlines, material, uvs, tints, where)
+        self._add_normals(attributes, outlines, matrix, len(points), where, hung)
 
-    def _add_normals(self, attributes, triangles, matrix, count, where):
+    def _add_normals(self, attributes, outlines, matrix, count, where, hung):
         """The normals of the corners of faces that were added. Those that are no directions are left out."""
         try:
             values = self.checked.accessor(attributes["NORMAL"], where, ("VEC3",), _PARTS).astype(float) \
@@ -172,30 +178,21 @@ class _Reader:
         except ToolError:
             values = np.zeros((0, 3))
         if len(values) != count or abs(np.linalg.det(matrix[:3, :3])) < 1e-30:
-            self.normals += [None] * len(triangles)
+            self.normals += [None] * len(outlines)
             return
         with np.errstate(all="ignore"):
             # Normals go by the inverse of the matrix, transposed; z is negated.
-            turned = values @ np.linalg.inv(matrix[:3, :3]) * (1, 1, -1)
+            turned = (hung.directions(values) if hung else values @ np.linalg.inv(matrix[:3, :3])) * (1, 1, -1)
             lengths = np.linalg.norm(turned, axis=1, keepdims=True)
             turned = np.where(np.isfinite(lengths) & (lengths > 0), turned / lengths, np.nan)
-        order = slice(None, None, 1 if np.linalg.det(matrix[:3, :3]) < 0 else -1)
-        of_faces = turned[triangles[:, order]]
+        of_faces = turned[outlines]
         known = np.isfinite(of_faces).all(axis=(1, 2)).tolist()
         self.normals += [list(map(tuple, three)) if good else None for three, good in zip(of_faces.tolist(), known)]
 
-    def move(self, faces, matrix):
-        """Moves faces that share no vertex with others by a matrix of 3x4, as vertices stand here; answers the vertices."""
-        used = sorted({corner for face in faces for corner in self.faces[face]})
-        points = np.array([self.vertices[vertex] for vertex in used], dtype=float) / UNIT
-        placed = points @ matrix[:, :3].T + matrix[:, 3]
-        for vertex, (x, y, z) in zip(used, placed.tolist()):
-            self.vertices[vertex] = exact(x), exact(y), exact(z)
-        turn = np.linalg.inv(matrix[:, :3])
-        for face in faces:
-            if self.normals[face]:
-                self.normals[face] = list(map(tuple, (np.array(self.normals[face]) @ turn).tolist()))
-        return [self.vertices[vertex] for vertex in used]
+    def box(self, faces):
+        """The least and the largest coordinates of some faces."""
+        vertices = [self.vertices[corner] for face in faces for corner in self.faces[face]]
+        return [tuple(end(axis) for axis in zip(*vertices)) for end in (min, max)]
 
     def _count_part(self, where):
         self.parts += 1
@@ -209,10 +206,10 @@ class _Reader:
             self.checked.fail(where, f"the nodes read more than the limit of {READ_MAX:,} vertices and indices together; "
                               "simplify the model, or give each mesh vertices of its own")
 
-    def _placed(self, points, matrix, where):
+    def _placed(self, points, matrix, where, hung):
         """The vertices in the scene."""
         with np.errstate(over="ignore", invalid="ignore"):
-            placed = points @ matrix[:3, :3].T + matrix[:3, 3]
+            placed = hung.points(points.astype(float)) if hung else points @ matrix[:3, :3].T + matrix[:3, 3]
         wrong = np.argwhere(~(np.abs(placed) <= COORDINATE_LIMIT))
         if len(wrong):
             row, axis = wrong[0]
@@ -220,18 +217,17 @@ class _Reader:
                               f"{COORDINATE_LIMIT:,}")
         return placed
 
-    def _add(self, points, triangles, material, uvs, tints, where, mirrored):
-        used, corners = np.unique(triangles, return_inverse=True)
-        corners = (corners.reshape(-1, 3) + len(self.vertices))[:, ::1 if mirrored else -1].tolist()
+    def _add(self, points, triangles, outlines, material, uvs, tints, where):
+        used, corners = np.unique(outlines, return_inverse=True)
+        corners = (corners.reshape(-1, 3) + len(self.vertices)).tolist()
         self.vertices += [(exact(x), exact(y), -exact(z)) for x, y, z in points[used].tolist()]
         number = self._add_material(material)
         if self.progress:
             self.progress(f"{self.checked.name}: {where}")
-        order = slice(None, None, 1 if mirrored else -1)
-        around = None if uvs is None else uvs[triangles[:, order]].tolist()
+        around = None if uvs is None else uvs[outlines].tolist()
         if tints is not None:
             self.corners += [None] * (len(self.faces) - len(self.corners))
-            self.corners += [[tuple(map(srgb, tints[corner, :3])) for corner in three[order]] for three in triangles.tolist()]
+            self.corners += [[tuple(map(srgb, tints[corner, :3])) for corner in three] for three in outlines.tolist()]
         for face, (three, outline) in enumerate(zip(triangles.tolist(), corners)):
             self.faces.append(outline)
             self.places.append(f"{self.checked.name}: {where}, triangle {face}")
@@ -252,21 +248,25 @@ def read(path, name=None, progress=None, sources=None):
     sources = sources or Sources()
     checked = gltf_check.open_file(path, name, sources)
     reader, matrices, known = _Reader(checked, progress), {None: np.eye(4)}, Nodes(checked)
-    nodes = checked.rows("nodes")
-    for number, parent in gltf_check.walk(checked):
+    nodes, order, owns = checked.rows("nodes"), list(gltf_check.walk(checked)), {}
+    for number, parent in order:
+        owns[number] = _matrix(checked, nodes[number], checked.label("node", number))
+        matrices[number] = matrices[parent] @ owns[number]
+    for number, parent in order:
         node, where = nodes[number], checked.label("node", number)
-        own, faces, vertices = _matrix(checked, node, where), len(reader.faces), len(reader.vertices)
-        matrices[number] = matrices[parent] @ own
+        faces, vertices, is_skinned = len(reader.faces), len(reader.vertices), "mesh" in node and "skin" in node
         if "mesh" in node:
-            # The joints place what hangs on them: in the pose in which they were bound, which is that of the vertices.
-            matrix = np.eye(4) if "skin" in node else matrices[number]
             chosen, mesh = checked.entry("meshes", node, "mesh", where)
-            shown = [reader.part(part, matrix, f"{where}: {checked.label('mesh', chosen)}, primitive {i}")
-                     for i, part in enumerate(_parts(checked, mesh, checked.label("mesh", chosen)))]
-        known.add(number, parent, own, matrices[number], (faces, len(reader.faces)), reader.vertices[vertices:])
-        if "mesh" in node and "skin" in node:
-            known.bind(number, gltf_skins.rigid(checked, node, shown, where))
-    known.hang(reader.move)
+            parts = _parts(checked, mesh, checked.label("mesh", chosen))
+            # The joints place what hangs on them. What is damaged stays where its vertices are.
+            matrix, hung = (np.eye(4), gltf_skins.read(checked, node, parts, matrices, where)) if is_skinned else (matrices[number], None)
+            for i, part in enumerate(parts):
+                reader.part(part, matrix, f"{where}: {checked.label('mesh', chosen)}, primitive {i}", hung and hung[i])
+        known.add(number, parent, owns[number], matrices[number], (faces, len(reader.faces)), reader.vertices[vertices:])
+        if is_skinned:
+            known.bind(number, reader.joints[faces:] if hung is not None else None)
+    known.hang(reader.box)
+    known.shared = reader.shared
     if not reader.faces:
         left_out = reader.materials.left_out.notes(name, "left out:")
         why = f"it has {reader.left_out:,} primitives of points and lines, which have none" if reader.left_out else \
@@ -281,8 +281,7 @@ def read(path, name=None, progress=None, sources=None):
     if reader.left_out:
         notes.append(f"{name}: left out points and lines: {reader.left_out:,} primitives")
     left_out, more = gltf_left_out.notes(checked)
-    if known.are_rigid:     # nothing of them is left out
-        left_out.pop("skins", None)
+    left_out |= known.skins_note()
     notes += checked.notes + checked.left_out.notes(name, "left out:") + reader.materials.left_out.notes(name, "left out of materials:") + [*left_out.values()] + more
     return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces, groups=known.groups(),
                 normals=reader.normals if any(reader.normals) else [], scenery=known.scenery(left_out)), notes

@@ -20,8 +20,7 @@ _HARMLESS = ("KHR_materials_", "KHR_lights_punctual", "KHR_xmp")
 # What is left out with words of its own.
 _TOLD = {_INSTANCES: f"meshes placed by lists of instances ({_INSTANCES}), each of which stands at its node once: {_BLENDER} them as nodes",
          _VARIANTS: f"other materials ({_VARIANTS}): the model has those that it has without; {_BLENDER} it with those that it shows"}
-_LISTS = {"animations": ": the model is shown as it stands without", "skins": ": what hangs on joints is shown in the pose in which it was "
-          "bound", "cameras": "; --camera NAME takes one as the path of a model without a scene file"}
+_LISTS = {"animations": ": the model is shown as it stands without", "cameras": "; --camera NAME takes one as the path of a model without a scene file"}
 
 
 def refuse_required(name, required):

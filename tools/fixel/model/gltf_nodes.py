@@ -7,7 +7,8 @@ import functools
 
 import numpy as np
 
-from fixel.model import gltf_motion, gltf_scenery
+from fixel.base.errors import ToolError
+from fixel.model import gltf_motion, gltf_scenery, gltf_skins
 from fixel.model.mesh import UNIT
 from fixel.model.nodes import FRAMES_MAX, RATE, Node, Scenery
 from fixel.base.reading import shortened
@@ -15,12 +16,6 @@ from fixel.base.reading import shortened
 _FLIP = np.diag([1.0, 1.0, -1.0, 1.0])     # z is negated
 _MOVES_MAX = 1 << 22    # matrices of nodes, one a frame
 _LEAST = 1e-6           # of the largest size of a matrix: a smaller one is none
-
-
-def _turns(matrix):
-    """1 of a matrix of 4x4 that has a size along each axis, -1 of one that mirrors, 0 of one without a size along some axis."""
-    sizes = np.linalg.svd(matrix[:3, :3], compute_uv=False)
-    return 0 if not sizes[2] > _LEAST * sizes[0] else 1 if np.linalg.det(matrix[:3, :3] / sizes[0]) > 0 else -1
 
 
 class _Names:
@@ -50,7 +45,7 @@ class Nodes:
     def __init__(self, checked):
         self.checked, self.parents, self.worlds, self.names, self.ranges = checked, {}, {}, {}, {}
         self.locals, self.meshes, self.stays, self.boxes, self.given = {}, {}, set(), {}, _Names()
-        self.skins, self.are_rigid = {}, False
+        self.skins, self.still, self.bears, self.frozen, self.shared = {}, [], {}, set(), 0
 
     def add(self, number, parent, own, world, faces, vertices):
         """A node that was read. own, world: its matrix in its parent and in the file. faces: (first, behind the last);
@@ -64,37 +59,84 @@ class Nodes:
             self.ranges[number] = [faces]
             self.meshes[number] = entry["mesh"]
             self.boxes[number] = [tuple(end(axis) for axis in zip(*vertices)) for end in (min, max)]
-        if "skin" in entry:
-            self.stays.add(number)
+        if "mesh" in entry and "skin" in entry:
+            self.stays.add(number)      # the joints place its faces, not the node
 
     def groups(self):
         """{name: its faces} of those that have some."""
         return {self.names[number]: self.ranges[number] for number in self.names if number in self.ranges}
 
     def bind(self, number, joints):
-        """What hangs on joints at a node: see gltf_skins.rigid. A node without faces has nothing that hangs."""
+        """Of a node with a skin, the number of the node on which each of its faces hangs; None where the skin is damaged. A node without
+        faces has nothing that hangs."""
         if number in self.ranges:
             self.skins[number] = joints
 
-    def hang(self, move):
-        """Gives the faces of rigid skins to their joints, once all nodes are known; are_rigid says whether all were. move: takes faces to their place by a matrix
-        of 3x4, and answers their vertices there."""
-        self.are_rigid = bool(self.skins)
-        for number, joints in self.skins.items():
-            if joints is None or not all(self._is_free(joint, matrix) for joint, (matrix, _) in joints.items()):
-                self.are_rigid = False
-                continue
-            (first, _), mesh = self.ranges.pop(number)[0], self.meshes.pop(number)
-            for joint, (matrix, faces) in joints.items():
-                faces = [first + face for face in faces]
-                vertices = move(faces, (_FLIP @ self.worlds[joint] @ matrix @ _FLIP)[:3]) + self.boxes.get(joint, [])
-                self.ranges[joint] = self.ranges.get(joint, []) + _runs(faces)
-                self.meshes.setdefault(joint, mesh)
-                self.boxes[joint] = [tuple(end(axis) for axis in zip(*vertices)) for end in (min, max)]
+    def hang(self, box_of):
+        """Gives the faces of skins to their joints, once all nodes are known: the groups of joints have them too. What shares joints with a
+        skin that is damaged stands as still as this one, which hangs on the node above all its joints. box_of: answers the box about some
+        faces."""
+        joints = {number: self._joints(number) for number in self.skins}
+        self.still = [number for number, found in self.skins.items() if found is None or joints[number] & set(self.skins)]
+        tops = self._tops(joints, self.still)
+        roots = {self.chain(joint)[0] for number, top in tops.items() if top is None for joint in joints[number]}
+        for number in self.names:       # parents first
+            if number in roots or number in tops.values() or self.parents[number] in self.frozen:
+                self.frozen.add(number)
+        for number, found in self.skins.items():
+            first, end = self.ranges[number][0]
+            if number in tops:
+                found = [tops[number]] * (end - first)
+            if None not in found and not set(found) & set(self.skins):
+                self._give(number, first, np.array(found), box_of)
 
-    def _is_free(self, joint, matrix):
-        """Whether a joint is a node of the scene that stays nowhere, and does not mirror."""
-        return joint in self.names and joint not in self.stays and _turns(self.worlds[joint] @ matrix) > 0
+    def _joints(self, number):
+        """The numbers of the joints of a node with a skin that stand in the scene."""
+        try:
+            return set(gltf_skins.joints_of(self.checked, self.checked.rows("nodes")[number], "")) & set(self.names)
+        except ToolError:
+            return set()
+
+    def _tops(self, joints, still):
+        """{number of a node with a skin that is to stand still: the node above all its joints, or None}. joints: of each node with a
+        skin; still: those that are damaged."""
+        tops = {number: self._above(joints[number]) for number in still}
+        more = [number for number in joints if number not in tops and
+                any(self._is_under(each, top) for each in joints[number] for top in tops.values())]
+        return self._tops(joints, [*still, *more]) if more else tops
+
+    def chain(self, number):
+        """A node and those above it, the first one first."""
+        found = []
+        while number is not None:
+            found.append(number)
+            number = self.parents[number]
+        return found[::-1]
+
+    def _is_under(self, number, top):
+        return top is None or top in self.chain(number)
+
+    def _above(self, numbers):
+        """The last node that is above some nodes, or one of them; None without one."""
+        chains = [self.chain(number) for number in numbers]
+        same = [column[0] for column in zip(*chains) if len(set(column)) == 1]
+        return same[-1] if same else None
+
+    def _give(self, number, first, joints, box_of):
+        """Gives the faces of a node to joints. first: its first face; joints: the number of a node of each face."""
+        for joint in np.unique(joints).tolist():
+            faces = (first + np.flatnonzero(joints == joint)).tolist()
+            box = box_of(faces) + self.boxes.get(joint, [])
+            self.ranges[joint] = self.ranges.get(joint, []) + _runs(faces)
+            self.meshes.setdefault(joint, self.meshes[number])
+            self.boxes[joint] = [tuple(end(axis) for axis in zip(*box)) for end in (min, max)]
+            self.bears.setdefault(joint, []).append(number)
+
+    def skins_note(self):
+        """{"skins": what there is to say of skins that stay in the pose in which they were bound}; {} without one."""
+        return {"skins": f"{self.checked.name}: left out skins ({len(self.still):,}; first: {shortened(self.names[self.still[0]])}) that are damaged, have "
+                f"more than {4 * gltf_skins.SETS_MAX} joints a vertex, or joints that are outside of the scene or have a skin themselves: what hangs on "
+                "their skeletons stands still, in the pose in which it was bound"} if self.still else {}
 
     def _pivot(self, number):
         """The node's origin; the middle of its faces where the origin lies farther from there than they are large."""
@@ -128,16 +170,21 @@ class Nodes:
         if animation is None:
             return self._nodes(None), 0, []
         moves = _Moves(self, animation)
+        if moves.places > _MOVES_MAX:
+            return self._nodes(None), 0, [f"{animation.where}: it moves more nodes in {moves.count:,} frames than the limit of {_MOVES_MAX:,} places "
+                                          "together: the model stands still; give it fewer nodes, or a shorter animation"]
         return self._nodes(moves), moves.count, moves.notes()
 
     def _nodes(self, moves):
         """{name: Node}. moves: None where nothing is played."""
         meshes, found = self._mesh_names(), {}
+        hanging = {number for numbers in self.bears.values() for number in numbers}
         for number, name in self.names.items():
             above = self.parents[number]
             poses = functools.partial(moves.poses, number) if moves and moves.is_moved(number) else None
             found[name] = Node(name, None if above is None else self.names[above], self._pivot(number),
-                               meshes.get(self.meshes.get(number)), poses is not None and moves.is_target(number), poses)
+                               meshes.get(self.meshes.get(number)), poses is not None and moves.is_target(number), poses,
+                               tuple(self.names[each] for each in self.bears.get(number, ())), number in hanging)
         return found
 
 
@@ -163,7 +210,7 @@ class _Moves:
         return self.animation.frames
 
     def is_target(self, number):
-        return number in self.animation.channels and not self._is_fixed(number)
+        return number in self.animation.channels and not self._is_fixed(number) and number not in self.nodes.frozen
 
     def _is_fixed(self, number):
         """Whether a node has a matrix, which glTF does not let an animation move."""
@@ -177,7 +224,14 @@ class _Moves:
         return number is not None
 
     def _has_size(self, number):
-        return _turns(self.nodes.worlds[number]) != 0
+        sizes = np.linalg.svd(self.nodes.worlds[number][:3, :3], compute_uv=False)
+        return sizes[2] > _LEAST * sizes[0]
+
+    @property
+    def places(self):
+        """How many matrices there are at most: of the nodes that move and are asked for, and of those above them, one a frame."""
+        asked = [number for number in self.nodes.names if number in self.nodes.ranges or "camera" in self.nodes.checked.rows("nodes")[number]]
+        return self.count * len({each for number in asked if self.is_moved(number) for each in self.nodes.chain(number)})
 
     def notes(self):
         """What there is to say where the animation is played."""
@@ -192,6 +246,9 @@ class _Moves:
         if round(animation.seconds * RATE) > FRAMES_MAX:
             found.append(f"{checked.name}: {shortened(animation.name)}: left out what comes after {FRAMES_MAX:,} frames")
         fixed = [self.nodes.names[number] for number in animation.channels if number in self.nodes.names and self._is_fixed(number)]
+        if self.nodes.shared and any(self.is_moved(number) for number in self.nodes.bears):
+            found.append(f"{checked.name}: faces that hang on several joints move with the one on which they hang the most: {self.nodes.shared:,}; "
+                         "nothing bends, as on the PlayStation, and --animation none shows the model without")
         if fixed:
             found.append(f"{checked.name}: nodes with a matrix stay where they stand, though the animation would move them: {len(fixed):,} "
                          f"(first: {shortened(fixed[0])}); save them with translation, rotation and scale")
@@ -209,9 +266,6 @@ class _Moves:
             number = self.nodes.parents[number]
         made = np.eye(4) if number is None else self.known[number]
         for each in reversed(chain):
-            if len(self.known) * self.count > _MOVES_MAX:
-                self.nodes.checked.fail(self.animation.where, f"it moves more nodes in {self.count:,} frames than the limit of {_MOVES_MAX:,} "
-                                        "places together; give it fewer nodes, or a shorter animation")
             own = self.animation.local(each, self.nodes.checked.rows("nodes")[each], self.count) if self.is_target(each) else \
                 self.nodes.locals[each]
             self.known[each] = made = made @ own

@@ -14,13 +14,16 @@ class Node:
     """pivot: the point about which the node turns, in 1/UNIT, as the file's vertices stand. parent: the name of the node above
     it, or None. mesh: the name of its mesh, None without one. is_animated: whether an animation moves the node itself. poses: None
     for what no animation moves, else a function that answers matrices of 3x4, one a frame, which take the vertices of the file
-    to their places in that frame."""
+    to their places in that frame. bears: the names of the nodes whose faces, or some of them, hang on this one, so that its group has
+    them too; hangs: whether its faces hang on others so."""
     name: str
     parent: str = None
     pivot: tuple = (0, 0, 0)
     mesh: str = None
     is_animated: bool = False
     poses: object = None
+    bears: tuple = ()
+    hangs: bool = False
 
     def moved(self, way, unit):
         """The same of a file whose vertices lie so far on; way in 1/unit."""

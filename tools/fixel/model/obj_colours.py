@@ -77,6 +77,7 @@ class Colours:
             notes.append(f"{self.name}: vertices without a colour beside those with one: {without:,}, which are {'white' if has_materials else 'grey'}")
         surfaces.tints = [_tint([scaled[corner] for corner in face]) for face in faces]
         surfaces.give_corners([[scaled[corner] for corner in face] for face in faces])
+        surfaces.has_materials = has_materials
         if not has_materials:   # the vertices' colours are the faces'
             surfaces.materials = [Material(each.name, WHITE) for each in surfaces.materials]
         if is_clear:

@@ -225,7 +225,8 @@ def _surfaces(tables, faces, uvs, images, where):
     if not is_coloured:     # where an image is missing
         materials = [each if each.image else Material(each.name, GREY) for each in materials]
     tints = _tints(of_vertices, of_faces, faces) if is_coloured else [None] * len(faces)
-    made = Surfaces(materials, _numbers_of_images(tables["face"], faces, materials, name), uvs or [None] * len(faces), tints)
+    made = Surfaces(materials, _numbers_of_images(tables["face"], faces, materials, name), uvs or [None] * len(faces), tints,
+                    has_materials=any(material.image for material in materials))
     if of_vertices and not of_faces:    # outlines are turned round once they are read
         made.give_corners([[of_vertices[corner] for corner in reversed(face)] for face in faces])
     return made, notes

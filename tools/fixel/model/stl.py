@@ -3,6 +3,7 @@
 
 A binary file may have a colour of 15 bits in the two bytes behind each triangle, in one of two ways. With COLOR= in the
 header (Magics), bit 15 is clear for a colour and red is lowest; without, bit 15 is set for a colour and blue is lowest.
+Without COLOR= the bytes of a file that gives all its triangles one colour are no colours: programs leave any bytes there.
 
 The project has a reader of its own for STL: a refusal of a text file names the line, and a binary file is one table."""
 
@@ -15,7 +16,7 @@ from fixel.model import model_text, number_text
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh
 from fixel.base.reading import quoted
 from fixel.model.sources import Sources
-from fixel.model.surface import GREY, Material, Surfaces
+from fixel.model.surface import GREY, WHITE, Material, Surfaces
 
 FILE_MAX = 64 << 20         # bytes
 COORDINATE_LIMIT = 10 ** 9
@@ -46,22 +47,27 @@ def _five_bits(value, lowest):
     return tuple(parts if lowest else parts[::-1])
 
 
-def _surfaces(blob, attributes):
-    """The surface.Surfaces of a binary file; None where no triangle has a colour. Of a file with COLOR= those without
-    have that one."""
+def _surfaces(blob, attributes, name):
+    """(the surface.Surfaces of a binary file, None where no triangle has a colour; notes). Of a file with COLOR= the triangles
+    without a colour of their own have that one."""
     place = blob.find(_COLOUR, 0, _HEAD - 8)     # four bytes of colour stand behind it
-    common = tuple(blob[place + len(_COLOUR):][:3]) if place >= 0 else GREY
-    has_own = attributes >> 15 == (0 if place >= 0 else 1)
-    if place < 0 and not has_own.any():
-        return None
-    made, numbers = Surfaces(), {}
-    for own, value in zip(has_own.tolist(), (attributes & 0x7FFF).tolist()):
-        colour = _five_bits(value, place >= 0) if own else common
-        if colour not in numbers:
-            numbers[colour] = len(numbers)
-            made.materials.append(Material("none", colour))
-        made.add(numbers[colour])
-    return made
+    is_said = place >= 0
+    common = tuple(blob[place + len(_COLOUR):][:3]) if is_said else GREY
+    has_own = attributes >> 15 == (0 if is_said else 1)
+    if not is_said and not has_own.any():
+        return None, []
+    colours = [_five_bits(value, is_said) if own else common
+               for own, value in zip(has_own.tolist(), (attributes & 0x7FFF).tolist())]
+    count = len(set(colours))
+    if not is_said and count == 1:
+        return None, [f"{name}: the two bytes behind every triangle are 0x{attributes[0]:04x}: without COLOR= in the head, and without "
+                      "a second colour, they are read as no colour"]
+    made = Surfaces([Material("none", WHITE)], has_materials=False)
+    for colour in colours:
+        made.add(0, tint=None if colour == WHITE else colour)
+    how = "COLOR= in the head and " if is_said else ""
+    return made, [f"{name}: {how}the two bytes behind each triangle are read as its colour ({count:,} different); --no-colours leaves "
+                  "colours out"]
 
 
 def _binary(blob, name, count):
@@ -74,9 +80,9 @@ def _binary(blob, name, count):
         raise ToolError(f"{name}: triangle {face}: {'xyz'[axis]} of corner {corner} is {corners[face, corner, axis]:g}; "
                         f"it must be within {COORDINATE_LIMIT:,}")
     after = len(blob) - _HEAD - count * _TRIANGLE.itemsize
-    notes = [f"{name}: left out bytes after the last triangle: {after:,}"] if after else []
-    return corners.reshape(-1, 3).tolist(), [f"{name}: triangle {face}" for face in range(count)], \
-        _surfaces(blob, rows["attribute"]), notes
+    surfaces, notes = _surfaces(blob, rows["attribute"], name)
+    notes += [f"{name}: left out bytes after the last triangle: {after:,}"] if after else []
+    return corners.reshape(-1, 3).tolist(), [f"{name}: triangle {face}" for face in range(count)], surfaces, notes
 
 
 def _number(word, where):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What a face of a model file looks like: a colour, an image over it, how much shows through."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 
 WHITE = (255, 255, 255)
@@ -51,13 +51,15 @@ class Surfaces:
     """The materials of a model, and those of its faces. of_face: a material's number for each face. uvs: for each
     face (u, v) of each corner, u to the right and v downward, 1 across the image; None where there are none. tints: for
     each face what its material's colour is multiplied by: the mean colour of its vertices; None where they have none.
-    corners: for each face the colours of its vertices, where they are apart, else None; [] where no face has such."""
+    corners: for each face the colours of its vertices, where they are apart, else None; [] where no face has such.
+    has_materials: whether the file names materials or images; else the faces have no colours but their tints."""
     materials: list = field(default_factory=list)
     of_face: list = field(default_factory=list)
     uvs: list = field(default_factory=list)
     tints: list = field(default_factory=list)
     whole: object = None        # (Surfaces, numbers of faces) that these are a part of, and share images with
     corners: list = field(default_factory=list)
+    has_materials: bool = True
     _colours: list = field(default_factory=list)
 
     def add(self, material, uvs=None, tint=None):
@@ -70,7 +72,15 @@ class Surfaces:
         """The surfaces of some faces. shares: whether their images are those of all faces."""
         return Surfaces(self.materials, [self.of_face[face] for face in faces], [self.uvs[face] for face in faces],
                         [self.tints[face] for face in faces], (self, faces) if shares else None,
-                        [self.corners[face] for face in faces] if self.corners else [])
+                        [self.corners[face] for face in faces] if self.corners else [], self.has_materials)
+
+    def has_tints(self):
+        """Whether faces or vertices have colours of their own."""
+        return not self.has_materials or bool(self.corners) or any(self.tints)
+
+    def without_tints(self):
+        """The same without the colours of faces and vertices; None where the file has no others."""
+        return replace(self, tints=[None] * len(self.of_face), corners=[], _colours=[]) if self.has_materials else None
 
     def give_corners(self, colours):
         """Gives the faces the colours of their vertices. colours: those of each face in turn, or None."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A scene for a bare model file: the model in the middle, the camera about it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 import math
 import os
@@ -14,9 +14,9 @@ from fixel.model import model_file
 from fixel.scene import model_parts, model_scenery, texture_size, toml_images, toml_model, toml_scene, toml_text
 from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT, dot, newell, open_edges
-from fixel.model.surface import MEAN_NOTE, MISSING_NOTE
+from fixel.model.surface import MEAN_NOTE, MISSING_NOTE, TINT_NOTE
 from fixel.base.reading import shortened
-from fixel.scene.look import PLAIN
+from fixel.scene.look import NO_ANIMATION, PLAIN
 from fixel.scene.corner_normals import OWN_COSINE
 
 WIDTH, HEIGHT, FOV = 320, 240, 60
@@ -29,6 +29,7 @@ SURFACES_MAX = 65_535   # faces of an image that may be smooth or have a texture
 _FLAT = 1 - 1e-6    # the cosine between normals from which an edge is flat
 _EYES = 24          # of a circle from which fronts are looked for
 REACH_MAX = 4       # radii from the middle: as far as parts that move are followed
+KEYS_MAX = 1 << 18  # of all parts: a quarter of a million take more than half of the largest image
 YAWS_MAX = 120      # directions that are tried; between them a model reaches 0.04 % farther
 
 
@@ -232,7 +233,7 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN, p
         seen, path = model_scenery.camera_keys(camera, played.poses.get(camera.name), place, (width, height),
                                                frames or played.frames or FRAMES, float(reach))
         played.uses.add("cameras")
-    more = {"simplify": look.simplify} if look.simplify else {}
+    more = ({"simplify": look.simplify} if look.simplify else {}) | ({} if look.colours else {"vertex_colours": "none"})
     return {
         "screen": {"width": width, "height": height},
         "view": {**seen, **view},
@@ -254,6 +255,14 @@ def _needs_no_depth(scene):
     return len(scene.objects) == 1 and scene.models[0].kind == image.CONVEX
 
 
+def _without_colours(files, key, name):
+    """(the key of the mesh without the colours of its faces and vertices, notes)."""
+    plain = files.plain(key)
+    said = "the colours that faces and vertices have in the file are left out" if plain is not key else \
+        "the file has no colours of faces or vertices; those of its materials and images stay"
+    return plain, [f"{name}: --no-colours: {said}"]
+
+
 def compile_model(path, frames=None, progress=None, screen=None, framing=WALK, look=PLAIN, write=None):
     """A bare model file -> (SceneImage, notes). look: a look.Look. write: where the scene file is to stand that gives the
     same frames; it is then scene.text."""
@@ -263,10 +272,19 @@ def compile_model(path, frames=None, progress=None, screen=None, framing=WALK, l
     mesh, read_notes = model_file.reader_of(name)(path, str(file), progress, files.sources)
     mesh = toml_model.near_origin(mesh)
     files[file] = mesh
-    if look.simplify:
-        mesh = files[files.fewer(file, look.simplify)]
+    key = files.fewer(file, look.simplify) if look.simplify else file
+    if not look.colours:
+        key, said = _without_colours(files, key, shortened(name))
+        read_notes = [note for note in read_notes if not note.endswith((MEAN_NOTE, TINT_NOTE))] + said
+    mesh = files[key]
     played = model_parts.divide(mesh, shortened(name), look)
     data, more = scene_data(mesh, name, frames, screen, framing, look, played)
+    keys = sum(len(thing.get("motion", {}).get("keys", ())) for thing in data["objects"])
+    if keys > KEYS_MAX:
+        played = model_parts.divide(mesh, shortened(name), replace(look, animation=NO_ANIMATION))
+        data, more = scene_data(mesh, name, frames, screen, framing, look, played)
+        more.append(f"{shortened(name)}: the animation needs {keys:,} key frames, which are more than the limit of {KEYS_MAX:,}: the model stands "
+                    "still; give it fewer joints, or a shorter animation")
     scene, notes = toml_scene.compile_data(data, str(file), folder, frames, progress, files=files)
     side, shown = 0 if look.is_fixed else _side_of_path(scene), [thing for thing in data["objects"] if "images" in thing]
     if shown and 0 < side < look.texels:
@@ -274,7 +292,7 @@ def compile_model(path, frames=None, progress=None, screen=None, framing=WALK, l
             thing["images"] = {**thing["images"], "size": side}
         scene, notes = toml_scene.compile_data(data, str(file), folder, frames, progress, files=files)
     told = {mesh.scenery.left_out.get(kind) for kind in played.uses}
-    if any("vertex_colours" in thing for thing in data["objects"]):
+    if any(thing.get("vertex_colours") is True for thing in data["objects"]):
         read_notes = [note for note in read_notes if not note.endswith(MEAN_NOTE)]
     more += _without_image(mesh, shortened(name), look, read_notes)
     read_notes, more, notes = [note for note in read_notes if note not in told], played.notes + more, _first_of_a_kind(notes)

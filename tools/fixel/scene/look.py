@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""How a model without a scene file is drawn: as its author made it, or as the options --palette, --flat, --no-textures,
---sorted and --smooth say. A scene file says it itself."""
+"""How a model without a scene file is drawn: as its author made it, or as options such as --palette, --flat and
+--no-textures say. A scene file says it itself."""
 
 import argparse
 import re
 import shlex
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
@@ -13,6 +13,7 @@ from fixel.base.reading import quoted
 SIDES = tuple(1 << bits for bits in range(9))   # of a texture
 FACES_MAX = 1 << 20             # of a file
 CREASE = 40                     # degrees: edges that bend less do not show
+NO_ANIMATION = "none"       # as the name of an animation
 TEXELS = (256, 128, 64, 32, 16)     # of a texture's side: the most first
 
 
@@ -21,10 +22,10 @@ class Look:
     """pixels: "rgb565" or "palette". depth: bits of a depth buffer, 0 without one. texels: the most of a texture's side,
     0 without textures; is_fixed: they have so many even where the path shows fewer. smooth: degrees up to which an edge
     does not show, 0 for flat faces. keep: patterns of the names of nodes or groups that become objects of their own, with commas between.
-    animation: a pattern of the name of the one that is played; "": the first. camera: a pattern of the name of the one that
+    animation: a pattern of the name of the one that is played; "": the first, NO_ANIMATION: none. camera: a pattern of the name of the one that
     makes the path; "": a circle. whole: whether the model is one object, and nothing of it moves. simplify: how many faces it
     has at most, None for its own. baked: whether the tool computes the light. normals: whether those of the file make smooth
-    light where it has some."""
+    light where it has some. colours: whether those of its faces and vertices show."""
     pixels: str = "rgb565"
     depth: int = 16
     texels: int = TEXELS[0]
@@ -37,6 +38,7 @@ class Look:
     simplify: int = None
     baked: bool = False
     normals: bool = True
+    colours: bool = True
 
     @property
     def bits(self):
@@ -53,6 +55,7 @@ class Asked:
     palette: bool = False
     flat: bool = False
     no_textures: bool = False
+    no_colours: bool = False
     texture: int = None
     sorted: bool = False
     smooth: int = None
@@ -95,6 +98,7 @@ def _add(group):
     group.add_argument("--palette", action="store_true", help="draw in a palette instead of RGB565")
     group.add_argument("--flat", action="store_true", help="light each face as a whole, also where normals are smooth")
     group.add_argument("--no-textures", action="store_true", help="give each face its image's mean colour")
+    group.add_argument("--no-colours", action="store_true", help="leave out the colours that faces and vertices have in the file")
     group.add_argument("--texture", type=_side, metavar="TEXELS", help="the most texels of a texture's side, a power of two up to "
                        f"{SIDES[-1]} (default: what the path shows)")
     group.add_argument("--sorted", action="store_true", help="draw by distance, without a depth buffer")
@@ -102,7 +106,8 @@ def _add(group):
                        f"normals the file has (default: its normals; without them {CREASE})")
     group.add_argument("--keep", metavar="NAMES", default="", help="nodes of a glTF file, or o and g of an OBJ file, that stay objects of their own, such as "
                        "'wheel*,door'")
-    group.add_argument("--animation", metavar="NAME", default="", help="the animation of a glTF file that is played (default: the first)")
+    group.add_argument("--animation", metavar="NAME", default="", help="the animation of a glTF file that is played (default: the first), or "
+                       f"{NO_ANIMATION}: nothing moves")
     group.add_argument("--camera", metavar="NAME", default="", help="the camera of a glTF file that the path follows (default: a circle)")
     group.add_argument("--simplify", type=_faces, metavar="FACES", help="make a model of at most so many triangles of it first")
     group.add_argument("--bake-light", action="store_true", help="light faces and their textures when the scene is compiled, not at run "
@@ -176,7 +181,8 @@ def of(asked, pixels, depth, texels=TEXELS[0], smooth=True):
     crease = CREASE if asked.smooth is None else asked.smooth
     return Look(pixels, depth, 0 if asked.no_textures else texels, crease if smooth and not asked.flat and not asked.bake_light else 0,
                 asked.texture is not None and texels == asked.texture, asked.keep, asked.animation,
-                asked.camera, simplify=asked.simplify, normals=asked.smooth is None, baked=asked.bake_light)
+                asked.camera, simplify=asked.simplify, normals=asked.smooth is None, baked=asked.bake_light,
+                colours=not asked.no_colours)
 
 
 def best(asked, target, has_tree):
@@ -188,17 +194,20 @@ def smaller(asked, pixels, depth):
     """The Looks of a target, each with a smaller image than the one before."""
     sides = TEXELS if asked.texture is None else (asked.texture, *(side for side in TEXELS if side < asked.texture))
     found = [of(asked, pixels, depth, texels) for texels in (*sides, 0)] + [of(asked, pixels, depth, 0, False)]
+    found += [] if asked.animation else [replace(found[-1], animation=NO_ANIMATION)]
     return list(dict.fromkeys(found))
 
 
 def after(wanted, compiled):
     """The Looks behind the first one that make a smaller image. compiled: the SceneImage of the first one."""
     has_textures = compiled.surfaces is not None and bool(compiled.surfaces.textures)
-    return [each for each in wanted[1:] if has_textures or (each.texels == 0 and each.smooth != wanted[0].smooth)]
+    return [each for each in wanted[1:] if (compiled.motions if each.animation == NO_ANIMATION != wanted[0].animation else
+                                            has_textures or (each.texels == 0 and each.smooth != wanted[0].smooth))]
 
 
 def smaller_text(name, chosen):
     """What there is to say of a Look that was not the first of those."""
     what = f"textures of at most {chosen.texels} texels a side" if chosen.texels else \
-        "no textures" if chosen.smooth else "no textures and no smooth light"
+        "no textures" if chosen.smooth else "no textures, no smooth light and no animation" if chosen.animation == NO_ANIMATION else \
+        "no textures and no smooth light"
     return f"{name}: a scene image holds no more than {what} of this model; give it fewer faces (--simplify) to have all"

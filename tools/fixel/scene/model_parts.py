@@ -15,6 +15,7 @@ from fixel.image.image_placement import DEPTH_MAX
 from fixel.model.mesh import UNIT, Mesh, newell, transform
 from fixel.model.nodes import Node
 from fixel.scene import tracks
+from fixel.scene.look import NO_ANIMATION
 
 NODES_MAX = 64      # of a file whose nodes all become objects
 POSES_MAX = 1 << 21     # of all parts in all frames
@@ -75,16 +76,30 @@ def _carriers(nodes, chosen):
     return found
 
 
+def _owners(mesh, nodes, kept):
+    """The names of the groups that have all faces, each once. What hangs on joints belongs to these where one of them moves, or a
+    pattern names one; else to its own node, and no mesh is divided for nothing."""
+    if any(nodes[name].bears and (nodes[name].poses is not None or name in kept) for name in mesh.groups):
+        return [name for name in mesh.groups if not nodes[name].hangs]
+    return [name for name in mesh.groups if not nodes[name].bears or mesh.numbers_of([name], nodes[name].bears)]
+
+
+def _borne(nodes, names, groups):
+    """The names of the nodes whose faces some groups have too, and that own these faces themselves."""
+    return [each for each in dict.fromkeys(each for name in groups for each in nodes[name].bears) if each in names and each not in groups]
+
+
 def _divided(mesh, nodes, kept, whole):
     """The Parts of a file, parents first. whole: whether what nothing moves and no pattern names stays in one part. What hangs on a
     node without faces that a pattern names is a part of it."""
     is_small = not whole and mesh.scenery.count <= NODES_MAX
     chosen = {name for name, node in nodes.items() if node.is_animated or name in kept}
+    names = _owners(mesh, nodes, kept)
     if is_small:
         above, bare = _carriers(nodes, chosen), kept - set(mesh.groups)
-        chosen |= {name for name in mesh.groups if above[name] not in bare}
+        chosen |= {name for name in names if above[name] not in bare}
     carriers, found = _carriers(nodes, chosen), {}
-    for name in mesh.groups:
+    for name in names:
         key = carriers[name]
         if key is None and not whole:
             key = (nodes[name].mesh,)       # one part a mesh
@@ -94,14 +109,14 @@ def _divided(mesh, nodes, kept, whole):
         if key not in found:
             continue
         if not isinstance(key, str):
-            parts[key] = Part(key and key[0], found[key])
+            parts[key] = Part(key and key[0], found[key], without=_borne(nodes, names, found[key]))
             continue
         above = nodes[key].parent
         while above is not None and (above not in parts or not parts[above].is_turned or parts[above].depth >= DEPTH_MAX):
             above = nodes[above].parent
         node = nodes[key]
         parts[key] = Part(key, [key, *(each for each in found[key] if each != key)], node, key in kept,
-                          parts[above] if above is not None else None)
+                          parts[above] if above is not None else None, without=_borne(nodes, names, found[key]))
         if node.poses is not None and parts[key].parent is None:
             parts[key].pose = True          # until it is played
     return list(parts.values())
@@ -158,7 +173,7 @@ def divide(mesh, name, look):
     scenery = mesh.scenery
     if scenery is None:
         for option, value in (("--animation", look.animation), ("--camera", look.camera)):
-            if value:
+            if value and value != NO_ANIMATION:
                 raise ToolError(f"{name}: {option} is for a glTF file; this file has none")
         if look.keep and not mesh.groups:
             raise ToolError(f"{name}: --keep is for the nodes of a glTF file, and for o and g of an OBJ file; this file has none")
@@ -167,18 +182,22 @@ def divide(mesh, name, look):
     if scenery is None:
         parts = _kept_groups(mesh, look.keep, name)
         return Played(parts, 0, _play(parts, 1, name))
-    nodes, frames, notes = scenery.play(look.animation or None)
-    if look.animation and not frames:
+    is_still = look.animation == NO_ANIMATION
+    nodes, frames, notes = (scenery.nodes, 0, []) if is_still else scenery.play(look.animation or None)
+    if look.animation and not is_still and not frames and not notes:
         there = shortened(", ".join(scenery.animations)) or "none"
         raise ToolError(f"{name}: --animation: no animation that moves a node has a name like {quoted(look.animation)}; the file's: {there}")
     parts = _divided(mesh, nodes, _kept(nodes, look.keep, name), look.depth == 0)
+    turned = sum(part.is_turned for part in parts)
+    if frames * turned > POSES_MAX:
+        notes = [*notes, f"{name}: the animation moves {turned:,} parts in {frames:,} frames: more than the limit of {POSES_MAX:,} places; "
+                 "the model stands still: give it fewer nodes, or a shorter animation"]
+        nodes, frames = scenery.nodes, 0
+        parts = _divided(mesh, nodes, _kept(nodes, look.keep, name), look.depth == 0)
     bare = sorted(_kept(nodes, look.keep, name) - {part.name for part in parts})
     if bare:
         notes = [*notes, f"{name}: nodes that --keep names and that have no faces are no objects: {len(bare):,} (first: {shortened(bare[0])})"]
     uses = {"animations"} if frames else set()
-    if frames * sum(part.is_turned for part in parts) > POSES_MAX:
-        raise ToolError(f"{name}: the animation moves {len(parts):,} parts in {frames:,} frames: more than the limit of {POSES_MAX:,} places; "
-                        "give it fewer nodes, or a shorter animation")
     notes = notes + _play(parts, max(frames, 1), name)
     if frames:
         moving = sum(part.is_turned for part in parts)

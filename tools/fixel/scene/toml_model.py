@@ -28,6 +28,7 @@ class Files:
         self.folder, self.sources = folder, Sources()
         self.by_name, self.by_path, self.meshes, self.parts, self.moved = {}, {}, {}, {}, {}
         self.simpler, self.results = {}, {}     # keys of meshes of fewer faces; what made them, a simplify.Result
+        self.plain_ones = {}                    # keys of meshes without colours
 
     def file(self, name):
         """The Beside of a name: the same one for all names of a file that is read in the same way."""
@@ -87,6 +88,19 @@ class Files:
             if result:
                 self.meshes[key], self.results[key] = result.mesh, result
         return self.simpler[file, count]
+
+    def plain(self, name):
+        """The key of the mesh of a file that was read, without the colours of its faces and vertices; of the file itself where it
+        has none."""
+        file = self._key(name)
+        if file not in self.plain_ones:
+            surfaces = self[file].surfaces
+            key = copy.copy(file) if surfaces and surfaces.has_tints() else file
+            self.plain_ones[file] = key
+            if key is not file:
+                self.meshes[key] = replace(self[file], surfaces=surfaces.without_tints())
+                self.results |= {key: self.results[file]} if file in self.results else {}
+        return self.plain_ones[file]
 
     def values(self):
         """The mesh of each file."""

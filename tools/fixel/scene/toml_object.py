@@ -129,6 +129,8 @@ class Objects:
             name = self.files.fewer(name, count)
             if name is whole:
                 self.notes.append(f"{name}: simplify: it has no more than {count:,} triangles, and stays as it is")
+        if table.data.get("vertex_colours") == "none":
+            name = self.files.plain(name)
         chosen, by_node = toml_model.groups_of(table), table.data.get("anchor") == "node"
         if chosen is None:
             return self.files[name], name, (name,)

@@ -171,6 +171,12 @@ class Wish:
     @staticmethod
     def _corner_colours(table, mesh_of):
         """The surface.Surfaces whose faces have colours at their corners; None unless the object asks for them."""
+        if table.data.get("vertex_colours") == "none":
+            if "solid" in table:
+                raise ToolError(f'{table.at("vertex_colours")}: "none" means nothing for a solid, which has none')
+            return None
+        if not isinstance(table.data.get("vertex_colours", False), bool):
+            raise ToolError(f'{table.at("vertex_colours")}: expected true, false or "none", found {quoted(table.data["vertex_colours"])}')
         if not table.switch("vertex_colours", False):
             return None
         for key in ("solid", "colour", "colours", "colour_index", "texture", "textures"):
