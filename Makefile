@@ -21,7 +21,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 
 # The commands, and other targets of the command line that are no files.
 COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere test-campaigns boards benchmark bench clippers \
-    clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs trace prove coverage rules mutants breaks size \
+    clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs trace prove coverage rules mutants breaks size size-of-tree \
     predict costs one-file packages docs release api-check format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
 # The variables of the commands: those in the brackets at the end of a command's line of help. Other settings.
@@ -512,6 +512,10 @@ breaks: ## break what the project claims, by a list of breaks that nobody wrote 
 	@tools/setup.sh units report coverage rules predict
 	@$(MAKE) $(UNIT_PROGRAMS) $(UNIT_ARCHIVES) $(BREAKS_COVERED)
 	@$(TOOL) breaks --build $(BUILD) --units $(UNIT_OUT) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK'
+
+size-of-tree: ## count files, lines of code, public functions, places of recipes and build steps; no count may be above its record [REASON=]
+	@tools/setup.sh tools
+	@$(TOOL) size-of-tree
 
 format: ## format the C sources with clang-format
 	@tools/setup.sh format

@@ -147,7 +147,7 @@ def test_a_unit_test_is_built_with_what_it_needs(tmp_path):
     """On the host and on the default board, or on the board that is named."""
     built = compiled(tmp_path, "test_pixels")
     sources = {source for source, _ in built}
-    assert {"host_tests/unit/test_pixels.c", "lib/screen/rgb332.c"} <= sources and len(built) <= 250
+    assert {"host_tests/unit/test_pixels.c", "lib/screen/grey4.c"} <= sources and len(built) <= 250
     assert not sources & {"lib/order/outlines.c", "lib/game/slide.c", "host_tests/unit/test_scan.c", "lib/screen/pages.c"}
     assert sum("/core/" in target for _, target in built) > 10 and not any("/boards/microbit/" in target for _, target in built)
     other = compiled(tmp_path, "test_pixels", "BOARD=microbit")

@@ -60,6 +60,7 @@ ROOMS = {
         "mutants": ("fixel.check.mutants", "put random small mistakes into the library and the tools"),
         "prove": ("fixel.prove.prove", "prove properties of the library for every input"),
         "rules": ("fixel.check.rules", "check the library by the rules of MISRA C:2012"),
+        "size-of-tree": ("fixel.check.size_of_tree", "count files, lines, places and build steps against a record"),
         "seeded-bugs": ("fixel.check.seeded_bugs", "break the library on purpose"),
         "trace": ("fixel.check.trace", "join clauses of the specification with code and tests"),
     },
