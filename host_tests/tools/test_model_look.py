@@ -222,7 +222,7 @@ def test_edges_that_bend_more_than_the_crease_show():
 
 def test_a_crease_of_180_degrees_is_smooth_as_true_is():
     made = toml_scene.compile_data({"objects": [{"solid": "sphere"}]}, "s", "")[0].models[0]
-    shape = types.SimpleNamespace(vertices=made.vertices, faces=made.faces)
+    shape = types.SimpleNamespace(vertices=made.vertices, faces=made.faces, smoothing=None)
     assert corner_normals.smooth_normals(shape, 180) == corner_normals.smooth_normals(shape)
     assert corner_normals.smooth_normals(shape, 1) == [[face.normal] * len(face.corners) for face in made.faces]
     assert all(any(cross(a, b)) for face in corner_normals.smooth_normals(shape, 60) for a, b in zip(face, face[1:]))

@@ -38,6 +38,7 @@ class Mesh:
     groups: dict = field(default_factory=dict)  # {name: [(first face, behind the last)]}
     normals: list = field(default_factory=list)     # for each face those of its corners, or None; [] where the file has none
     scenery: object = None      # a nodes.Scenery of a file that has nodes
+    smoothing: list = field(default_factory=list)   # for each face its smoothing group, creases.OFF or None; [] where the file has none
 
     @cached_property
     def extent(self):
@@ -62,7 +63,8 @@ class Mesh:
         return Mesh(vertices, faces, [self.places[number] for number in numbers],
                     self.surfaces and self.surfaces.part(numbers, self.scenery is not None),
                     [self.uvs[number] for number in numbers] if self.uvs else [],
-                    normals=[self.normals[number] for number in numbers] if self.normals else [], scenery=self.scenery)
+                    normals=[self.normals[number] for number in numbers] if self.normals else [], scenery=self.scenery,
+                    smoothing=[self.smoothing[number] for number in numbers] if self.smoothing else [])
 
 
 def without_unused(vertices, faces):
@@ -87,6 +89,7 @@ class Shape:
     half_height: int = 0
     open_edges: int = 0
     normals: list = None    # for each face those of its corners in 2.30, or None; None: they are not known
+    smoothing: list = None  # for each face its smoothing group, as those of Mesh; None: there are none
 
 
 def minus(a, b):

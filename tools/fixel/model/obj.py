@@ -13,7 +13,7 @@ and its corners are taken in reverse."""
 from decimal import Decimal, InvalidOperation
 import re
 
-from fixel.model import model_text, number_text, obj_colours, obj_materials
+from fixel.model import creases, model_text, number_text, obj_colours, obj_materials
 from fixel.base.errors import ToolError
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh, without_unused
 from fixel.base.reading import quoted
@@ -23,7 +23,7 @@ FILE_MAX = 64 << 20         # bytes
 CORNERS_MAX = 4096          # of a face, which is cut into triangles
 COORDINATE_LIMIT = Decimal(10) ** 9
 _SIZES = {"v": 3, "vt": 1, "vn": 3}
-_DISPLAY = {"s", "usemap", "maplib", "mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"}
+_DISPLAY = {"usemap", "maplib", "mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"}
 _FREE = "statements of curves and surfaces of free form"
 _SHAPES = {"p": "points", "l": "lines", **dict.fromkeys(("vp", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv",
                                                          "sp", "end", "con", "bzp", "bsp", "cdc", "cdp", "res", "ctech", "stech"), _FREE)}
@@ -124,6 +124,12 @@ def _refuse_many_faces(name, count):
                         "model fewer in another program first")
 
 
+def _smoothing(words):
+    """The smoothing group that an s names: a number or "on", creases.OFF, or None for what is neither."""
+    word = words[0].lower() if words else ""
+    return creases.OFF if word in ("off", "null") or word.isdigit() and not word.strip("0") else word.lstrip("0") if word.isdigit() or word == "on" else None
+
+
 class _Groups:
     """The faces under each name of o and g, as runs."""
 
@@ -157,6 +163,7 @@ class _Parser:
         self.directions, self.normals = [], []      # of vn; of faces
         self.counts = {"v": 0, "vt": 0, "vn": 0}
         self.ignored, self.unknown, self.left_out = (model_text.LeftOut() for _ in range(3))
+        self.smoothing, self.group = [], None       # of each face; of the next one
         self.materials, self.groups, self.colours = obj_materials.Materials(path, name, sources), _Groups(), obj_colours.Colours(name)
 
     def _add_face(self, rest, where):
@@ -168,6 +175,7 @@ class _Parser:
         self.normals.append(None if found and None in found else found)
         self.faces.append(vertices)
         self.lines.append(where)
+        self.smoothing.append(self.group)
         _refuse_many_faces(self.name, len(self.faces))
         self.materials.add(numbers and [self.coordinates[number] for number in numbers], bare)
 
@@ -194,6 +202,8 @@ class _Parser:
             self.materials.library(model_text.words_of(line)[1:], where)
         elif word == "usemtl":
             self.materials.use(line.split()[1:], where)
+        elif word == "s":
+            self.group = _smoothing(rest)
         elif word in ("o", "g"):
             self.groups.begin(word, model_text.words_of(line)[1:], len(self.faces))
         elif word:
@@ -225,7 +235,8 @@ class _Parser:
             notes.append(f"{name}: left out vertices that no face has: {unused:,}")
         groups = self.groups.result(len(faces))
         return Mesh(vertices, faces, self.lines, surfaces if self.materials.are_known or tints else None, surfaces.uvs, groups,
-                    self.normals if any(self.normals) else []), notes + more
+                    self.normals if any(self.normals) else [], smoothing=self.smoothing if any(each is not None for each in self.smoothing) else []), \
+            notes + more
 
 
 def read(path, name=None, progress=None, sources=None):

@@ -280,7 +280,7 @@ def _mesh(mesh, corners, names, materials, uvs, tints):
     faces = [[order.setdefault(vertex, len(order)) for vertex in three] for three in corners]
     surfaces = Surfaces(mesh.surfaces.materials, materials, uvs, tints) if mesh.surfaces else None
     return replace(mesh, vertices=[mesh.vertices[vertex] for vertex in order], faces=faces, places=[place] * len(faces), surfaces=surfaces, uvs=uvs,
-                   groups=_runs(names) if mesh.groups else {}, normals=[])
+                   groups=_runs(names) if mesh.groups else {}, normals=[], smoothing=[])
 
 
 def _of_wedges(mesh, made, left):

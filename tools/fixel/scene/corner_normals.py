@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from fixel.image.image import Face
+from fixel.model import creases
 from fixel.model.mesh import FACES_MAX, newell, unit_normal
 from fixel.scene import surfaces
 
@@ -20,18 +21,16 @@ def _backs(faces):
         seen.add(corners)
 
 
-PAIRS_MAX = 8       # faces of an edge that are all compared; of more each with the first
-
-
 class _Creases:
-    """The normals at the vertices of a shape. At a vertex, faces that meet at an edge that bends by at most so many degrees have one
-    normal, and so have those that meet one of them so: no such edge shows."""
+    """The normals at the vertices of a shape. At a vertex, faces that meet at an edge that does not show have one normal, and so have
+    those that meet one of them so."""
 
     def __init__(self, made, backs, degrees):
         self.faces, self.backs, self.at, self.found = made.faces, backs, {}, {}
         self.areas = [newell([made.vertices[c] for c in face.corners]) for face in made.faces]
-        self.units = [tuple(c / (1 << 30) for c in face.normal) for face in made.faces]
-        self.least = math.cos(math.radians(degrees)) - 1e-6
+        units = [tuple(c / (1 << 30) for c in face.normal) for face in made.faces]
+        points = [[c / 65536 for c in vertex] for vertex in made.vertices]
+        self.smooth = creases.smooth_pairs(points, [face.corners for face in made.faces], units, backs, degrees, made.smoothing)
         for number, (face, back) in enumerate(zip(made.faces, backs)):
             for i, c in enumerate(face.corners):
                 self.at.setdefault((c, back), []).append((number, face.corners[i - 1], face.corners[(i + 1) % len(face.corners)]))
@@ -43,7 +42,7 @@ class _Creases:
             edges.setdefault(before, []).append(number)
             edges.setdefault(behind, []).append(number)
         for faces in edges.values():
-            for i, one in enumerate(faces[:-1] if len(faces) <= PAIRS_MAX else faces[:1]):
+            for i, one in enumerate(faces[:-1] if len(faces) <= creases.PAIRS_MAX else faces[:1]):
                 for other in faces[i + 1:]:
                     yield one, other
 
@@ -51,8 +50,7 @@ class _Creases:
         """{face: its normal at a vertex}."""
         joined = {number: [number] for number, _, _ in self.at[place]}
         for one, other in self._pairs(place):
-            (p, q, r), (u, v, w) = self.units[one], self.units[other]
-            if joined[one] is not joined[other] and p * u + q * v + r * w >= self.least:
+            if joined[one] is not joined[other] and (one, other) in self.smooth:
                 more = joined[other]
                 joined[one] += more
                 for each in more:
@@ -74,12 +72,16 @@ class _Creases:
         return self.found[place][number]
 
 
-def smooth_normals(made, degrees=None):
+ALL, BY_SHAPE = "all", "by shape"
+
+
+def smooth_normals(made, degrees=ALL):
     """For each face of a shape the normals of its corners, in 2.30: at each vertex the mean of those of its faces, by
-    area. Fronts and backs have means of their own. degrees: an edge that bends more shows."""
-    if degrees is not None:
-        creases = _Creases(made, list(_backs(made.faces)), degrees)
-        return [[creases.of(number, c) for c in face.corners] for number, face in enumerate(made.faces)]
+    area. Fronts and backs have means of their own. degrees: an edge that bends more shows; ALL: none does, BY_SHAPE: as
+    creases.smooth_pairs decides."""
+    if degrees != ALL:
+        found = _Creases(made, list(_backs(made.faces)), None if degrees == BY_SHAPE else degrees)
+        return [[found.of(number, c) for c in face.corners] for number, face in enumerate(made.faces)]
     totals, backs = {}, list(_backs(made.faces))
     for face, back in zip(made.faces, backs):
         area = newell([made.vertices[c] for c in face.corners])

@@ -10,7 +10,7 @@ import re
 import numpy as np
 
 from fixel.image import image
-from fixel.model import model_file
+from fixel.model import creases, model_file
 from fixel.scene import model_parts, model_scenery, texture_size, toml_images, toml_model, toml_scene, toml_text
 from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT, dot, newell, open_edges
@@ -71,25 +71,19 @@ _BAKED = {"colour": "#fff2dc", "sky": "#c4d4ff"}
 
 
 def _is_smooth(mesh, degrees):
-    """Whether two faces of a mesh meet at an edge that bends by at most so many degrees, and is not flat."""
-    points = np.array(mesh.vertices, dtype=float).tolist()     # of lists: an array for each face takes five times as long
-    places = {}
+    """Whether two faces of a mesh meet at an edge that does not show, and is not flat. degrees: as those of creases.smooth_pairs."""
+    points = (np.array(mesh.vertices, dtype=float) / UNIT).tolist()     # of lists: an array for each face takes five times as long
+    places, outlines, units, groups = {}, [], [], []
     numbers = [places.setdefault(vertex, len(places)) for vertex in mesh.vertices]
-    across, crease = {}, math.cos(math.radians(degrees)) - 1e-6
-    for face in mesh.faces:
+    for number, face in enumerate(mesh.faces):
         normal = newell([points[corner] for corner in face])
         length = math.sqrt(dot(normal, normal))
-        if length == 0:
-            continue
-        normal = [c / length for c in normal]
-        for a, b in zip(face, [*face[1:], face[0]]):
-            edge = (numbers[a], numbers[b])
-            other = across.pop(edge[::-1], None)
-            if other is None:
-                across[edge] = normal
-            elif crease <= sum(p * q for p, q in zip(normal, other)) < _FLAT:
-                return True
-    return False
+        if length > 0:
+            outlines.append([numbers[corner] for corner in face])
+            units.append([c / length for c in normal])
+            groups.append(mesh.smoothing[number] if mesh.smoothing and degrees is None else None)
+    where = (np.array(list(places), dtype=float) / UNIT).tolist()
+    return any(dot(units[one], units[other]) < _FLAT for one, other in creases.smooth_pairs(where, outlines, units, [False] * len(units), degrees, groups))
 
 
 def _has_own_normals(mesh):
@@ -108,14 +102,16 @@ def _has_own_normals(mesh):
 
 
 def _smoothness(mesh, look):
-    """The value of smooth of a model's object: "file", degrees, or 0. A file whose normals are all those of its faces is flat."""
+    """The value of smooth of a model's object: "file", degrees, or 0. A file whose normals are all those of its faces is flat; of one
+    without normals and smoothing groups the shape decides."""
     if not look.smooth:
         return 0
     if look.normals and mesh.normals:
         bent, are_all = _has_own_normals(mesh)
         if bent or are_all:
             return "file" if bent else 0
-    return look.smooth if _is_smooth(mesh, look.smooth) else 0
+    degrees = None if look.normals else look.smooth
+    return ("file" if look.normals else look.smooth) if _is_smooth(mesh, degrees) else 0
 
 
 @dataclass(frozen=True)

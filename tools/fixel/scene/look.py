@@ -9,10 +9,10 @@ from dataclasses import dataclass, fields, replace
 
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
+from fixel.model.creases import LIMIT
 
 SIDES = tuple(1 << bits for bits in range(9))   # of a texture
 FACES_MAX = 1 << 20             # of a file
-CREASE = 40                     # degrees: edges that bend less do not show
 NO_ANIMATION = "none"       # as the name of an animation
 TEXELS = (256, 128, 64, 32, 16)     # of a texture's side: the most first
 
@@ -24,12 +24,12 @@ class Look:
     does not show, 0 for flat faces. keep: patterns of the names of nodes or groups that become objects of their own, with commas between.
     animation: a pattern of the name of the one that is played; "": the first, NO_ANIMATION: none. camera: a pattern of the name of the one that
     makes the path; "": a circle. whole: whether the model is one object, and nothing of it moves. simplify: how many faces it
-    has at most, None for its own. baked: whether the tool computes the light. normals: whether those of the file make smooth
-    light where it has some. colours: whether those of its faces and vertices show."""
+    has at most, None for its own. baked: whether the tool computes the light. normals: whether those of the file and
+    its smoothing groups make smooth light where it has some, and its shape where it has none. colours: whether those of its faces and vertices show."""
     pixels: str = "rgb565"
     depth: int = 16
     texels: int = TEXELS[0]
-    smooth: int = CREASE
+    smooth: int = LIMIT
     is_fixed: bool = False
     keep: str = ""
     animation: str = ""
@@ -103,7 +103,7 @@ def _add(group):
                        f"{SIDES[-1]} (default: what the path shows)")
     group.add_argument("--sorted", action="store_true", help="draw by distance, without a depth buffer")
     group.add_argument("--smooth", type=_degrees, metavar="DEGREES", help="edges that bend less do not show, whatever "
-                       f"normals the file has (default: its normals; without them {CREASE})")
+                       "normals and smoothing groups the file has (default: these; without them its shape decides)")
     group.add_argument("--keep", metavar="NAMES", default="", help="nodes of a glTF file, or o and g of an OBJ file, that stay objects of their own, such as "
                        "'wheel*,door'")
     group.add_argument("--animation", metavar="NAME", default="", help="the animation of a glTF file that is played (default: the first), or "
@@ -178,7 +178,7 @@ def targets(asked, target, has_tree):
 
 def of(asked, pixels, depth, texels=TEXELS[0], smooth=True):
     """The Look of a target, with so many texels and with smooth light or without, if nothing else is asked for."""
-    crease = CREASE if asked.smooth is None else asked.smooth
+    crease = LIMIT if asked.smooth is None else asked.smooth
     return Look(pixels, depth, 0 if asked.no_textures else texels, crease if smooth and not asked.flat and not asked.bake_light else 0,
                 asked.texture is not None and texels == asked.texture, asked.keep, asked.animation,
                 asked.camera, simplify=asked.simplify, normals=asked.smooth is None, baked=asked.bake_light,

@@ -9,7 +9,6 @@ from fixel.model import quantity
 from fixel.scene import corner_normals, surfaces, texture, texture_size, toml_images
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted, shortened
-from fixel.scene.look import CREASE
 from fixel.scene.surfaces import Look, Paint
 from fixel.scene.toml_table import Table
 
@@ -189,14 +188,14 @@ class Wish:
 
     @staticmethod
     def _smoothness(table):
-        """(whether the object is smooth, the degrees from which an edge shows, or None)."""
+        """(whether the object is smooth, the degrees of corner_normals.smooth_normals)."""
         value = table.data.get("smooth", False)
         if value == "file":
             if "solid" in table:
                 raise ToolError(f'{table.at("smooth")}: "file" means nothing for a solid')
-            return True, Fraction(CREASE)
+            return True, corner_normals.BY_SHAPE
         if isinstance(value, bool):
-            return value, None
+            return value, corner_normals.ALL
         degrees = quantity.in_range(quantity.degrees(value, table.at("smooth")), 1, 180, table.at("smooth"), "degrees")
         return True, degrees
 
@@ -372,7 +371,7 @@ class Wish:
         show, its light is that of its own normal."""
         if self.mixes or opacity != image_surface.OPAQUE:
             return False
-        return not self.lit or (self.crease is not None and all(normal == face.normal for normal in normals))
+        return not self.lit or (self.crease != corner_normals.ALL and all(normal == face.normal for normal in normals))
 
     def _own_of(self, paint):
         """The colours of a paint; the same object for the same paint."""
@@ -406,7 +405,9 @@ def shape_of(wish, mesh, rows, made, scale, inside):
     made, coordinates = surfaces.spread(mesh, rows, made, wish.coordinates(mesh, scale, inside))
     if wish.by_normals and mesh.normals:
         made.normals = corner_normals.file_normals(mesh, rows, made)
-    if wish.smooth and (wish.crease is not None or made.normals):
+    if wish.by_normals and mesh.smoothing:
+        made.smoothing = [mesh.smoothing[source] for source in made.sources]
+    if wish.smooth and wish.crease != corner_normals.ALL:
         made, coordinates = corner_normals.cut(made, coordinates, wish.normals(made))
     return made, coordinates
 
