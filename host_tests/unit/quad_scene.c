@@ -115,6 +115,9 @@ void quad_begin(quad_scene *quad)
             quad, exact_point(&quad->vertices[quad->mapped.vertices[i]], 1.0 / 65536), scale);
         quad->lit[i] = turned(quad, exact_direction(&quad->normals[quad->mapped.normals[i]]), 1);
     }
+    for (uint32_t i = 0; i < 4; i++) {
+        quad->outline[i] = turned(quad, exact_point(&quad->vertices[i], 1.0 / 65536), scale);
+    }
     if (quad->scene.placements != NULL) {
         /* Seen from the front, from wherever that is now. */
         const exact_vector eye =
@@ -209,6 +212,9 @@ double quad_texels(const quad_scene *quad)
     }
     const double volume =
         fabs(exact_dot(cross(exact_minus(p[1], p[0]), exact_minus(p[2], p[0])), p[0]));
-    const double z = fmin(p[0].z, fmin(p[1].z, p[2].z));
+    double z = INFINITY;
+    for (int i = 0; i < 4; i++) {
+        z = fmin(z, in_view(quad, quad->outline[i]).z);
+    }
     return z <= 0 ? 0 : area * z * z * z / (focal_of(quad) * focal_of(quad) * volume);
 }

@@ -33,6 +33,7 @@ typedef struct {
     fxl_pose pose;
     uint8_t frame[QUAD_WIDTH * QUAD_HEIGHT];
     exact_vector corners[3]; /* those of the map in the world: after quad_begin */
+    exact_vector outline[4]; /* the vertices there */
     exact_vector lit[3];     /* their normals there */
 } quad_scene;
 
@@ -57,7 +58,7 @@ double quad_value(const quad_scene *quad, int x, int y, const double a[3], doubl
  */
 bool quad_affine_value(const quad_scene *quad, int x, int y, const double a[3], double *value);
 
-/* Texels a pixel by area at the nearest corner; 0 if it is not in front of the eye. */
+/* Texels a pixel by area at the nearest vertex; 0 if it is not in front of the eye. */
 double quad_texels(const quad_scene *quad);
 
 #endif

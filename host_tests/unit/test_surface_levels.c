@@ -73,7 +73,7 @@ static void check_levels(const quad_scene *quad, bool of_4_bits, int level)
 
 /* The level is that of the definition, and so is each texel of it. */
 /* SPEC 9.4, surfaces 3.1, 3.2 */
-void test_a_face_takes_the_level_of_its_nearest_corner(void)
+void test_a_face_takes_the_level_of_its_nearest_vertex(void)
 {
     for (uint32_t i = 0; i < ROUNDS; i++) {
         const bool of_4_bits = unit_between(0, 1) == 1;

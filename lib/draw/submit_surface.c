@@ -66,15 +66,46 @@ static bool are_on_screen(const fxl_screen_corners *corners, const fxl_lens *len
     return true;
 }
 
+/* The least depth of a face: of its corners, whose depths are z, and of the other vertices of the
+ * whole face. So it does not depend on which three of them are corners. has_others: false where the
+ * corners are known to be all vertices of the face. */
+/* SPEC 9.4, surfaces 3.2 */
+static fxl_q18_46 nearest_depth(const fxl_model_view *model_view, const fxl_face *face,
+                                const uint16_t *corners, const fxl_traversal *traversal,
+                                const fxl_q18_46 z[3], bool has_others)
+{
+    const fxl_q18_46 nearer = z[0] < z[1] ? z[0] : z[1];
+    fxl_q18_46 nearest = nearer < z[2] ? nearer : z[2];
+    const uint16_t *indices = model_view->indices + face->first_index;
+    uint32_t count = has_others ? face->count : 0;
+    if (has_others && face->whole_count != 0) {
+        indices += count;
+        count = face->whole_count;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        if (indices[i] != corners[0] && indices[i] != corners[1] && indices[i] != corners[2]) {
+            fxl_view_point vertex;
+            fxl_find_corner(model_view, indices[i], traversal, &vertex);
+            nearest = vertex.z < nearest ? vertex.z : nearest;
+        }
+    }
+    return nearest;
+}
+
 /* The gradients of a small face. Returns the level of its texture. */
-static uint8_t find_small(const fxl_texture *texture, fxl_corner_planes *planes,
+static uint8_t find_small(const fxl_texture *texture, const fxl_model_view *model_view,
+                          const fxl_face *face, const fxl_mapped_face *mapped,
+                          const fxl_traversal *traversal, fxl_corner_planes *planes,
                           fxl_gradient_corners *corners, bool is_affine, fxl_gradients *gradients)
 {
     const bool has_levels = texture != NULL && texture->levels > 1;
     fxl_texel_density density;
     if (has_levels) {
         density.texels = fxl_texel_area(corners->values);
-        fxl_corner_planes_density(planes, is_affine, &density);
+        fxl_corner_planes_density(planes, is_affine,
+                                  nearest_depth(model_view, face, mapped->vertices, traversal,
+                                                planes->corners->depths, !planes->is_triangle),
+                                  &density);
     }
     fxl_corner_planes_find(planes, corners->values, corners->count, is_affine, gradients);
     return has_levels ? fxl_texture_level_choose(texture, &density, gradients) : 0;
@@ -82,25 +113,32 @@ static uint8_t find_small(const fxl_texture *texture, fxl_corner_planes *planes,
 
 /* The gradients of any other face. */
 static uint8_t find_large(const fxl_surface *surface, const fxl_texture *texture,
-                          const fxl_model_view *model_view, const fxl_mapped_face *mapped,
-                          const fxl_traversal *traversal, fxl_gradient_corners *corners,
-                          fxl_gradients *gradients)
+                          const fxl_model_view *model_view, const fxl_face *face,
+                          const fxl_mapped_face *mapped, const fxl_traversal *traversal,
+                          fxl_gradient_corners *corners, fxl_gradients *gradients)
 {
     const fxl_view *view = model_view->view;
+    const bool has_levels = texture != NULL && texture->levels > 1;
+    const fxl_view_point *p = corners->corners;
     fxl_texel_density density;
+    fxl_q18_46 nearest = 0;
     for (uint32_t i = 0; i < 3; i++) {
         fxl_find_corner(model_view, mapped->vertices[i], traversal, &corners->corners[i]);
     }
-    if (surface->division == FXL_AFFINE) {
-        fxl_corners_make_affine(corners, view);
+    if (has_levels) {
+        const fxl_q18_46 z[3] = {p[0].z, p[1].z, p[2].z};
+        nearest = nearest_depth(model_view, face, mapped->vertices, traversal, z, true);
+    }
+    if (surface->division == FXL_AFFINE && fxl_corners_make_affine(corners, view)) {
+        nearest = p[0].z; /* of all of the face: it is in the plane of the screen */
     }
     fxl_gradients_find(corners, view, gradients);
-    if (texture == NULL || texture->levels == 1) {
+    if (!has_levels) {
         return 0;
     }
     density.texels = fxl_texel_area(corners->values);
     return fxl_texture_level_choose(
-        texture, fxl_texel_density_find(corners, view, gradients, &density) ? &density : NULL,
+        texture, fxl_texel_density_find(nearest, view, gradients, &density) ? &density : NULL,
         gradients);
 }
 
@@ -165,9 +203,10 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
                                   (texture == NULL || has_few_texels(corners.values));
     polygon->level = is_found ? 0
                      : has_small_planes
-                         ? find_small(texture, &planes, &corners, is_affine, &polygon->gradients)
-                         : find_large(surface, texture, model_view, mapped, traversal, &corners,
-                                      &polygon->gradients);
+                         ? find_small(texture, model_view, face, mapped, traversal, &planes,
+                                      &corners, is_affine, &polygon->gradients)
+                         : find_large(surface, texture, model_view, face, mapped, traversal,
+                                      &corners, &polygon->gradients);
     if (find_depth != NULL) {
         find_depth(model_view, face, traversal, is_small ? &planes : NULL, &polygon->depth);
     }

@@ -120,16 +120,17 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
 }
 
 /* With all corners in the place of the least depth z, the triangle would cover area z0 z1 z2 / z^3.
- */
-void fxl_corner_planes_density(const fxl_corner_planes *planes, bool is_affine,
+ * planes->depths are the corners' depths, shifted so that the largest one has 32 bits. */
+void fxl_corner_planes_density(const fxl_corner_planes *planes, bool is_affine, fxl_q18_46 nearest,
                                fxl_texel_density *density)
 {
     const uint32_t *z = planes->depths;
     density->pixels = fxl_real_of(planes->area, 0);
     density->depth = fxl_real_of(1, 0);
     if (!is_affine) {
-        const uint32_t near = z[0] < z[1] ? z[0] : z[1];
-        density->depth = fxl_real_of(near < z[2] ? near : z[2], 0);
+        const fxl_q18_46 *exact = planes->corners->depths;
+        const uint32_t any = (uint32_t)((uint64_t)(exact[0] | exact[1] | exact[2]) >> 32);
+        density->depth = fxl_real_of((uint64_t)nearest, (int)fxl_leading_zeros(any) - 32);
         for (uint32_t i = 0; i < 3; i++) {
             const fxl_real pixels = density->pixels;
             density->pixels =

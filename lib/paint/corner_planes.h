@@ -131,8 +131,8 @@ void fxl_corner_planes_find(fxl_corner_planes *planes, int32_t (*values)[3], uin
                             bool is_affine, fxl_gradients *gradients);
 
 /* What a texture's level depends on, but for texels. is_affine as above: then the face is as if all
- * of it were at one depth. */
-void fxl_corner_planes_density(const fxl_corner_planes *planes, bool is_affine,
+ * of it were at one depth. Else nearest is the least depth of the face, above 0. */
+void fxl_corner_planes_density(const fxl_corner_planes *planes, bool is_affine, fxl_q18_46 nearest,
                                fxl_texel_density *density);
 
 /* What a constant weight may change an attribute by, in 1/65536: 1/64 of a texel, and 1/8 of a

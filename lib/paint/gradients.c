@@ -339,7 +339,7 @@ static bool on_one_line(const fxl_screen_point points[3])
 }
 
 /* SPEC 9.3 */
-void fxl_corners_make_affine(fxl_gradient_corners *face, const fxl_view *view)
+bool fxl_corners_make_affine(fxl_gradient_corners *face, const fxl_view *view)
 {
     const fxl_projection *projection = &view->projection;
     fxl_screen_point points[3];
@@ -347,15 +347,16 @@ void fxl_corners_make_affine(fxl_gradient_corners *face, const fxl_view *view)
         if (fxl_project_visible(projection, &face->corners[i], &points[i]) != FXL_OK ||
             points[i].x < 0 || points[i].x > (int32_t)view->lens.width * 65536 || points[i].y < 0 ||
             points[i].y > (int32_t)view->lens.height * 65536) {
-            return;
+            return false;
         }
     }
     if (on_one_line(points)) {
-        return;
+        return false;
     }
     for (uint32_t i = 0; i < 3; i++) {
         face->corners[i].x = points[i].x - projection->centre_x;
         face->corners[i].y = projection->centre_y - points[i].y;
         face->corners[i].z = fxl_view_drawn_focal(view);
     }
+    return true;
 }

@@ -103,8 +103,9 @@ static inline uint32_t fxl_segment_log(const uint32_t least[3], uint32_t weight_
 /* Where all three corners are on the screen, puts them into the plane of the screen, so that their
  * weight is constant and their attributes are linear on the screen. Corners that are on one line
  * there stay as they are. A corner is on the screen if it can be projected, with
- * 0 <= x <= width and 0 <= y <= height. Exact, given the projected corners. */
-void fxl_corners_make_affine(fxl_gradient_corners *face, const fxl_view *view);
+ * 0 <= x <= width and 0 <= y <= height. Exact, given the projected corners. Returns whether it has
+ * put them there. */
+bool fxl_corners_make_affine(fxl_gradient_corners *face, const fxl_view *view);
 
 #ifdef __cplusplus
 }

@@ -36,19 +36,10 @@ uint64_t fxl_texel_area(int32_t (*values)[3])
     return fxl_magnitude(u1 * v2 - u2 * v1);
 }
 
-/* surfaces 3.2 */
-static int64_t least_depth(const fxl_gradient_corners *face)
-{
-    const fxl_view_point *corners = face->corners;
-    const int64_t z = corners[0].z < corners[1].z ? corners[0].z : corners[1].z;
-    return z < corners[2].z ? z : corners[2].z;
-}
-
 /* SPEC 9.4 */
-bool fxl_texel_density_find(const fxl_gradient_corners *face, const fxl_view *view,
-                            const fxl_gradients *gradients, fxl_texel_density *density)
+bool fxl_texel_density_find(int64_t depth, const fxl_view *view, const fxl_gradients *gradients,
+                            fxl_texel_density *density)
 {
-    const int64_t depth = least_depth(face);
     if (depth <= 0 || gradients->volume.number == 0) {
         return false;
     }

@@ -28,9 +28,9 @@ static inline uint32_t fxl_level_least(const fxl_texture *texture)
     return texture->format == FXL_TEXTURE_4 ? 1 : 0;
 }
 
-/* How large a texel of a face is on the screen: at the corner whose depth is least, texels times
- * the cube of depth, divided by pixels, are the texels a pixel. texels: twice the area of three
- * corners in the texture. */
+/* How large a texel of a face is on the screen: at the least depth of the face, texels times the
+ * cube of depth, divided by pixels, are the texels a pixel. texels: twice the area of three corners
+ * in the texture. */
 typedef struct {
     uint64_t texels;
     fxl_real depth, pixels;
@@ -39,10 +39,11 @@ typedef struct {
 /* Twice the area of three corners in a texture, in units of 2^-32 texel. */
 uint64_t fxl_texel_area(int32_t (*values)[3]);
 
-/* From three corners of which the gradients were found. False where the least depth is not in front
- * of the eye, or the corners are in a plane with it. Error: 2^-26 of the texels a pixel. */
-bool fxl_texel_density_find(const fxl_gradient_corners *face, const fxl_view *view,
-                            const fxl_gradients *gradients, fxl_texel_density *density);
+/* From the gradients of a face, which say how three corners lie. depth: the least depth of the face,
+ * in the unit of those corners. False where it is not in front of the eye, or the corners are in a
+ * plane with the eye. Error: 2^-26 of the texels a pixel. */
+bool fxl_texel_density_find(int64_t depth, const fxl_view *view, const fxl_gradients *gradients,
+                            fxl_texel_density *density);
 
 /* Chooses the level of a face's texture and makes u and v texels of that level. It is the level l
  * of which 4^l is at most twice the texels a pixel, by area; level 0 where a density is null. */

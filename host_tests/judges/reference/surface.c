@@ -74,11 +74,11 @@ static double area_of(const ref_screen_point points[3])
            (points[2].x - points[0].x) * (points[1].y - points[0].y);
 }
 
-/* Texels a pixel, by area, where the face is as near as at its nearest corner. With n, the cross
+/* Texels a pixel, by area, at the face's least depth. With n, the cross
  * product of two sides: |n| units of area have so many texels, and one of them, seen at depth z
  * along a ray of the length r and of depth 1, is focal^2 (n . ray) / |n| / z^2 / 1 pixels. */
 static double texels_a_pixel(const ref_surface_view *view, const ref_lens *lens,
-                             const ref_view_point corners[3])
+                             const ref_view_point corners[3], double near)
 {
     const double texels = fabs(view->steps[0][REF_U] * view->steps[1][REF_V] -
                                view->steps[1][REF_U] * view->steps[0][REF_V]);
@@ -86,8 +86,6 @@ static double texels_a_pixel(const ref_surface_view *view, const ref_lens *lens,
         return texels / fabs(area_of(view->points));
     }
     const ref_view_point normal = cross(&view->sides[0], &view->sides[1]);
-    const double near =
-        fmin((double)corners[0].z, fmin((double)corners[1].z, (double)corners[2].z));
     const double volume = (double)fabsl(product(&normal, &corners[0]));
     return near > 0 && volume > 0
                ? texels * near * near * near / (lens->focal * lens->focal * volume)
@@ -131,11 +129,26 @@ static int level_of(const ref_texture *texture, double twice)
     return level;
 }
 
+/* The least depth of the corners and of the vertices of the whole face. */
+static double least_depth(const ref_scene *scene, const ref_camera *camera,
+                          const ref_instance *instance, const ref_face *face,
+                          const ref_view_point corners[3])
+{
+    const bool is_part = face->whole_count != 0;
+    const uint16_t *indices = scene->indices + face->first_index + (is_part ? face->count : 0);
+    const uint32_t count = is_part ? face->whole_count : face->count;
+    long double least = fminl(corners[0].z, fminl(corners[1].z, corners[2].z));
+    for (uint32_t i = 0; i < count; i++) {
+        least = fminl(least, vertex_in_view(scene, camera, instance, indices[i]).z);
+    }
+    return (double)least;
+}
+
 static void choose_level(ref_surface_view *view, const ref_lens *lens,
-                         const ref_view_point corners[3])
+                         const ref_view_point corners[3], double near)
 {
     const ref_texture *texture = view->texture;
-    const double twice = 2 * texels_a_pixel(view, lens, corners);
+    const double twice = 2 * texels_a_pixel(view, lens, corners, near);
     const double off = part_off(view, corners) * twice;
     const int level = level_of(texture, twice), least = level_of(texture, twice - off),
               most = level_of(texture, twice + off);
@@ -224,7 +237,8 @@ void ref_surface_look(const ref_scene *scene, const ref_camera *camera, const re
     find_values(scene, camera, instance, mapped, view);
     if (view->surface->texture) {
         view->texture = &surfaces->textures[view->surface->texture - 1];
-        choose_level(view, lens, corners);
+        choose_level(view, lens, corners,
+                     least_depth(scene, camera, instance, &scene->faces[number], corners));
     }
 }
 

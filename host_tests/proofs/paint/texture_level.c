@@ -14,13 +14,12 @@ void prove_texel_area(void)
 
 void prove_texel_density_find(void)
 {
-    fxl_gradient_corners face;
     fxl_view view;
     fxl_gradients gradients;
     fxl_texel_density density;
     ASSUME(view.projection.factor >= 4 && view.projection.factor < (uint32_t)1 << 31);
     ASSUME(gradients.volume.number >= 0 && WITHIN(gradients.volume.exponent, 1 << 12));
-    const bool found = fxl_texel_density_find(&face, &view, &gradients, &density);
+    const bool found = fxl_texel_density_find(nondet_s64(), &view, &gradients, &density);
     ASSERT("numbers of 32 bits", !found || (density.depth.mantissa >> 31 == 1 && density.pixels.mantissa >> 31 == 1));
     ASSERT("their exponents", !found || (WITHIN(density.depth.exponent, 64) && WITHIN(density.pixels.exponent, 1 << 13)));
     PROOF_ENDS();
