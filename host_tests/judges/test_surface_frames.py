@@ -9,6 +9,7 @@ import subprocess
 import pytest
 from clipper_names import clipper_names
 from conftest import CHECKOUT, run_cli, sampled
+from model_files import png
 from scene_head import head
 
 from fixel.board import dump
@@ -125,6 +126,60 @@ def test_each_pixel_divided_differs_at_the_borders_of_texels_alone(build, tmp_pa
     image = floor(tmp_path, "each", "division = 1")
     verdict = judged(build, image, drawn(build, image, "each"))
     assert verdict["pixels_unexplained"] == 0 and verdict["pixels_differing"] < verdict["pixels"] / 500
+
+
+# A box on whose faces the image lies once. Red is the column's third, green the row's; what is not of the box has no blue.
+THIRDS = [[(127 * (3 * x // 64) + (3 * x // 64) // 2, 127 * (3 * y // 64) + (3 * y // 64) // 2, 255) for x in range(64)] for y in range(64)]
+BOX = """background = "black"
+[screen]
+width = 160
+height = 120
+[view]
+fov = 70
+near = 0.125
+far = 16
+%s
+[[textures]]
+name = "thirds"
+file = "thirds.png"
+%s
+[[objects]]
+solid = "box"
+scale = 2
+texture = "thirds"
+shade = false
+%s
+[path]
+keys = [{ position = [1.5, 1.25, -1.5], look_at = [0, 0, 0], frames = 6 }, { position = [-2, 0.75, -1.25], look_at = [0, 0, 0], frames = 5 },
+        { position = [-1.25, 1.5, 4], look_at = [0, 0, 0] }]
+"""
+
+
+def thirds_of(build, folder, name, view, texture, thing, *options):
+    """Of each pixel the third of the image that it shows along its width and its height; None beside the box."""
+    (folder / "thirds.png").write_bytes(png(THIRDS))
+    file = folder / f"{name}.toml"
+    file.write_text(BOX % (view, texture, thing))
+    found = []
+    made = dump.read_dump(drawn(build, built(file, folder, name), name, *options))
+    for frame in made.frames:
+        rgb = made.palette[frame.pixels].reshape(-1, 3).astype(int)
+        found += [(round(red / 127.5), round(green / 127.5)) if blue > 127 else None for red, green, blue in rgb.tolist()]
+    return found
+
+
+@pytest.mark.parametrize("view", ["", "visibility = \"depth\"", "pixels = \"rgb565\"", "pixels = \"rgb565\"\ndepth = 16"])
+@pytest.mark.parametrize("texture, thing", [("", ""), ("bits = 4", "division = 8"), ("levels = 3", ""), ("size = 16", "opacity = 12"),
+                                            ("bits = 16", "division = 16"), ("size = 8", "division = 8")])
+def test_no_pixel_shows_the_opposite_side_of_a_texture(view, texture, thing, build, tmp_path):
+    """Beside pixels that are each divided, of which a shown third is at most one off."""
+    if "bits = 16" in texture and "rgb565" not in view:
+        pytest.skip("texels of 16 bits are for frames of RGB565")
+    exact = thirds_of(build, tmp_path, "exact", view, "", "division = 1")
+    shown = thirds_of(build, tmp_path, "shown", view, texture, thing)
+    both = [(one, other) for one, other in zip(exact, shown) if one and other]
+    assert len(both) > 30000 and {one for one, _ in both} == {(i, j) for i in range(3) for j in range(3)}
+    assert not [pair for pair in both if abs(pair[0][0] - pair[1][0]) > 1 or abs(pair[0][1] - pair[1][1]) > 1]
 
 
 def test_an_off_centre_lens_moves_texels_with_the_picture(build, tmp_path):

@@ -16,6 +16,7 @@ from scene_sections import section
 from scene_text import build
 
 TEXTURE = '[[textures]]\nname = "t"\npattern = "checker"\nsize = [16, 8]\n'
+CLAMPED = TEXTURE + 'wrap = "clamp"\n'
 BOX = '[[objects]]\nsolid = "box"\nscale = [4, 2, 6]\nposition = [0, 0, 9]\ntexture = "t"\n'
 TILE = '[[objects]]\nsolid = "tile"\nposition = [0, -1, 5]\ntexture = "t"\n'
 LEVELS = "[light]\nlevels = 4\n"
@@ -70,7 +71,7 @@ def test_equal_objects_share_a_model_and_others_do_not(tmp_path):
 
 def test_a_tile_covers_a_face_as_it_is_seen(tmp_path):
     """From the front the upper left corner of the texture is at the face's upper left."""
-    model = build(tmp_path, TEXTURE + BOX).models[0]
+    model = build(tmp_path, CLAMPED + BOX).models[0]
     for face in model.faces:
         found = everywhere(model, face)
         assert sorted({round(u, 9) for u, _ in found.values()}) == [0, 16]
@@ -108,14 +109,14 @@ def test_texels_a_unit_are_the_same_on_all_faces(tmp_path):
 
 
 def test_an_offset_moves_a_texture(tmp_path):
-    plain, moved = (texels_of(faces_of(build(tmp_path, TEXTURE + TILE + text))[0])
+    plain, moved = (texels_of(faces_of(build(tmp_path, CLAMPED + TILE + text))[0])
                     for text in ("", 'texel_offset = [1.5, "1/4"]\n'))
     assert {c: (u + 1.5, v + 0.25) for c, (u, v) in plain.items()} == moved
 
 
 def test_a_texture_turns_with_its_model(tmp_path):
     for text in ("", "rotation = [30, 20, 10]\n"):
-        model = build(tmp_path, TEXTURE + BOX + text).models[0]
+        model = build(tmp_path, CLAMPED + BOX + text).models[0]
         for face in model.faces:
             found = sorted((round(u, 2), round(v, 2)) for u, v in everywhere(model, face).values())
             assert found == [(0, 0), (0, 8), (16, 0), (16, 8)]
@@ -160,7 +161,7 @@ QUAD = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n"
 def test_coordinates_of_a_file_are_used(tmp_path):
     """OBJ: u to the right, v upward, 1 across."""
     (tmp_path / "quad.obj").write_text(QUAD + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n")
-    scene = build(tmp_path, TEXTURE + '[[objects]]\nobj = "quad.obj"\ntexture = "t"\nmapping = "file"\n')
+    scene = build(tmp_path, CLAMPED + '[[objects]]\nobj = "quad.obj"\ntexture = "t"\nmapping = "file"\n')
     [model] = scene.models
     assert everywhere(model, model.faces[0]) == {
         (-ONE, -ONE, 0): (0, 8), (ONE, -ONE, 0): (16, 8), (ONE, ONE, 0): (16, 0), (-ONE, ONE, 0): (0, 0)}
@@ -168,7 +169,7 @@ def test_coordinates_of_a_file_are_used(tmp_path):
 
 def test_a_face_is_cut_where_its_coordinates_are_not_affine(tmp_path):
     (tmp_path / "quad.obj").write_text(QUAD + "vt 0 0\nvt 1 0\nvt 0.5 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n")
-    scene = build(tmp_path, TEXTURE + '[[objects]]\nobj = "quad.obj"\ntexture = "t"\nmapping = "file"\n')
+    scene = build(tmp_path, CLAMPED + '[[objects]]\nobj = "quad.obj"\ntexture = "t"\nmapping = "file"\n')
     assert [len(face.corners) for face in faces_of(scene)] == [3, 3]
     found = everywhere(scene.models[0], faces_of(scene)[0]) | everywhere(scene.models[0], faces_of(scene)[1])
     assert found[ONE, ONE, 0] == (8, 0) and found[ONE, -ONE, 0] == (16, 8)

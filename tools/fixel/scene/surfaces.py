@@ -7,7 +7,7 @@ coordinates are not is cut into triangles."""
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 import functools
-from math import lcm
+from math import ceil, floor, lcm
 
 from fixel.image import image_surface
 from fixel.scene import light_palette, palette
@@ -17,8 +17,13 @@ from fixel.image.image_surface import Mapped, Surface, Surfaces, Texture
 from fixel.model.mesh import UNIT, cross, dot, minus, newell, transform
 
 BEND_MAX = Fraction(1, 64)      # texels: what a corner may be off the affine map of three others
+EDGE_ROUNDING = Fraction(1, 128)    # texels: so far beyond an edge of a texture a coordinate is on it
+_NEARLY = 1e-3                      # texels: what floats of them are off, and more
 DIVISIONS = {16: image_surface.DIVIDE_16, 8: image_surface.DIVIDE_8, 1: image_surface.DIVIDE_1,
              "affine": image_surface.AFFINE}
+# Texels that a coordinate may be off between two divisions (SPEC.md, section 9.2).
+_BETWEEN = {image_surface.DIVIDE_16: Fraction(3, 10), image_surface.DIVIDE_8: Fraction(3, 40), image_surface.DIVIDE_1: Fraction(0),
+            image_surface.AFFINE: Fraction(3, 10)}
 
 
 @dataclass(frozen=True)
@@ -194,15 +199,64 @@ def _q16(value):
     return ((value.numerator << 17) + value.denominator) // (2 * value.denominator)
 
 
-def place(points, coordinates, paint, where):
+@functools.cache
+def edge_margin(side, levels, division):
+    """side: the longer one of the texture. Texels that the coordinates of a face keep from an edge of a texture that repeats, so that no pixel shows its opposite side:
+    what SPEC.md, section 9.2, allows between two divisions, what steps round (docs/accuracy.md, section 5.2, for three repetitions
+    in 16 columns), and 1/256 texel of the smallest level."""
+    return _BETWEEN[division] + Fraction(12 * side, 1 << 16) + Fraction(1 << levels - 1, 256)
+
+
+def _kept_ends(values, side, margin):
+    """The (least, largest) that a face's coordinates along an axis are held within. A coordinate that ends at an edge of the
+    texture, or at most EDGE_ROUNDING beyond it, keeps the margin from it; None where none does."""
+    near = list(map(float, values))     # a Fraction takes ten times as long
+    if all(float(margin) + _NEARLY < place % side < side - float(EDGE_ROUNDING) - _NEARLY for place in (min(near), -max(near))):
+        return None
+    low, high = min(values), max(values)
+    start, end = side * floor((low + EDGE_ROUNDING) / side), side * ceil((high - EDGE_ROUNDING) / side)
+    if low >= start + margin and high <= end - margin:
+        return None
+    if end <= start:            # all lie on one edge: they show the texels before it, if there are any
+        least = largest = start - margin if start > 0 else start + margin
+    else:
+        least, largest = max(low, start + margin), min(high, end - margin)
+        if least > largest:     # all lie within the margin of one edge
+            least = largest = least if low < start + margin else largest
+    return least, largest
+
+
+def within_edges(points, coordinates, three, sides, margin):
+    """The coordinates of a face on a texture that repeats, without those nearer to its edges than a margin: each is held within
+    what _kept_ends says, so that faces that share a corner agree; where that is not affine over the face, all are stretched."""
+    axes = list(zip(*coordinates))
+    ends = [_kept_ends(values, side, margin) if side > 1 else None for values, side in zip(axes, sides)]
+    if ends == [None, None]:
+        return coordinates
+    held = [values if kept is None else [min(max(value, kept[0]), kept[1]) for value in values] for values, kept in zip(axes, ends)]
+    result = list(zip(*held))
+    if len(points) == 3 or _is_affine(points, result, three):
+        return result
+    return list(zip(*(values if kept is None else _stretched(values, *kept) for values, kept in zip(axes, ends))))
+
+
+def _stretched(values, least, largest):
+    """The same from the least to the largest of these."""
+    low, high = min(values), max(values)
+    return [least + (value - low) * Fraction(largest - least) / (high - low) if high > low else least for value in values]
+
+
+def place(points, coordinates, paint, where, division=image_surface.DIVIDE_16):
     """(corners, texels in 16.16) of a face. A texture that repeats is moved by whole widths and heights to where its
-    least coordinates are small. A paint without a picture has no texels."""
+    least coordinates are small, and its edges stay on their sides (within_edges). A paint without a picture has no texels."""
     three = _best_corners(tuple(points))
     if paint.picture is None:
         return three, ((0, 0),) * 3
     moved = (0, 0)
     if not paint.clamp:
         sides = paint.picture.width, paint.picture.height
+        margin = edge_margin(max(sides), len(paint.picture.levels), division)
+        coordinates = within_edges(points, coordinates, three, sides, margin)
         moved = [min(axis) // side * side for axis, side in zip(zip(*coordinates), sides)]
     texels = tuple([(_q16(u) - (moved[0] << 16), _q16(v) - (moved[1] << 16)) for u, v in map(coordinates.__getitem__, three)])
     if any(abs(c) > image_surface.TEXEL_MAX for texel in texels for c in texel):

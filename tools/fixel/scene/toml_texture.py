@@ -83,8 +83,16 @@ def _most(row, bits):
     return texture.EVERY_COLOUR
 
 
-def _paint(data, where, pictures):
-    """(name, Paint) of an entry of textures."""
+def _on_floors(top):
+    """The names of the textures that floors of a scene file show."""
+    objects = top.data.get("objects")
+    rows = [row for row in objects if isinstance(row, dict) and row.get("solid") == "floor"] if isinstance(objects, list) else []
+    lists = [row.get("textures", [row.get("texture")]) for row in rows]
+    return {name for names in lists if isinstance(names, list) for name in names if isinstance(name, str)}
+
+
+def _paint(data, where, pictures, on_floors):
+    """(name, Paint) of an entry of textures. on_floors: the names of those that have levels if nothing is said."""
     row = Table(data, where, _ROW_KEYS)
     name, bits = row.text("name"), toml_images.texel_bits(row)
     if row.only_one("file", "pattern") == "file":
@@ -95,7 +103,7 @@ def _paint(data, where, pictures):
         if "most_colours" in row:
             raise ToolError(f"{row.at('most_colours')}: belongs to a file; a pattern has its own colours")
         picture = _pattern(row, pictures)
-    levels = row.whole("levels", 1, 1, image_surface.LEVELS_MAX)
+    levels = row.whole("levels", image_surface.LEVELS_MAX if name in on_floors else 1, 1, image_surface.LEVELS_MAX)
     if levels > 1:
         most = {4: 16 - picture.has_clear, 8: max(len(picture.colours), _LEVEL_COLOURS), 16: texture.EVERY_COLOUR}[bits]
         picture = pictures.levels(picture, levels, most, 2 if bits == 4 else 1)
@@ -108,7 +116,8 @@ def _paint(data, where, pictures):
 
 def read(top, pictures):
     """The textures of a scene by name. pictures: the scene's texture.Pictures."""
-    return top.named("textures", "texture", TEXTURES_MAX, lambda data, where: _paint(data, where, pictures))
+    on_floors = _on_floors(top)
+    return top.named("textures", "texture", TEXTURES_MAX, lambda data, where: _paint(data, where, pictures, on_floors))
 
 
 class ManyDirections(Exception):
@@ -356,7 +365,7 @@ class Wish:
         points = [made.vertices[c] for c in face.corners]
         if paint is None and self._is_flat(face, normals, opacity):
             return None
-        corners, texels = surfaces.place(points, coordinates, paint or _NO_PAINT, where)
+        corners, texels = surfaces.place(points, coordinates, paint or _NO_PAINT, where, self.division)
         own = tuple(normals[i] for i in corners) if self.lit else ()
         if paint is None:
             return Look(None, (), 0, self._flags(), opacity, corners, ((0, 0),) * 3, own)
