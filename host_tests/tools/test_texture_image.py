@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Images of textures: which way up, and greys of 16 bits."""
+"""Images of textures: which way up, greys of 16 bits, and those that cannot be read."""
 
+import base64
 import io
 import struct
 import zlib
@@ -9,7 +10,9 @@ import numpy
 import pytest
 from PIL import Image
 
+from conftest import assert_one_sentence, run_cli
 from fixel.model import texture_image
+from model_files import SQUARE, glb, gltf
 
 PICTURE = Image.fromarray(numpy.array([[(250, 0, 0), (0, 250, 0), (0, 0, 250)], [(90, 90, 90), (0, 0, 0), (250, 250, 250)]], dtype=numpy.uint8))
 
@@ -76,3 +79,95 @@ def test_greys_of_16_bits_are_scaled_in_strips():
     Image.fromarray(greys).save(out, "PNG")
     found = texture_image.decode(out.getvalue(), "g").pixels
     assert (abs(found[..., 0] - greys / 257) <= 0.5).all() and (found[..., 3] == 255).all()
+
+
+# --- images that cannot be read ---------------------------------------------------------------------
+
+UNREADABLE = {
+    "DDS": (b"DDS " + bytes(124), ["DDS", "PNG"]), "TIFF": (file_of(PICTURE, "TIFF"), ["TIFF", "PNG"]),
+    "PSD": (b"8BPS\0\1" + bytes(40), ["PSD", "PNG"]), "KTX2": (b"\xabKTX 20\xbb\r\n\x1a\n" + bytes(60), ["KTX", "PNG"]),
+    "AVIF": (b"\0\0\0 ftypavif" + bytes(40), ["AVIF", "PNG"]), "brand": (b"\0\0\0 ftypmif1\0\0\0\0mif1avif" + bytes(40), ["AVIF", "PNG"]),
+    "cut off": (file_of(PICTURE)[:40], ["cannot be read", "PNG"]), "empty": (b"", ["empty", "PNG"]),
+    "model": (b"BLENDER-v293" + bytes(90), ["Blender"]), "noise": (b"noise" * 20, ["cannot be read", "PNG"])}
+OBJ = """\
+mtllib m.mtl
+v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0
+vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1
+usemtl a\nf 1/1 2/2 3/3 4/4
+"""
+PLY = ("ply\nformat ascii 1.0\ncomment TextureFile skin.png\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+       "property float s\nproperty float t\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+       "0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n")
+
+
+def _gltf(image):
+    """A glTF file whose material is green: what names the image, and its bytes."""
+    def change(blob):
+        data, buffer = gltf(*SQUARE, uvs=[(0, 0), (1, 0), (1, 1), (0, 1)], image=blob, material={"baseColorFactor": [0, 1, 0, 1]})
+        if image:
+            data["images"] = [{"uri": image(blob)}]
+        return glb(data, buffer)
+    return change
+
+
+# {name of the model: its bytes by those of the image}. The image stands beside it, too.
+MODELS = {
+    "m.obj": lambda _: OBJ.encode(), "m.ply": lambda _: PLY.encode(), "view.glb": _gltf(None), "beside.glb": _gltf(lambda _: "skin.png"),
+    "data.glb": _gltf(lambda blob: "data:image/png;base64," + base64.b64encode(blob).decode())}
+
+
+def build(folder, model, blob, *options):
+    """fixel build of a model with an image."""
+    (folder / "m.mtl").write_text("newmtl a\nKd 0 1 0\nmap_Kd skin.png\n")
+    (folder / "skin.png").write_bytes(blob)
+    (folder / model).write_bytes(MODELS[model](blob))
+    return run_cli("build", folder / model, "-o", folder / "out.fxls", "--frames", 1, *options)
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("kind", UNREADABLE)
+def test_an_image_that_cannot_be_read_is_a_note(tmp_path, model, kind):
+    """The model is drawn in the colour of its material. --no-textures needs no image, and so no note."""
+    blob, words = UNREADABLE[kind]
+    done = build(tmp_path, model, blob)
+    assert done.returncode == 0, done.stderr
+    notes = [line for line in done.stderr.splitlines() if "colour of their material" in line]
+    assert len(notes) == 1 and all(word in notes[0] for word in words), done.stderr
+    assert model in notes[0] or "m.mtl:3" in notes[0]
+    done = build(tmp_path, model, blob, "--no-textures")
+    assert done.returncode == 0 and "colour of their material" not in done.stderr
+
+
+@pytest.mark.parametrize("what", ["folder", "gone"])
+def test_an_image_that_is_no_file_is_a_note(tmp_path, what):
+    (tmp_path / "m.obj").write_text(OBJ)
+    (tmp_path / "m.mtl").write_text("newmtl a\nKd 0 1 0\nmap_Kd skin\n")
+    if what == "folder":
+        (tmp_path / "skin").mkdir()
+    done = run_cli("build", tmp_path / "m.obj", "-o", tmp_path / "out.fxls", "--frames", 1)
+    assert done.returncode == 0 and sum("m.mtl:3" in line and "skin" in line for line in done.stderr.splitlines()) == 1
+
+
+@pytest.mark.parametrize("kind", UNREADABLE)
+def test_an_image_that_a_command_or_a_scene_names_is_refused(tmp_path, kind):
+    """There is no material whose colour could take its place."""
+    blob, words = UNREADABLE[kind]
+    (tmp_path / "skin.png").write_bytes(blob)
+    assert_one_sentence(run_cli("texture", tmp_path / "skin.png", "-o", tmp_path / "out.h"), "skin.png", *words)
+    (tmp_path / "s.toml").write_text('[[textures]]\nname = "t"\nfile = "skin.png"\n[path]\norbit = { radius = 4 }\n'
+                                     '[[objects]]\nsolid = "box"\ntexture = "t"\n')
+    assert_one_sentence(run_cli("build", tmp_path / "s.toml", "-o", tmp_path / "out.fxls"), "skin.png", *words)
+    assert not (tmp_path / "out.h").exists() and not (tmp_path / "out.fxls").exists()
+
+
+@pytest.mark.parametrize("kind", ["GIF", "WEBP", "PNG"])
+def test_of_several_frames_the_first_is_shown_and_said(tmp_path, kind):
+    frames = [Image.new("RGB", (8, 8), colour) for colour in ((250, 0, 0), (0, 250, 0))]
+    several = file_of(frames[0], kind, save_all=True, append_images=frames[1:])
+    for blob, count in ((several, 1), (file_of(frames[0], kind), 0)):
+        found = texture_image.decode(blob, "m")
+        assert len(found.notes) == count and found.pixels[0, 0, 0] > 200
+        done = build(tmp_path, "m.obj", blob)
+        assert done.returncode == 0 and done.stderr.count("several frames") == count
+        done = run_cli("texture", tmp_path / "skin.png", "-o", tmp_path / "out.h")
+        assert done.returncode == 0 and done.stderr.count("several frames") == count

@@ -12,6 +12,10 @@ import stat
 
 from fixel.base.errors import ToolError, escaped
 
+class OutsideError(ToolError):
+    """A file outside the folder of the file that the user named, and below."""
+
+
 QUOTE_MAX = 80      # characters of the input in a message
 _DIGITS_MAX = 60    # of a number in a message
 _KINDS = ((stat.S_ISDIR, "a folder"), (stat.S_ISFIFO, "a FIFO"), (stat.S_ISCHR, "a device"),
@@ -52,7 +56,7 @@ def _refuse_outside(path, found):
     target = os.path.realpath(path)
     if os.path.commonpath([real, target]) == real and identity(target) == opened_now:
         return
-    raise ToolError(f"{path}: is outside {folder}, the folder of {named}, and what lies below it; put the file there, or allow "
+    raise OutsideError(f"{path}: is outside {folder}, the folder of {named}, and what lies below it; put the file there, or allow "
                     "files outside with --allow-outside")
 
 
@@ -62,7 +66,7 @@ def open_file(path):
     if _confined:
         try:
             _refuse_outside(path, found)
-        except ToolError:
+        except OutsideError:
             file.close()
             raise
     _opened.add((found.st_dev, found.st_ino))

@@ -4,7 +4,7 @@
 from dataclasses import dataclass, field
 import re
 
-from fixel.base import reading
+from fixel.base import foreign, reading
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
 
@@ -182,4 +182,7 @@ def _with_tops(font, bounds, boxes, name):
 def read(path):
     """A Font from a file."""
     blob = reading.read_whole(path, FILE_MAX, "a font for a microcontroller is far smaller")
+    other = foreign.by_beginning(blob[:foreign.START])
+    if other and ".bdf" not in other.endings:
+        raise ToolError(f"{path}: is {other.kind}, no font in BDF: {other.way}")
     return parse(blob.decode("latin-1"), path)

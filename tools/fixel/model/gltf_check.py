@@ -110,7 +110,10 @@ class Checked:
         return self.sources.read(self._beside(uri, where), max(self.room, 0), "simplify the model") if blob is None else blob
 
     def image(self, number):
-        """The texture_image.Texture of an image; None, and a note, where it is in a file that is not there."""
+        """The texture_image.Texture of an image; None, and a note, where it cannot be read or is in a file that is not there."""
+        return self.sources.image(lambda: self._image(number), self.notes)
+
+    def _image(self, number):
         entry, where = self.rows("images")[number], self.label("image", number)
         place = f"{self.name}: {where}"
         if "bufferView" in entry:
@@ -118,10 +121,7 @@ class Checked:
         blob = self._embedded(entry.get("uri"), where)
         if blob is None:
             file, name = self._find(entry["uri"], where)
-            if file is None:
-                self.notes.append(f"{place}: there is no image {quoted(name)}: the faces have the colour of their material. The path is "
-                                  "taken from the model's folder")
-            return file and self.sources.image_of_file(file, place)
+            return self.sources.image_named(file, name, place)
         return self.sources.image_of_bytes(blob, place)
 
     def buffer(self, number):

@@ -11,16 +11,23 @@ _COMPRESSED = {"KHR_draco_mesh_compression": f"its meshes are compressed by Drac
                "EXT_meshopt_compression": f"its buffers are compressed by meshopt: {_CONVERT}",
                "KHR_meshopt_compression": f"its buffers are compressed by meshopt: {_CONVERT}"}
 _REFUSED = {**_COMPRESSED, _INSTANCES: f"its meshes are placed by lists of instances: {_BLENDER} them as nodes"}
-KTX = ("its image is KTX2 (KHR_texture_basisu), which is not read: gltf-transform (npx @gltf-transform/cli ktxdecompress in.glb out.glb) "
-       "writes the model with PNG images, or export it so")
+# Extensions by which a texture has an image in a format that is not read, and the command of gltf-transform that writes PNG instead.
+IMAGES = {"KHR_texture_basisu": ("KTX2", "ktxdecompress"), "EXT_texture_avif": ("AVIF", "png --formats avif")}
 # What may be required: what is read, and images that stand beside others.
 READ = ("KHR_texture_transform", "KHR_mesh_quantization", "KHR_materials_unlit", "KHR_materials_emissive_strength",
-        "KHR_materials_pbrSpecularGlossiness", "EXT_texture_webp", "KHR_texture_basisu")
+        "KHR_materials_pbrSpecularGlossiness", "EXT_texture_webp", *IMAGES, "MSFT_texture_dds")
 _HARMLESS = ("KHR_materials_", "KHR_lights_punctual", "KHR_xmp")
 # What is left out with words of its own.
 _TOLD = {_INSTANCES: f"meshes placed by lists of instances ({_INSTANCES}), each of which stands at its node once: {_BLENDER} them as nodes",
          _VARIANTS: f"other materials ({_VARIANTS}): the model has those that it has without; {_BLENDER} it with those that it shows"}
 _LISTS = {"animations": ": the model is shown as it stands without", "cameras": "; --camera NAME takes one as the path of a model without a scene file"}
+
+
+def image_text(extension):
+    """What there is to say of a texture that has its image by an extension of IMAGES alone."""
+    kind, command = IMAGES[extension]
+    return f"its image is {kind} ({extension}), which is not read: gltf-transform (npx @gltf-transform/cli {command} in.glb out.glb) writes " \
+        "the model with PNG images, or export it so"
 
 
 def refuse_required(name, required):

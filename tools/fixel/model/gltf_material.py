@@ -15,7 +15,7 @@ from fixel.model.surface import WHITE, Material
 
 _TRANSFORM, _UNLIT = "KHR_texture_transform", "KHR_materials_unlit"
 _STRENGTH, _GLOSS = "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness"
-_WEBP, _KTX = "EXT_texture_webp", "KHR_texture_basisu"
+_WEBP = "EXT_texture_webp"
 _REPEAT, _CLAMP, _MIRROR = 10497, 33071, 33648
 _TILED_MAX = 8192       # pixels along a side of an image that is stored several times
 _ROUNDING = 1e-5        # of an image: so far beyond it a coordinate is on its edge
@@ -68,8 +68,9 @@ class Materials:
         source = texture
         if "source" not in texture:
             source, others = self._extension(texture, _WEBP, where), self._table(texture, "extensions", where)
-            if source is None and _KTX in others:
-                self.checked.fail(where, gltf_left_out.KTX)
+            known = next(filter(others.__contains__, gltf_left_out.IMAGES), None)
+            if source is None and known:
+                return self.checked.sources.image(lambda: self.checked.fail(where, gltf_left_out.image_text(known)), self.checked.notes)
             if source is None:
                 self.left_out.add("images of formats that are not read" + (f" ({', '.join(sorted(others))[:60]})" if others else ""), where)
                 return None

@@ -103,15 +103,12 @@ class Reader:
         return self.known[name]
 
     def _image(self, name, where):
-        """The image of a name, None where there is no such file."""
+        """The image of a name, None where there is no such file or it cannot be read."""
         if name not in self.images:
             file, said = self._find(name)
             if said:
                 self.notes.append(f"{where}: {said}")
-            if file is None:
-                self.notes.append(f"{where}: there is no image {quoted(name)}: the faces have the colour of Kd. The path is taken "
-                                  "from the model's folder")
-            self.images[name] = file and self.sources.image_of_file(file, f"{where}: {file}")
+            self.images[name] = self.sources.image(lambda: self.sources.image_named(file, name, where), self.notes)
         return self.images[name]
 
     def exists(self, name):

@@ -4,6 +4,7 @@
 The header's counts are checked against the file's size and the limits of the other formats before a table is read
 (ply_header.py); afterwards every number of a table is. So a refusal names the line, the vertex or the face."""
 
+import functools
 import os
 
 import numpy as np
@@ -187,10 +188,8 @@ def _materials(images, folder, name, sources):
         file, said = named_file.find(folder, image) if image else (None, "")
         if said:
             notes.append(f"{name}: {said}")
-        if image and file is None:
-            notes.append(f"{name}: there is no image {quoted(image)}: the faces have their colours alone. The path is taken from the "
-                         "model's folder")
-        materials.append(Material(image or "none", WHITE, image=file and sources.image_of_file(file, f"{name}: {file}")))
+        found = sources.image(functools.partial(sources.image_named, file, image, name), notes) if image else None
+        materials.append(Material(image or "none", WHITE, image=found))
     return materials, notes
 
 

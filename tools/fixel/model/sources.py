@@ -5,29 +5,67 @@ Sources."""
 import hashlib
 
 from fixel.base import reading
+from fixel.base.errors import ToolError
+from fixel.base.reading import quoted
 from fixel.model import texture_image
 
 
-class Sources:
-    """Reads files, and decodes each image once, by whatever name it is asked for."""
+def _once(known, key, make):
+    """known[key], made if it is not there. What failed to be made fails again without an attempt."""
+    if key not in known:
+        try:
+            known[key] = make()
+        except ToolError as error:
+            known[key] = error
+    if isinstance(known[key], ToolError):
+        raise known[key]
+    return known[key]
 
-    def __init__(self):
-        self.by_path, self.by_content = {}, {}
+
+class Sources:
+    """Reads files, and decodes each image once, by whatever name it is asked for. wants_images: whether a note tells of an image
+    that cannot be read."""
+
+    def __init__(self, wants_images=True):
+        self.by_path, self.by_content, self.wants_images = {}, {}, wants_images
 
     def read(self, path, most, advice):
         """The bytes of a file of a model; one of more than so many is refused."""
         return reading.read_whole(path, most, advice)
 
+    def image(self, obtain, notes):
+        """The texture_image.Texture that obtain() answers; None, and a note, where it cannot be read. A file that may not be opened
+        (reading.confine) is refused. notes: gets what there is to say."""
+        found, said = None, []
+        try:
+            found = obtain()
+            said = found.notes
+        except reading.OutsideError:
+            raise
+        except ToolError as error:
+            said = [f"{error.message}. The faces have the colour of their material"]
+        if self.wants_images:
+            notes += [note for note in said if note not in notes]
+        return found
+
+    def image_named(self, file, name, where):
+        """The texture_image.Texture of a file that a model names. file: that of the name, None where there is none. where: for messages."""
+        if file is None:
+            raise ToolError(f"{where}: there is no image {quoted(name)}; the path is taken from the model's folder")
+        return self.image_of_file(file, f"{where}: {file}")
+
     def image_of_file(self, path, where):
         """The texture_image.Texture in a file."""
-        real = reading.identity(path)
-        if real not in self.by_path:
-            self.by_path[real] = self.image_of_bytes(self.read(path, texture_image.FILE_MAX, "make the image smaller"), where)
-        return self.by_path[real]
+        def make():
+            try:
+                blob = self.read(path, texture_image.FILE_MAX, "make the image smaller")
+            except reading.OutsideError:
+                raise
+            except ToolError as error:
+                raise ToolError(f"{where}: {error.message.removeprefix(f'{path}: ')}") from error
+            return self.image_of_bytes(blob, where)
+        return _once(self.by_path, reading.identity(path), make)
 
     def image_of_bytes(self, blob, where):
         """The texture_image.Texture in bytes of a file that was read already."""
-        key = hashlib.sha256(blob).digest()
-        if key not in self.by_content:
-            self.by_content[key] = texture_image.decode(bytes(blob), where)
-        return self.by_content[key]
+        return _once(self.by_content, hashlib.sha256(blob).digest(), lambda: texture_image.decode(bytes(blob), where))

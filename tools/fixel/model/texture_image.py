@@ -8,7 +8,7 @@ import zlib
 import numpy as np
 from PIL import Image, PngImagePlugin, UnidentifiedImageError
 
-from fixel.base import reading
+from fixel.base import foreign, reading
 from fixel.base.errors import ToolError
 from fixel.base.reading import shortened
 
@@ -29,16 +29,15 @@ _ORIENTATION = 0x0112       # of Exif
 # How a picture of each orientation is turned upright; 1 is upright.
 _UPRIGHT = {2: Image.Transpose.FLIP_LEFT_RIGHT, 3: Image.Transpose.ROTATE_180, 4: Image.Transpose.FLIP_TOP_BOTTOM,
             5: Image.Transpose.TRANSPOSE, 6: Image.Transpose.ROTATE_270, 7: Image.Transpose.TRANSVERSE, 8: Image.Transpose.ROTATE_90}
-_OTHERS = ((b"\xabKTX ", 0, "KTX"), (b"DDS ", 0, "DDS"), (b"ftypavif", 4, "AVIF"), (b"\x76\x2f\x31\x01", 0, "OpenEXR"), (b"8BPS", 0, "PSD"))
 _TOO_LARGE = f"; both sides must be 1..{SIDE_MAX}: make it smaller"
 
 
 class Texture:
     """An image as rows of red, green, blue, alpha. strips: of one that was shrunk all pixels, compressed, some rows each; none where
-    they are too many."""
+    they are too many. notes: what there is to say of the file."""
 
-    def __init__(self, name, pixels, strips=()):
-        self.name, self.pixels, self.strips = name, pixels, strips
+    def __init__(self, name, pixels, strips=(), notes=()):
+        self.name, self.pixels, self.strips, self.notes = name, pixels, strips, notes
         self.pictures = {}      # made of it for textures (toml_images.py)
         self.height, self.width = pixels.shape[:2]
 
@@ -187,19 +186,33 @@ def _read(opened, name):
     return Texture(name, np.asarray(opened.convert("RGBA")), strips)
 
 
-def _refuse_other(blob, name):
-    """Refuses by name an image of a format that is known and not read."""
-    for word, place, kind in _OTHERS:
-        if blob[place:place + len(word)] == word:
-            how = "; of a glTF file: npx @gltf-transform/cli ktxdecompress in.glb out.glb" if kind == "KTX" else ""
-            raise ToolError(f"{name}: an image in {kind}, which is not read; save it as PNG{how}")
+def _notes(opened, name):
+    """What there is to say of an image whose first frame was read. A damaged second one says nothing."""
+    try:
+        has_more = getattr(opened, "is_animated", False)
+    except MemoryError:
+        raise
+    except Exception:       # Pillow's reader raises anything
+        has_more = False
+    return [f"{name}: a {opened.format} of several frames, of which the first is shown; to show another one, save that as PNG: "
+            "magick 'IN[3]' OUT.png"] if has_more else []
+
+
+def _unreadable(blob, name, error):
+    """What there is to say of an image that cannot be read: what it is instead, and the way on."""
+    found = foreign.by_beginning(blob[:foreign.START])
+    if found and found.sort == foreign.IMAGE:
+        return ToolError(f"{name}: {found.kind}, which is not read; {found.way}")
+    if found and ".png" not in found.endings:
+        return ToolError(f"{name}: holds {found.kind}, which is no image: {found.way}")
+    why = " (the file is empty)" if not blob else "" if isinstance(error, UnidentifiedImageError) else f" ({shortened(str(error)) or type(error).__name__})"
+    return ToolError(f"{name}: this image cannot be read{why}; it must be a sound file of {', '.join(FORMATS[:-1])} or {FORMATS[-1]}")
 
 
 def decode(blob, name):
     """The Texture in an image file's bytes."""
     if len(blob) > FILE_MAX:
         raise ToolError(f"{name}: an image of {len(blob):,} bytes is more than the limit of {FILE_MAX:,}; make it smaller")
-    _refuse_other(blob, name)
     if blob[:2] in _PLAIN and blob.count(b"#") > COMMENTS_MAX:  # Pillow copies all that follows for each of them
         raise ToolError(f"{name}: a PPM file of digits with more than {COMMENTS_MAX} comments; save it without")
     if blob.count(_EXIF) > EXIF_MAX:    # Pillow takes quadratic time for them
@@ -211,15 +224,15 @@ def decode(blob, name):
                 width, height = opened.size
                 if not (1 <= width <= SIDE_MAX and 1 <= height <= SIDE_MAX):
                     raise ToolError(f"{name}: an image of {width}x{height} pixels{_TOO_LARGE}")
-                return _read(opened, name)
+                made = _read(opened, name)
+                made.notes = _notes(opened, name)
+                return made
     except (ToolError, MemoryError):
         raise
     except Image.DecompressionBombError:
         raise ToolError(f"{name}: an image of very many pixels{_TOO_LARGE}") from None
     except Exception as error:      # Pillow's readers raise anything for a damaged file; one names its place in memory
-        why = "" if isinstance(error, UnidentifiedImageError) else f" ({shortened(str(error)) or type(error).__name__})"
-        raise ToolError(f"{name}: this image cannot be read{why}; "
-                        f"it must be a sound file of {', '.join(FORMATS[:-1])} or {FORMATS[-1]}") from None
+        raise _unreadable(blob, name, error) from None
 
 
 def read(path, name):

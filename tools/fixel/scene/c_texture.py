@@ -13,14 +13,14 @@ from fixel.base.errors import ToolError
 
 
 def codes_of(file, size):
-    """An image file's codes (texture.codes_of). size: (width, height) to scale it to, or None."""
+    """(an image file's codes (texture.codes_of), notes). size: (width, height) to scale it to, or None."""
     name = c_scene.printable(os.path.basename(file))
     opened = texture_image.read(file, name)
     if size is None and not (texture.is_side(opened.width) and texture.is_side(opened.height)):
         raise ToolError(f"{name}: an image of {opened.width} x {opened.height}; the sides of a texture are powers of two from "
                         f"1 to {texture.SIDE_MAX}: let --size scale it, like --size 64x64")
     pixels = opened.scaled(*size) if size else opened.pixels
-    return texture.codes_of(pixels, pixels[..., 3] < texture.OPAQUE_FROM)
+    return texture.codes_of(pixels, pixels[..., 3] < texture.OPAQUE_FROM), opened.notes
 
 
 def texels_of(levels):
@@ -34,9 +34,10 @@ def texels_of(levels):
 
 
 def header(file, name, size=None, levels=1, clamp=False):
-    """(the text of a header with the table of an image file's texels and its fxl_texture, texels)."""
+    """(the text of a header with the table of an image file's texels and its fxl_texture, texels, notes)."""
     c_names.check_name(name)
-    made = texture.levels_of(codes_of(file, size), levels)
+    codes, notes = codes_of(file, size)
+    made = texture.levels_of(codes, levels)
     texels, key = texels_of(made)
     flags = (image_surface.CLAMP if clamp else 0) | (image_surface.KEYED if key is not None else 0)
     high, wide = made[0].shape
@@ -47,4 +48,4 @@ def header(file, name, size=None, levels=1, clamp=False):
     return c_text.header(f"Written by tools/scene.py from {c_scene.printable(os.path.basename(file))}.",
                          f"{name.upper()}_TEXTURE_H", ["fixel/surfaces.h"],
                          [table("uint16_t", f"{name}_texels", c_surfaces.texels_565(texels), about),
-                          record("fxl_texture", f"{name}_texture", [", ".join(map(str, members))])]), len(texels)
+                          record("fxl_texture", f"{name}_texture", [", ".join(map(str, members))])]), len(texels), notes

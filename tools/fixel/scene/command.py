@@ -50,8 +50,9 @@ def make_texture(arguments):
     if not 1 <= arguments.levels <= image_surface.LEVELS_MAX:
         raise ToolError(f"--levels is {arguments.levels}; it must be from 1 to {image_surface.LEVELS_MAX}")
     name = arguments.name or c_names.name_of_file(arguments.image, "texture")
-    texels = making.texture(arguments.image, arguments.out, name, size, arguments.levels, arguments.clamp,
-                            bounded.limits_of(arguments))
+    texels, notes = making.texture(arguments.image, arguments.out, name, size, arguments.levels, arguments.clamp,
+                                   bounded.limits_of(arguments))
+    making.tell_notes(notes)
     print(f"{one_line(arguments.out)}: {name}_texture, {2 * texels:,} bytes of texels")
 
 

@@ -56,9 +56,10 @@ def export(scene, out, name=None, frames=None, screen=None, layers=None, limits=
 
 
 def texture(image, out, name, size=None, levels=1, clamp=False, limits=None):
-    """Writes an image as a texture in C; answers the number of its texels."""
+    """Writes an image as a texture in C; answers (the number of its texels, notes)."""
     request = {"job": "texture", "image": os.fspath(image), "name": name, "size": size, "levels": levels, "clamp": clamp}
-    return _make(out, request, image, limits)["texels"]
+    answer = _make(out, request, image, limits)
+    return answer["texels"], answer["notes"]
 
 
 def parse_screen(text):
@@ -70,9 +71,14 @@ def parse_screen(text):
     return screen
 
 
+def tell_notes(notes):
+    """What there is to say, for people."""
+    for note in notes:
+        print(f"note: {one_line(note)}", file=sys.stderr)
+
+
 def tell(out, made, path=None):
     """What was written, for people. path: what there is to say of it where not all its frames are in it."""
     path = path or f"{made.frames} frames"
-    for note in made.notes:
-        print(f"note: {one_line(note)}", file=sys.stderr)
+    tell_notes(made.notes)
     print(f"{one_line(out)}: {made.size:,} bytes, {made.objects} objects, {path}", file=sys.stderr)

@@ -273,7 +273,7 @@ class Pictures:
     """Makes the pictures of one scene, each once."""
 
     def __init__(self, folder):
-        self.folder, self.made, self.files = folder, {}, {}     # pictures; the pixels of files
+        self.folder, self.made, self.files, self.notes = folder, {}, {}, []     # pictures; the pixels of files; what to say of these
 
     def _once(self, key, make):
         """A picture that is made once."""
@@ -294,7 +294,9 @@ class Pictures:
             raise ToolError(f"{row.at('file')}: there is no file {quoted(name)}; the path is taken from the scene file's folder")
         real = reading.identity(file)
         if real not in self.files:
-            self.files[real] = texture_image.read(file, file).pixels
+            opened = texture_image.read(file, file)
+            self.files[real] = opened.pixels
+            self.notes += opened.notes
         return self._once((real, most, any_side, key, side), lambda: from_pixels(self.files[real], file, most, any_side, key, side))
 
     def levels(self, picture, levels, most, least):

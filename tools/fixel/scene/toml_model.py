@@ -9,7 +9,7 @@ import itertools
 import math
 
 from fixel.base import reading
-from fixel.model import merge, model_file, simplify, suffixes, t_junctions
+from fixel.model import content, merge, model_file, simplify, suffixes, t_junctions
 from fixel.base.errors import ToolError
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh, rounding_error, shape
 from fixel.base.reading import QUOTE_MAX, Beside, quoted
@@ -24,8 +24,9 @@ class Files:
     """The meshes of a scene's model files. A file is one however its name is spelled, so it is read once. Its key is its
     name, or the Beside that stands for it in messages."""
 
-    def __init__(self, folder):
-        self.folder, self.sources = folder, Sources()
+    def __init__(self, folder, wants_images=True):
+        """wants_images: as for Sources."""
+        self.folder, self.sources = folder, Sources(wants_images)
         self.by_name, self.by_path, self.meshes, self.parts, self.moved = {}, {}, {}, {}, {}
         self.simpler, self.results = {}, {}     # keys of meshes of fewer faces; what made them, a simplify.Result
         self.plain_ones = {}                    # keys of meshes without colours
@@ -147,8 +148,10 @@ def read(table, key, files, progress):
     name = table.text(key)
     if key == "obj" and suffixes.is_model(name) and suffixes.suffix_of(name) != ".obj":
         raise ToolError(f"{table.at('obj')}: {quoted(name)} is no OBJ file; say model = instead of obj =")
-    suffixes.refuse_other(name, f"{table.at(key)}: {quoted(name)}")
-    file = files.file(name)
+    file, where = files.file(name), f"{table.at(key)}: {quoted(name)}"
+    if key == "model" and not suffixes.is_model(name):
+        content.refuse_by_all(file, where)
+    suffixes.refuse_other(name, where)
     if file in files:
         return files[file], file, []
     if not file.exists():

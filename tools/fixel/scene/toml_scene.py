@@ -438,7 +438,7 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
         scene.path, more = default_path.about(scene, frames, name)
         scene.start = scene.path[0]
         notes += more
-    notes += [simplified.note(scene, record) for record in objects.simplified.values()]
+    notes += pictures.notes + [simplified.note(scene, record) for record in objects.simplified.values()]
     scene.names = [item.name for item in instances]
     scene.moving = tuple(i for i, item in enumerate(instances) if item.moves)
     if target.has_colours(scene):   # the reader of the file spoke of means

@@ -71,10 +71,10 @@ def export(request, report):
 def texture(request, report):
     """An image as a texture in C."""
     report.stage("reading the image")
-    text, texels = c_texture.header(request["image"], request["name"], request["size"] and tuple(request["size"]),
-                                    request["levels"], request["clamp"])
+    text, texels, notes = c_texture.header(request["image"], request["name"], request["size"] and tuple(request["size"]),
+                                           request["levels"], request["clamp"])
     _write(request, text.encode())
-    return {"texels": texels}
+    return {"texels": texels, "notes": notes}
 
 
 def _write(request, data):
