@@ -233,9 +233,10 @@ def _glb(blob, name):
 
 
 def _encodable(pairs):
-    """An object of JSON whose texts are characters: half of a pair of UTF-16, which JSON may name alone, is none."""
+    """An object of JSON without the members that are null, as if they were not there. Its texts are characters: half of a pair of UTF-16,
+    which JSON may name alone, is none."""
     return {key: value.encode("utf-16", "surrogatepass").decode("utf-16", "replace") if isinstance(value, str) and not value.isascii() else value
-            for key, value in pairs}
+            for key, value in pairs if value is not None}
 
 
 def _parse(text, name):
