@@ -90,6 +90,18 @@ def test_sentences_are_linked_only_where_they_are_asked_for(build, tmp_path, exp
     assert ("fxl_renderer_explain" in names) == explains and (b"config->fov must" in program.read_bytes()) == explains
 
 
+def test_a_list_of_sentences_is_linked_by_itself(build, tmp_path):
+    """The archive for users has sections, which its linker drops where nothing names them."""
+    source, program, library = tmp_path / "draw.c", tmp_path / "draw", build.parent / "lib"
+    source.write_text("#include <stddef.h>\n#include <fixel/light.h>\n"
+                      + PROGRAM.replace("NAME", "fxl_explain(fxl_light_reasons, FXL_OK) != NULL"), encoding="utf-8")
+    subprocess.run(["gcc", "-std=c11", "-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections", "-I",
+                    library / "include", source, library / "scene" / "reasons.c", library / "draw" / "reasons_draw.c",
+                    "-o", program], check=True)
+    text = program.read_bytes()
+    assert b"settings->levels must" in text and b"billboard" not in text and b"cluster" not in text
+
+
 def test_an_int_of_16_bits_is_refused(build, tmp_path):
     """There is no such compiler here: int stands for short, once the system's headers are read."""
     source = tmp_path / "short.c"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The statuses in the docstrings of public headers: one a line, each with its reason."""
+"""The statuses in the docstrings of public headers: one a line, each with its reason; and the sentences that explain them."""
 
 import re
 
@@ -43,3 +43,65 @@ def test_there_are_many():
     lines = [line for file in HEADERS for line in file.read_text(encoding="utf-8").splitlines()
              if re.match(r"\s*(?:/\*|\*) FXL_E_", line)]
     assert len(lines) > 150
+
+
+STATUSES = re.findall(r"^    (FXL_E_\w+)", (INCLUDE / "fixel" / "types.h").read_text(encoding="utf-8"), re.MULTILINE)
+DECLARED = re.compile(r"/\*((?:(?!\*/).)*)\*/\s*((?:(?:static inline )?fxl_status fxl_\w+\([^;{]*[;{]\s*)+)", re.DOTALL)
+ANSWERED = re.compile(r"^ \* (FXL_E_\w+): ", re.MULTILINE)
+AS_OTHERS = re.compile(r"The statuses of (fxl_[^:,.]*)|Otherwise as\s(?:\* )?(fxl_\w+)")
+
+
+def answers():
+    """{header: {function: statuses}} of the public functions that answer one, by their docstrings, those of others included."""
+    found, others = {}, {}
+    for file in HEADERS:
+        if file.is_relative_to(INCLUDE):
+            for text, functions in DECLARED.findall(file.read_text(encoding="utf-8")):
+                for name in re.findall(r"\bfxl_status (fxl_\w+)\(", functions):
+                    found.setdefault(file.stem, {})[name] = set(ANSWERED.findall(text))
+                    others[name] = re.findall(r"fxl_\w+", " ".join("".join(pair) for pair in AS_OTHERS.findall(text)))
+    own = {name: statuses for functions in found.values() for name, statuses in functions.items()}
+    for _ in range(4):  # the longest chain: fxl_pump_frame, fxl_pump_send, fxl_pixels_convert
+        for name, statuses in own.items():
+            statuses.update(status for other in others[name] for status in own[other])
+    return found
+
+
+def lists():
+    """{header: {status: sentence}} of the library."""
+    text = "".join(file.read_text(encoding="utf-8") for file in sorted((CHECKOUT / "lib").glob("*/reasons*.[ch]")))
+    names = dict(re.findall(r'^#define (\w+)\s+("\\\d{3}")$', text, re.MULTILINE))
+    number = {f'"\\{index:03o}"': status for index, status in enumerate(STATUSES, 1)}
+    found = {}
+    for header, body in re.findall(r"^const char fxl_(\w+)_reasons\[\] =\n(.*?);$", text, re.MULTILINE | re.DOTALL):
+        rows = re.findall(r'^    (\w+) ((?:\s*"[^"\n]*")+)', body, re.MULTILINE)
+        sentences = {number[names[name]]: "".join(re.findall(r'"([^"]*)"', said)) for name, said in rows}
+        assert [name.replace("ON_", "FXL_E_") for name, _ in rows] == list(sentences), header
+        found[header] = sentences
+    return found
+
+
+def test_each_status_of_each_public_function_has_a_sentence():
+    by_header = answers()
+    assert sum(len(functions) for functions in by_header.values()) > 80
+    wanted = {header: set().union(*functions.values()) for header, functions in by_header.items()}
+    assert {header: set(sentences) for header, sentences in lists().items()} == wanted
+
+
+def test_each_sentence_says_what_must_be():
+    for header, sentences in lists().items():
+        assert f"fxl_{header}_reasons[]" in (INCLUDE / "fixel" / f"{header}.h").read_text(encoding="utf-8")
+        for status, said in sentences.items():
+            assert said.endswith("\\0") and re.search(r"\bmust\b", said), (header, status)
+
+
+def test_each_conflict_has_a_sentence_that_begins_with_both_names():
+    draw = CHECKOUT / "lib" / "draw"
+    text = (draw / "conflict.c").read_text(encoding="utf-8")
+    names = {part: name for name, part in re.findall(r'"([^"]+)", /\* (FXL_HAS_\w+) \*/', text)}
+    pairs = re.findall(r"\{(FXL_HAS_\w+), (FXL_HAS_\w+)\}", (draw / "combination.c").read_text(encoding="utf-8"))
+    said = {(first, second): "".join(re.findall(r'"([^"]*)"', words)) for first, second, words in
+            re.findall(r'\{(FXL_HAS_\w+), (FXL_HAS_\w+),((?:\s*"[^"]*")+)\}', text)}
+    assert len(pairs) >= 10 and set(said) == set(pairs)
+    for (first, second), words in said.items():
+        assert re.match(rf"{names[first]} and {names[second]} do not go together: \S", words)

@@ -104,6 +104,8 @@ static void draw_set(attached *to, uint32_t set, const fxl_pose *pose)
     DEMAND(conflict == (names[0] != NULL && names[1] != NULL));
     DEMAND(fxl_render(renderer, pose, to->pixels, renderer->frame.view.lens.width) ==
            (conflict ? FXL_E_COMBINATION : FXL_OK));
+    DEMAND(conflict == (fxl_render_explain(renderer, pose, to->pixels,
+                                           renderer->frame.view.lens.width, NULL) != NULL));
     if (!conflict) {
         draw_all_picks(renderer, set & OUTLINES ? NULL : to->pixels);
         draw_as_another(to);

@@ -185,8 +185,90 @@ void test_two_things_that_do_not_go_together(void)
     begin(&fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_outlines(&renderer, &outlines, &style));
     TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_render(&renderer, &eye, pixels, WIDTH));
-    expect_words(fxl_render_explain(&renderer, &eye, pixels, WIDTH, NULL), "renderer",
-                 "fxl_renderer_conflict");
+    TEST_ASSERT_TRUE(fxl_renderer_conflict(&renderer, names));
+    expect_words(fxl_render_explain(&renderer, &eye, pixels, WIDTH, NULL), names[0], names[1]);
+    expect_words(fxl_renderer_explain(&renderer, &scene, &config, block, sizeof block), names[0],
+                 "config.target must be");
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_outlines(&renderer, NULL, NULL));
+    TEST_ASSERT_NULL(fxl_renderer_explain(&renderer, &scene, &config, block, sizeof block));
+}
+
+/* --- what has a list of sentences ------------------------------------------------------------ */
+
+static void refuse(const char *reasons, fxl_status expected, fxl_status status,
+                   const char *argument, const char *range)
+{
+    TEST_ASSERT_EQUAL(expected, status);
+    expect_words(fxl_explain(reasons, status), argument, range);
+}
+
+static fxl_light light;
+
+static void refuse_light(fxl_light_settings settings, fxl_status expected, const char *argument,
+                         const char *range)
+{
+    refuse(fxl_light_reasons, expected, fxl_attach_light(&renderer, &light, &settings), argument,
+           range);
+}
+
+void test_mistakes_with_a_light(void)
+{
+    static const uint8_t ramp[2 * 256];
+    const fxl_light_settings good = {.ambient = FXL_Q2_30_ONE, .ramp = ramp, .levels = 2};
+    fxl_light_settings wrong = good;
+    refuse_light(good, FXL_E_ORDER, "renderer", "fxl_renderer_init");
+    begin(&fxl_palette);
+    TEST_ASSERT_NULL(fxl_explain(fxl_light_reasons, fxl_attach_light(&renderer, &light, &good)));
+    wrong.levels = 1;
+    refuse_light(wrong, FXL_E_COUNT, "settings->levels", "2..64");
+    wrong.levels = 65;
+    refuse_light(wrong, FXL_E_COUNT, "settings->levels", "2..64");
+    wrong = good;
+    wrong.point_count = FXL_LIGHT_POINTS_MAX + 1;
+    refuse_light(wrong, FXL_E_COUNT, "settings->point_count", "0..4");
+    wrong = good;
+    wrong.ramp = NULL;
+    refuse_light(wrong, FXL_E_ARGUMENT, "settings->ramp", "not be null");
+    wrong = good;
+    wrong.strength = FXL_Q2_30_ONE;
+    wrong.direction.x = FXL_Q2_30_ONE / 2;
+    refuse_light(wrong, FXL_E_NORMAL, "settings->direction", "unit length");
+    wrong = good;
+    wrong.ambient = -1;
+    refuse_light(wrong, FXL_E_RANGE, "settings->ambient", "0..FXL_Q2_30_ONE");
+}
+
+void test_texels_of_16_bits_on_a_palette(void)
+{
+    static const uint16_t texels[1], face_map[64];
+    static const fxl_mapped_face faces[1];
+    const fxl_texture texture = {.texels = (const uint8_t *)texels,
+                                 .format = FXL_TEXTURE_565, .levels = 1};
+    const fxl_surface surface = {.texture = 1, .opacity = 16};
+    const fxl_surface_set set = {.textures = &texture, .surfaces = &surface, .faces = faces,
+                                 .face_map = face_map, .texture_count = 1, .surface_count = 1};
+    static fxl_surfaces surfaces;
+    refuse(fxl_surfaces_reasons, FXL_E_ORDER,
+           fxl_attach_surfaces(&renderer, &surfaces, &set, FXL_SURFACES_OF(fxl_rgb565)),
+           "renderer", "fxl_renderer_init");
+    begin(&fxl_palette);
+    refuse(fxl_surfaces_reasons, FXL_E_RESERVED,
+           fxl_attach_surfaces(&renderer, &surfaces, &set, FXL_SURFACES_OF(fxl_palette)),
+           "16-bit texels", "config.target of RGB565");
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &set,
+                                                  FXL_SURFACES_OF(fxl_rgb565)));
+    TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_render(&renderer, &eye, pixels, WIDTH));
+    const char *said = fxl_render_explain(&renderer, &eye, pixels, WIDTH, NULL);
+    expect_words(said, "surfaces", "the renderer's target");
+    expect_words(said, "16-bit texels", "RGB565");
+}
+
+void test_a_status_that_has_no_sentence(void)
+{
+    TEST_ASSERT_NULL(fxl_explain(fxl_light_reasons, FXL_OK));
+    TEST_ASSERT_NULL(fxl_explain(fxl_light_reasons, FXL_E_STALE));
+    TEST_ASSERT_NULL(fxl_explain(NULL, FXL_E_RANGE));
+    expect_words(fxl_explain(fxl_world_reasons, FXL_E_STALE), "handle", "removed"); /* the last */
 }
 
 /* With a placement as the test has changed it, which is then as before. */

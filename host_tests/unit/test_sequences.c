@@ -152,6 +152,10 @@ static void look(const way *into, uint32_t set)
     TEST_ASSERT_EQUAL(
         refused ? FXL_E_COMBINATION : FXL_OK,
         fxl_render(&made->renderer, &depth_scene_eye, pixels, DEPTH_SCENE_WIDTH));
+    const char *said =
+        fxl_render_explain(&made->renderer, &depth_scene_eye, pixels, DEPTH_SCENE_WIDTH, NULL);
+    TEST_ASSERT_EQUAL(refused, said != NULL && strstr(said, names[0]) == said &&
+                                   strstr(said, names[1]) != NULL);
     TEST_ASSERT_EQUAL_UINT32(refused, made->renderer.workspace.counters.refused_calls);
     TEST_ASSERT_EQUAL(refused, made->renderer.frame.state == FXL_FRAME_NONE);
     const uint32_t picture = fxl_crc(FXL_CRC_START, pixels, sizeof pixels);

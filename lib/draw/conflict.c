@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The names of what does not go together. A file of its own, so that a program which does not ask for
- * them does not link them. */
+/* The names of what does not go together, and sentences about it. A file of its own, so that a
+ * program which does not ask for them does not link them. */
 #include "renderer.h"
 
 bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2])
@@ -30,4 +30,52 @@ bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2])
     names[0] = parts[conflict->first];
     names[1] = parts[conflict->second];
     return true;
+}
+
+/* Each begins with the names of parts. */
+static const struct {
+    uint8_t first, second;
+    const char *sentence;
+} sentences[] = {
+    {FXL_HAS_TREE, FXL_HAS_DEPTH,
+     "the order by tree and a depth buffer do not go together: config.order must be "
+     "&fxl_by_distance, or config.target one without a depth"},
+    {FXL_HAS_STUDY, FXL_HAS_SURFACES,
+     "a target of the study and surfaces do not go together: config.target must be one of "
+     "target.h"},
+    {FXL_HAS_STUDY, FXL_HAS_BILLBOARDS,
+     "a target of the study and billboards do not go together: config.target must be one of "
+     "target.h"},
+    {FXL_HAS_STUDY, FXL_HAS_OUTLINES,
+     "a target of the study and outlines do not go together: config.target must be one of "
+     "target.h"},
+    {FXL_HAS_OUTLINES, FXL_HAS_DEPTH,
+     "outlines and a depth buffer do not go together: config.target must be &fxl_palette or "
+     "&fxl_rgb565"},
+    {FXL_HAS_OUTLINES, FXL_HAS_BEAMS,
+     "outlines and beams do not go together: detach one, by a null style or set"},
+    {FXL_HAS_OUTLINES, FXL_HAS_MOVERS,
+     "outlines and instances that the tree cuts do not go together: these must be on another layer "
+     "than the tree's instance"},
+    {FXL_HAS_TEXELS_565, FXL_HAS_BEAMS,
+     "textures of RGB565 and beams do not go together: a beam lights colours of the palette, so "
+     "textures must be of 8 or 4 bits"},
+    {FXL_HAS_COLOURS, FXL_HAS_BEAMS,
+     "colours at corners and beams do not go together: a beam lights colours of the palette"},
+    {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET,
+     "surfaces or billboards of another target and the renderer's target do not go together: "
+     "attach them by FXL_SURFACES_OF and FXL_SPRITES_OF the target of config; if textures have "
+     "16-bit texels, that must be one of RGB565"},
+};
+
+FXL_COLD const char *fxl_conflict_sentence(const fxl_renderer *renderer)
+{
+    const fxl_conflict *conflict =
+        renderer != NULL && renderer->target != NULL ? fxl_find_conflict(renderer) : NULL;
+    for (uint32_t i = 0; conflict != NULL && i < sizeof sentences / sizeof *sentences; i++) {
+        if (sentences[i].first == conflict->first && sentences[i].second == conflict->second) {
+            return sentences[i].sentence;
+        }
+    }
+    return NULL;
 }

@@ -113,7 +113,10 @@ FXL_COLD const char *fxl_renderer_explain(const fxl_renderer *renderer, const fx
                "up to 8: renderer->memory_missing bytes more";
     }
     wrong = explain_target(config, &lens);
-    return wrong != NULL ? wrong : explain_order(config, scene);
+    if (wrong == NULL) {
+        wrong = explain_order(config, scene);
+    }
+    return wrong != NULL ? wrong : fxl_conflict_sentence(renderer);
 }
 
 static bool is_in_sight(const fxl_scene *scene, uint32_t number, const fxl_view *view)
@@ -176,8 +179,9 @@ static const char *explain_begin(const fxl_renderer *renderer, const fxl_pose *p
     if (renderer->clipper == NULL || renderer->target == NULL) {
         return NOT_INITIALISED;
     }
-    if (renderer->check != NULL) {
-        return "renderer has two things that do not go together: fxl_renderer_conflict names them";
+    const char *apart = fxl_conflict_sentence(renderer);
+    if (apart != NULL) {
+        return apart;
     }
     if (scene->placements != NULL && scene->placement_code == NULL) {
         return "scene has placements, so its placement_code must not be null";

@@ -75,4 +75,8 @@ typedef struct {
 /* Returns the first conflict of the table that a renderer has; or null. */
 const fxl_conflict *fxl_find_conflict(const fxl_renderer *renderer);
 
+/* Returns a sentence that names the two things of that conflict, and the cure; or null: there is no
+ * conflict, or the renderer has not been initialised. */
+const char *fxl_conflict_sentence(const fxl_renderer *renderer);
+
 #endif

@@ -74,6 +74,14 @@ void prove_renderer_conflict(void)
     PROOF_ENDS();
 }
 
+void prove_conflict_sentence(void)
+{
+    fxl_renderer renderer;
+    const char *said = fxl_conflict_sentence(nondet_bool() ? NULL : &renderer);
+    ASSERT("there is a first letter", said == NULL || *said != '\0');
+    PROOF_ENDS();
+}
+
 void prove_renderer_set_shader(void)
 {
     fxl_renderer renderer;

@@ -45,6 +45,9 @@ typedef struct {
 fxl_status fxl_attach_beams(fxl_renderer *renderer, const fxl_beam_set *set, void *memory,
                             uint32_t size);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_beams_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

@@ -101,6 +101,9 @@ fxl_status fxl_billboards_open(const fxl_scene_image *image, fxl_sprite *sprites
 fxl_status fxl_attach_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
                                  const fxl_billboard_set *set, const fxl_sprite_painter *painter);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_billboards_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

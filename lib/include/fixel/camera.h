@@ -98,6 +98,9 @@ typedef struct fxl_camera {
  * angles follow the Black Book's text and not its listing. */
 fxl_status fxl_camera_from_pose(const fxl_pose *pose, fxl_camera *camera);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_camera_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

@@ -111,6 +111,9 @@ typedef struct {
 fxl_status fxl_slide_sphere(const fxl_scene *scene, fxl_sphere *sphere, const fxl_point *move,
                             fxl_slide *slide);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_collide_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

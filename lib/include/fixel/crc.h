@@ -33,6 +33,9 @@ uint32_t fxl_crc(uint32_t crc, const void *bytes, size_t count);
  * With each of these statuses: *crc unchanged. */
 fxl_status fxl_band_crc(uint32_t *crc, const fxl_band *band);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_crc_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

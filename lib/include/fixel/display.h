@@ -168,6 +168,9 @@ fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *conf
  * With each of these statuses: *display untouched. */
 fxl_status fxl_display_place(fxl_display *display, uint16_t width, uint16_t height);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_display_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

@@ -52,6 +52,9 @@ fxl_status fxl_attach_light(fxl_renderer *renderer, fxl_light *light,
 fxl_status fxl_light_make_ramp(const uint8_t *palette, const uint8_t *dark, uint32_t levels,
                                uint8_t *ramp);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_light_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

@@ -51,6 +51,9 @@ fxl_status fxl_motion_begin(fxl_motion_player *player, const fxl_motion_set *set
  * and of a centre 0.5 unit of 1/65536 for the keys and 0.76 for the circle. */
 void fxl_motion_play(const fxl_motion_player *player, uint32_t frame);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_motion_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

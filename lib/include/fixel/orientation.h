@@ -70,6 +70,9 @@ fxl_status fxl_placement_attach(const fxl_point *parent_centre, const fxl_placem
                                 const fxl_point *child_centre, const fxl_placement *child,
                                 fxl_point *centre, fxl_placement *placement);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_orientation_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

@@ -129,6 +129,9 @@ typedef struct {
  * With each of these statuses: *size untouched. */
 fxl_status fxl_measure_text(const char *text, const fxl_text_style *style, fxl_text_size *size);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_overlay_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

@@ -68,6 +68,9 @@ typedef struct {
  * With each of these statuses: *picked untouched; counted in refused_calls. */
 fxl_status fxl_pick_face(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_picked *picked);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_pick_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

@@ -96,6 +96,9 @@ uint16_t fxl_grey_of_rgb565(uint16_t colour, uint32_t highest);
 /* Returns the level, 0..highest, of a pixel in column x and row y of the frame. */
 uint8_t fxl_grey_level(uint16_t entry, uint32_t x, uint32_t y);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_pixels_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

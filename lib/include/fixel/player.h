@@ -56,6 +56,9 @@ fxl_status fxl_scale_motion_limits(const fxl_motion_limits *limits, fxl_q16_16 f
  * With each of these statuses: *pose untouched. */
 fxl_status fxl_pose_look_at(fxl_pose *pose, const fxl_point *target);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_player_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

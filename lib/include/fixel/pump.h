@@ -130,6 +130,9 @@ fxl_status fxl_pump_send_rows(fxl_pump *pump, const fxl_band *rows);
  * FXL_E_DISPLAY: the last transfer failed. */
 fxl_status fxl_pump_wait(fxl_pump *pump);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_pump_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

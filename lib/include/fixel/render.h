@@ -207,9 +207,11 @@ bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2]);
 
 /* What was wrong with a call that was refused: an English sentence that names the argument and its
  * range. Null: no argument is wrong. The arguments are those of fxl_renderer_init, of fxl_render
- * and of fxl_frame_draw; none is changed, and the sentence is constant. A program that does not
- * call these functions does not link them. Requires that the call was the last one with this
- * renderer, and that the scene is still the one that the call saw.
+ * and of fxl_frame_draw; none is changed, and the sentence is constant. If a renderer has two things
+ * that do not go together, the sentence of the first two functions names both, and the cure. A
+ * program that does not call these functions does not link them. Requires that the call was the last
+ * one with this renderer, or after fxl_renderer_init an attach function, and that the scene is still
+ * the one that the call saw.
  * number: if the sentence is about the placement of an instance, *number becomes the number of that
  * instance, the first that is wrong. May be null. */
 const char *fxl_renderer_explain(const fxl_renderer *renderer, const fxl_scene *scene,
@@ -362,6 +364,9 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
  * With each of these statuses: band untouched; counted in refused_calls of the workspace. */
 fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *workspace,
                                const fxl_band *band);
+
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_render_reasons[];
 
 #ifdef __cplusplus
 }

@@ -498,6 +498,9 @@ fxl_status fxl_beam_from_direction(const fxl_direction *travel, const fxl_point 
  * FXL_E_NORMAL: a normal or a direction is not of unit length. */
 fxl_status fxl_beam_check(const fxl_beam *beam);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_scene_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

@@ -210,6 +210,9 @@ fxl_status fxl_attach_lit(fxl_renderer *renderer, fxl_lit_surfaces *lit);
 fxl_status fxl_blend_make_table(const uint8_t *palette, uint32_t sixteenths, uint32_t first,
                                 uint32_t count, uint8_t *table);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_surfaces_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

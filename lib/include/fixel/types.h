@@ -172,6 +172,14 @@ typedef enum {
 /* Describes a status in one English sentence. Never null, not even for an unknown value. */
 const char *fxl_status_text(fxl_status status);
 
+/* What a call was refused for: an English sentence that names the arguments which answer this status,
+ * with their ranges, or what must come before. reasons is fxl_H_reasons, which fixel/H.h declares for
+ * its functions: fxl_explain(fxl_light_reasons, status) after fxl_attach_light. The sentence is
+ * constant, and a program links those of the headers that it names so. Returns null for FXL_OK, for a
+ * status that no function of the header answers, and where reasons is null. For the most used calls
+ * fxl_renderer_explain and its neighbours (fixel/render.h) look at the arguments themselves. */
+const char *fxl_explain(const char *reasons, fxl_status status);
+
 /* The records between the stages: the interface of every stage.
  *
  *   scene -> cull -> transform -> fxl_cached_vertex -> clip -> fxl_view_polygon ->

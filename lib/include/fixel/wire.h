@@ -105,6 +105,9 @@ typedef struct {
 fxl_status fxl_attach_outlines(fxl_renderer *renderer, fxl_outlines *outlines,
                                const fxl_outline_style *style);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_wire_reasons[];
+
 #ifdef __cplusplus
 }
 #endif

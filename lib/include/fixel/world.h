@@ -223,6 +223,9 @@ const fxl_placement *fxl_world_placement(const fxl_world *world, fxl_handle hand
 /* Whether it is shown. False if the handle is stale, or world is null. */
 bool fxl_world_is_shown(const fxl_world *world, fxl_handle handle);
 
+/* What functions of this header refuse: for fxl_explain. */
+extern const char fxl_world_reasons[];
+
 #ifdef __cplusplus
 }
 #endif
