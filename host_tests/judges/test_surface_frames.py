@@ -128,6 +128,34 @@ def test_each_pixel_divided_differs_at_the_borders_of_texels_alone(build, tmp_pa
     assert verdict["pixels_unexplained"] == 0 and verdict["pixels_differing"] < verdict["pixels"] / 500
 
 
+QUAD = head(96, 64, textures=[("t", "stones", 64)]) + """
+levels = 6
+[[objects]]
+obj = "%s.obj"
+texture = "t"
+mapping = "file"
+[path]
+keys = [{ position = [%s, 2, %s], look_at = [%s, 2, %s], frames = 6 }, { position = [0, 3, -40], look_at = [0, 0, 0] }]
+"""
+
+
+@pytest.mark.parametrize("x, z", [(-28, -28), (28, -28), (28, 28), (-28, 28)])
+def test_the_order_of_a_floors_corners_does_not_change_its_level(x, z, build, tmp_path):
+    """Wherever the eye stands: three of four vertices are corners, and the nearest may be the other one."""
+    frames = []
+    for first in range(4):
+        order = [(first + i) % 4 + 1 for i in range(4)]
+        (tmp_path / f"quad{first}.obj").write_text("v -32 0 32\nv 32 0 32\nv 32 0 -32\nv -32 0 -32\nvt 0 0\nvt 16 0\nvt 16 16\nvt 0 16\n"
+                                                   f"f {' '.join(f'{i}/{i}' for i in order)}\n")
+        (tmp_path / f"quad{first}.toml").write_text(QUAD % (f"quad{first}", x, z, -x, -z))
+        image = built(tmp_path / f"quad{first}.toml", tmp_path, f"quad{first}")
+        dumped = drawn(build, image, f"quad{first}")
+        assert judged(build, image, dumped)["pixels_unexplained"] == 0
+        frames.append(b"".join(pixels(dumped)))
+    for other in frames[1:]:
+        assert sum(a != b for a, b in zip(frames[0], other)) < len(other) / 500
+
+
 # A box on whose faces the image lies once. Red is the column's third, green the row's; what is not of the box has no blue.
 THIRDS = [[(127 * (3 * x // 64) + (3 * x // 64) // 2, 127 * (3 * y // 64) + (3 * y // 64) // 2, 255) for x in range(64)] for y in range(64)]
 BOX = """background = "black"
