@@ -73,33 +73,53 @@ static int64_t down(double value)
     return (int64_t)floor(value);
 }
 
-/* One texel at every level of light within the slack. part: of the slack, 0 or 1. */
-static void add_texel(const ref_surface_view *look, const ref_place *place, double part, int texel,
+/* What a face may have at a pixel: values from low to high. */
+typedef struct {
+    ref_place low, high;
+} span;
+
+/* One texel at every level of light. */
+static void add_texel(const ref_surface_view *look, const span *values, int texel,
                       judge_showing *found)
 {
-    const double level = place->values[REF_BRIGHTNESS], slack = part * place->slack[REF_BRIGHTNESS];
     if (texel == REF_CLEAR) {
         found->clear = true;
     } else if (look->rgb565) {
         judge_showing_add(found, ref_surface_full(look, texel)); /* find_parts has the light */
     } else {
-        for (int64_t i = down(level - slack); i <= down(level + slack); i++) {
+        const int64_t last = down(values->high.values[REF_BRIGHTNESS]);
+        for (int64_t i = down(values->low.values[REF_BRIGHTNESS]); i <= last; i++) {
             judge_showing_add(found, ref_surface_lit(look, i, (uint8_t)texel));
         }
     }
 }
 
-/* Every texel that the place may be in. */
-static void add_texels(const ref_surface_view *look, const ref_place *place, double part,
-                       judge_showing *found)
+/* Every texel that a place may be in. */
+static void add_texels(const ref_surface_view *look, const span *values, judge_showing *found)
 {
-    const double u = place->values[REF_U], v = place->values[REF_V];
-    const double u_slack = part * place->slack[REF_U], v_slack = part * place->slack[REF_V];
-    for (int64_t row = down(v - v_slack); row <= down(v + v_slack); row++) {
-        for (int64_t column = down(u - u_slack); column <= down(u + u_slack); column++) {
-            add_texel(look, place, part, ref_surface_texel(look, column, row), found);
+    const double *low = values->low.values, *high = values->high.values;
+    for (int64_t row = down(low[REF_V]); row <= down(high[REF_V]); row++) {
+        for (int64_t column = down(low[REF_U]); column <= down(high[REF_U]); column++) {
+            add_texel(look, values, ref_surface_texel(look, column, row), found);
         }
     }
+}
+
+/* The values of a look at a pixel: the exact ones, or, with texels, all within their bounds. False:
+ * there are none. */
+static bool find_values(const ref_surface_view *look, const ref_lens *lens,
+                        const judge_question *question, span *values)
+{
+    ref_place place;
+    if (!ref_surface_place(look, lens, question->x + 0.5, question->y + 0.5, &place)) {
+        return false;
+    }
+    values->low = values->high = place;
+    if (question->texels) {
+        ref_surface_find_range(look, lens, question->x, question->y, &place, &values->low,
+                               &values->high);
+    }
+    return true;
 }
 
 /* The same of the other level that the library may choose. */
@@ -107,34 +127,30 @@ static void add_other_texels(const ref_surface_view *look, const ref_lens *lens,
                              const judge_question *question, judge_showing *found)
 {
     const ref_surface_view other = ref_surface_with_level(look, look->other);
-    ref_place place;
-    if (ref_surface_place(&other, lens, question->x + 0.5, question->y + 0.5, &place)) {
-        add_texels(&other, &place, 1, found);
+    span values;
+    if (find_values(&other, lens, question, &values)) {
+        add_texels(&other, &values, found);
     }
 }
 
 /* The parts of its colour that light may leave at a place of an RGB565 frame. */
-static void find_parts(const ref_surface_view *look, const ref_place *place, double part,
+static void find_parts(const ref_surface_view *look, const span *values, double part,
                        judge_showing *found)
 {
-    const double level = place->values[REF_BRIGHTNESS], slack = part * place->slack[REF_BRIGHTNESS];
     const double bound = part * ref_rgb565_part_bound(look->light);
-    found->part[0] = fmax(ref_rgb565_part(look->light, level - slack) - bound, 0);
-    found->part[1] = fmin(ref_rgb565_part(look->light, level + slack) + bound, 1);
+    found->part[0] =
+        fmax(ref_rgb565_part(look->light, values->low.values[REF_BRIGHTNESS]) - bound, 0);
+    found->part[1] =
+        fmin(ref_rgb565_part(look->light, values->high.values[REF_BRIGHTNESS]) + bound, 1);
 }
 
 /* The colours between those of corners that a pixel may have. */
-static void find_colours(const ref_place *place, double part, judge_showing *found)
+static void find_colours(const span *values, judge_showing *found)
 {
-    double low[REF_CHANNELS], high[REF_CHANNELS];
-    for (int i = 0; i < REF_CHANNELS; i++) {
-        low[i] = place->values[i] - part * place->slack[i];
-        high[i] = place->values[i] + part * place->slack[i];
-    }
     found->is_range = true;
     found->range.cost = 0;
-    ref_surface_channels(low, found->range.low);
-    ref_surface_channels(high, found->range.high);
+    ref_surface_channels(values->low.values, found->range.low);
+    ref_surface_channels(values->high.values, found->range.high);
     judge_showing_add(found, 0); /* stands for all of them */
 }
 
@@ -142,7 +158,7 @@ static void find_showing(const ref_lens *lens, const ref_drawn *drawn,
                          const judge_question *question, judge_showing *found)
 {
     const ref_surface_view *look = &drawn->look;
-    ref_place place;
+    span values;
     judge_showing_begin(found);
     if (!look->surface) {
         const double brightness = 1 - drawn->shade;
@@ -151,17 +167,17 @@ static void find_showing(const ref_lens *lens, const ref_drawn *drawn,
         found->part[0] = ref_rgb565_flat_part(fmax(brightness - REF_BRIGHTNESS_BOUND, 0));
         found->part[1] = ref_rgb565_flat_part(fmin(brightness + REF_BRIGHTNESS_BOUND, 1));
     } else if (!ref_stipple_draws(look->surface->opacity, question->x, question->y) ||
-               !ref_surface_place(look, lens, question->x + 0.5, question->y + 0.5, &place)) {
+               !find_values(look, lens, question, &values)) {
         found->clear = true;
     } else if (look->surface->has_colours) {
-        find_colours(&place, question->texels ? 1 : 0, found);
+        find_colours(&values, found);
     } else {
-        add_texels(look, &place, question->texels ? 1 : 0, found);
+        add_texels(look, &values, found);
         if (question->texels && look->other) {
             add_other_texels(look, lens, question, found);
         }
         if (look->rgb565 && look->light) {
-            find_parts(look, &place, question->texels ? 1 : 0, found);
+            find_parts(look, &values, question->texels ? 1 : 0, found);
         }
     }
 }

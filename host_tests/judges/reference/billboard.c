@@ -144,19 +144,21 @@ const ref_billboard *ref_billboard_of(const ref_scene *scene, const ref_instance
 }
 
 /* The picture on the rectangle, of which the left upper corner and two sides are known. rounding:
- * by how many texels a corner that is rounded to 1/65536 pixel may move it. */
+ * by how many texels 0.52/65536 pixel of both corners may move it, and what an off-centre lens
+ * rounds. */
 static void find_look(const ref_billboard *board, const ref_screen_point *left_top,
                       const ref_screen_point *right_bottom, ref_surface_view *look)
 {
     const ref_texture_level *level = &board->texture.levels[0];
     look->surface = &plain;
+    look->is_billboard = true;
     look->texture = &board->texture;
     look->level = level;
     look->scales[0] = look->scales[1] = 1;
     look->steps[0][REF_U] = level->width;
     look->steps[1][REF_V] = level->height;
-    look->rounding[REF_U] = 2 * level->width / (right_bottom->x - left_top->x) / REF_ONE;
-    look->rounding[REF_V] = 2 * level->height / (right_bottom->y - left_top->y) / REF_ONE;
+    look->rounding[REF_U] = 0.55 * level->width / (right_bottom->x - left_top->x) / REF_ONE;
+    look->rounding[REF_V] = 0.55 * level->height / (right_bottom->y - left_top->y) / REF_ONE;
 }
 
 static double within(double value, double most)

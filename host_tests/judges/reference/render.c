@@ -159,6 +159,7 @@ static bool submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uin
         ref_surface_look(renderer->scene, &renderer->camera, &renderer->lens, renderer->rgb565, of,
                          face, &drawn.look);
         drawn.look.in_beam = is_in_beam ? renderer->scene->lit : NULL;
+        drawn.look.is_light_coarse = renderer->depth_bits == 16;
     }
     if (renderer->depth_bits != 0) {
         ref_depth_plane_find(renderer->scene, &renderer->camera, of, shown, &drawn.depth);

@@ -221,6 +221,7 @@ void ref_surface_look(const ref_scene *scene, const ref_camera *camera, const re
     const ref_mapped_face *mapped = &surfaces->faces[surfaces->face_map[number] - 1];
     ref_view_point corners[3];
     bool on_screen = true;
+    view->is_in_front = true;
     view->surfaces = surfaces;
     view->surface = &surfaces->surfaces[mapped->surface];
     view->own = scene->faces[number].material;
@@ -228,6 +229,7 @@ void ref_surface_look(const ref_scene *scene, const ref_camera *camera, const re
     for (int i = 0; i < 3; i++) {
         corners[i] = vertex_in_view(scene, camera, instance, (uint32_t)mapped->vertices[i]);
         on_screen = is_on_screen(lens, &corners[i], &view->points[i]) && on_screen;
+        view->is_in_front = view->is_in_front && corners[i].z > 0;
     }
     view->corner = corners[0];
     view->sides[0] = difference(&corners[1], &corners[0]);
@@ -288,24 +290,6 @@ static bool solve_ray(const ref_surface_view *view, const ref_lens *lens, double
     return true;
 }
 
-/* How far a value may be off (docs/accuracy.md, section 5): by rounding 1/256; between two
- * divisions half a unit of the texture's first level or of light, and what the steps between them
- * round. */
-static double slack_of(const ref_surface_view *view, int value, double scale)
-{
-    const double rounding = 1.0 / 256 + view->rounding[value],
-                 bend = view->is_affine ? 0 : 0.5 * scale;
-    if (view->surface->division == REF_DIVIDE_1) {
-        return rounding;
-    }
-    if (value == REF_BRIGHTNESS || !view->texture) {
-        return rounding + bend + 1.0 / 16;
-    }
-    const int side =
-        view->level->width > view->level->height ? view->level->width : view->level->height;
-    return rounding + bend + 9.0 * side / 65536;
-}
-
 bool ref_surface_place(const ref_surface_view *view, const ref_lens *lens, double x, double y,
                        ref_place *place)
 {
@@ -321,7 +305,6 @@ bool ref_surface_place(const ref_surface_view *view, const ref_lens *lens, doubl
         place->values[k] = (double)(view->values[k] + times[0] * view->steps[0][k] +
                                     times[1] * view->steps[1][k]) *
                            scale;
-        place->slack[k] = slack_of(view, k, scale);
         found = found && fabs(place->values[k]) < 0x1p40;
     }
     return found;

@@ -76,18 +76,20 @@ typedef struct {
     const ref_rgb565 *rgb565;       /* of frames of 16 bits a pixel; or null */
     const uint8_t *in_beam;         /* of a lit piece: what each colour is in a beam; or null */
     ref_view_point corner, sides[2];
-    bool is_affine;
-    ref_screen_point points[3];                      /* where it is affine: its corners */
+    bool is_affine, is_billboard;
+    bool is_in_front;     /* all corners: then points are theirs on the screen */
+    bool is_light_coarse; /* a depth buffer of 16 bits: SPEC.md, section 9.1.1 */
+    ref_screen_point points[3];
     double values[REF_VALUES], steps[2][REF_VALUES]; /* at the corner, and what each side adds */
     double scales[2];            /* texels of the level for one of the texture */
     const ref_texture_level *other; /* that the library may choose as well (SPEC.md, 9.4); or null */
-    double rounding[REF_VALUES]; /* added to what a value may be off: of a billboard */
+    double rounding[REF_VALUES]; /* of a billboard: what a value may be off */
     uint8_t own;                 /* the face's own colour */
 } ref_surface_view;
 
-/* The values at a point of the screen, and how far from them the library's may be. */
+/* The values at a point of the screen. */
 typedef struct {
-    double values[REF_VALUES], slack[REF_VALUES];
+    double values[REF_VALUES];
 } ref_place;
 
 /* Finds the look of a face of an instance; its number is counted in the model. rgb565: of frames of
@@ -100,6 +102,12 @@ void ref_surface_look(const ref_scene *scene, const ref_camera *camera, const re
  */
 bool ref_surface_place(const ref_surface_view *view, const ref_lens *lens, double x, double y,
                        ref_place *place);
+
+/* From where to where the library's values at a pixel's centre may be, of which `place` has the exact
+ * ones: between those and what the promises of SPEC.md, sections 9.1.1 to 9.3, and docs/accuracy.md,
+ * section 5, leave. */
+void ref_surface_find_range(const ref_surface_view *view, const ref_lens *lens, int x, int y,
+                            const ref_place *place, ref_place *low, ref_place *high);
 
 /* The same look with the other level, if there is one. */
 ref_surface_view ref_surface_with_level(const ref_surface_view *view,

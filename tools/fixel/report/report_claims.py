@@ -46,8 +46,8 @@ CLAIMS = (
           "turned over."),
     Claim("texel_divided", 1 / 256, "texel", "The texel that a pixel shows, divided at each pixel: how far it is "
           "from the exact texture coordinates, given corners and matrix."),
-    Claim("texel_every_16", 0.54, "texel", "The same, divided every 16 columns or more often."),
-    Claim("texel_every_8", 0.54, "texel", "The same, divided every 8 columns or more often."),
+    Claim("texel_every_16", 0.33, "texel", "The same, divided every 16 columns or more often."),
+    Claim("texel_every_8", 0.1, "texel", "The same, divided every 8 columns or more often."),
     Claim("texel_affine", 0.04, "texel", "The texel that a pixel shows without perspective: how far it is from the exact "
           "affine function of the three corners' points on the screen."),
     Claim("light_level", 1 / 256, "level", "The level of light that a pixel of a lit surface shows: how far it is from "
