@@ -11,7 +11,7 @@ from conftest import run_cli
 from fixel.base.errors import ToolError
 from fixel.board import dump
 from fixel.image import image, image_surface
-from fixel.model import t_junctions
+from fixel.model import obj, t_junctions
 from fixel.scene import compiler, look
 from model_files import glb, gltf, png
 from test_model_files import grid
@@ -275,3 +275,81 @@ def test_every_model_of_the_folder_has_a_test():
     tests = "".join((pathlib.Path(__file__).parent / name).read_text() for name in ("test_model_cases.py", "test_model_look.py"))
     files = {file.name for file in MODELS.iterdir() if file.suffix not in (".png", ".mtl")}
     assert len(files) >= 20 and [name for name in sorted(files) if f'"{name}"' not in tests and f"{name}: " not in tests] == []
+
+
+# --- glass, cut-outs, size, what is told ----------------------------------------------------------
+
+@pytest.mark.parametrize("factor, mode, opacity", [(0, "OPAQUE", 1), (1, "OPAQUE", 0.25), (0.5, "OPAQUE", 0.625), (7, "OPAQUE", 0.25), (1, "BLEND", 0.125),
+                                                   (-1, "OPAQUE", 1)])
+def test_glass_by_transmission_is_seen_through(tmp_path, factor, mode, opacity):
+    data, blob = gltf(material={"baseColorFactor": [1, 1, 1, 0.5]})
+    data["materials"][0] |= {"alphaMode": mode, "extensions": {"KHR_materials_transmission": {"transmissionFactor": factor}}}
+    data["extensionsUsed"] = ["KHR_materials_transmission", "KHR_materials_volume"]
+    (tmp_path / "m.glb").write_bytes(glb(data, blob))
+    made, notes = compiler.compile_scene(str(tmp_path / "m.glb"), 4, look=look.Look())
+    found = {made.surfaces.surfaces[face.mapped.surface].opacity if face.mapped else 16 for model in made.models for face in model.faces}
+    assert found == {16 * opacity} and said(notes, 'left out what the extensions "KHR_materials_volume" say') == 1
+    data["materials"][0]["extensions"]["KHR_materials_transmission"]["transmissionTexture"] = {"index": 0}
+    (tmp_path / "m.glb").write_bytes(glb(data, blob))
+    assert said(compiler.compile_scene(str(tmp_path / "m.glb"), 4)[1], "maps of transmission") == 1
+
+
+GREEN, HALF = [[(0, 200, 0)] * 8] * 8, [[(255,) * 3] * 4 + [(0,) * 3] * 4] * 8     # a half that is seen
+
+
+def leaf(folder, paint, **files):
+    """The material of a square with these statements, and the notes."""
+    for name, data in {"green.png": png(GREEN), "half.png": png(HALF), **files}.items():
+        (folder / name).write_bytes(data)
+    (folder / "m.mtl").write_text("newmtl leaf\n" + paint)
+    (folder / "m.obj").write_text("mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl leaf\nf 1/1 2/2 3/3 4/4\n")
+    mesh, notes = obj.read(str(folder / "m.obj"))
+    return mesh.surfaces.materials[0], notes
+
+
+def shows(material):
+    """The alpha of the left and of the right end of a material's image."""
+    return tuple(int(material.image.pixels[0, column, 3]) for column in (0, -1))
+
+
+def test_map_d_cuts_out_what_it_does_not_show(tmp_path):
+    clear = numpy.array([[(255, 0, 0, 255)] * 4 + [(255, 0, 0, 0)] * 4] * 8)
+    for paint, colour in (("map_Kd green.png\nmap_d half.png\n", (0, 200, 0)), ("Kd 0.2 0.4 0.6\nmap_d half.png\n", (255, 255, 255)),
+                          ("map_d alpha.png\nmap_kd green.png\n", (0, 200, 0)), ("map_Kd alpha.png\nmap_d alpha.png\n", (255, 0, 0)),
+                          ("map_Kd -s 2 2 green.png\nmap_D -s 2 2 half.png\n", (0, 200, 0))):
+        material, notes = leaf(tmp_path, paint, **{"alpha.png": png(clear)})
+        assert shows(material) == (255, 0) and tuple(material.image.pixels[0, 0, :3]) == colour and not said(notes, "as map_Kd") and not said(notes, "ignored")
+    assert leaf(tmp_path, "Kd 0.2 0.4 0.6\nmap_d half.png\n")[0].colour == (51, 102, 153)
+    assert leaf(tmp_path, "Kd 0 0 0\nmap_d half.png\n")[0].colour == (0, 0, 0)
+    made, _ = compiler.compile_scene(str(tmp_path / "m.obj"), 4, look=look.Look())
+    assert made.surfaces and image.unpack(image.pack(made)) == made
+    for paint, words in (("map_Kd green.png\nmap_d -s 2 2 half.png\n", ("map_d that does not lie as map_Kd does", "m.mtl:3")),
+                         ("map_Kd green.png\nmap_d none.png\n", ("none.png", "Nothing is cut out", "m.mtl:3"))):
+        material, notes = leaf(tmp_path, paint)
+        assert shows(material) == (255, 255) and said(notes, *words) == 1
+
+
+@pytest.mark.parametrize("radius, fits", [(10 ** 9, True), (4e-9, True), (1e-9, False), (0, False)])
+def test_a_model_of_any_size_of_a_file_is_framed_or_refused_with_the_way_out(tmp_path, radius, fits):
+    corners = "".join(f"v {x * radius:.15f} {y * radius:.15f} {z * radius:.15f}\n" for x in (-1, 1) for y in (-1, 1) for z in (-1, 1))
+    (tmp_path / "m.obj").write_text(corners + "f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n")
+    if fits:
+        made, _ = compiler.compile_scene(str(tmp_path / "m.obj"), 4, look=look.Look())
+        assert image.unpack(image.pack(made)) == made and max(max(map(abs, vertex)) for vertex in made.models[0].vertices) > 2 << 16
+        return
+    with pytest.raises(ToolError, match=r"m.obj: .*radius of .* is outside .*\.\.2e\+09: scale the model"):
+        compiler.compile_scene(str(tmp_path / "m.obj"), 4, look=look.Look())
+
+
+@pytest.mark.parametrize("command", ["build", "export"])
+def test_what_is_the_same_for_every_file_is_told_with_v_alone(tmp_path, command):
+    usual = ("right-handed", "welded to", "framed by default")
+    (tmp_path / "s.toml").write_text('[[objects]]\nmodel = "capitals.stl"\n')
+    shutil.copy(MODELS / "capitals.stl", tmp_path)
+    how = ["--c"] if command == "export" else []
+    for scene, words in (("capitals.stl", usual), ("s.toml", usual[:2])):
+        said_by = {option: run_cli(command, *how, tmp_path / scene, "-o", tmp_path / "out", *option.split()) for option in ("", "-v", "--verbose")}
+        assert all(done.returncode == 0 for done in said_by.values())
+        for word in words:
+            assert [word in done.stderr for done in said_by.values()] == [False, True, True]
+    assert "framed by default" in run_cli(command, *how, tmp_path / "capitals.stl", "-o", tmp_path / "out", "--look=-v").stderr

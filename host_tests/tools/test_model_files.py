@@ -12,6 +12,7 @@ from fixel.image import image
 from fixel.model import mesh, texture_image
 from fixel.model import obj as obj_reader
 from fixel.base.errors import ToolError
+from fixel.base.notes import Usual
 from fixel.scene import compiler
 from model_files import SQUARE, TETRAHEDRON, glb, gltf, png, stl
 
@@ -244,7 +245,11 @@ def test_an_image_is_not_darkened_by_a_colour_that_nobody_wrote(tmp_path):
 
 def test_statements_of_materials_that_are_not_read_are_told_once(tmp_path):
     _, _, notes = painted(tmp_path, "newmtl red\nKs 1 1 1\nKs 0 0 0\nillum 2\nnewmtl cloth\nmap_bump x.png\n")
-    assert any(note == "paint.mtl: ignored 2 x Ks, 1 x illum, 1 x map_bump (first: paint.mtl:2)" for note in notes)
+    usual, other = ([note for note in notes if isinstance(note, Usual) == is_usual and "paint.mtl: ignored" in note] for is_usual in (True, False))
+    assert len(usual) == len(other) == 1 and "map_bump" not in usual[0]
+    for words in ("2 x Ks (the colour of highlights)", "1 x illum (", "first: paint.mtl:2"):
+        assert words in usual[0]        # most files have them: told with -v alone
+    assert "1 x map_bump (bumps of the surface)" in other[0] and "first: paint.mtl:6" in other[0]
 
 
 @pytest.mark.parametrize("kind", BAD)

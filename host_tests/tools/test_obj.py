@@ -393,3 +393,12 @@ def test_models_by_others_stand_upright_and_face_outward(name):
     made, _ = obj.read(str(MODELS / name))
     depths = [float(line[3]) for line in lines if line[:1] == ["v"]]
     assert made.vertices[depths.index(max(depths))][2] == min(v[2] for v in made.vertices)
+
+
+@pytest.mark.parametrize("statement, meaning", [("usemap brick", "map_Kd"), ("lod 2", "level of detail"), ("mg 1 2", "surfaces of free form"), ("bevel on", "bevelled"),
+                                                ("c_interp on", "colours"), ("d_interp on", "opacity"), ("shadow_obj a.obj", "shadow"), ("trace_obj a.obj", "mirrors"),
+                                                ("maplib a.map", "usemap"), ("call b.obj", "another file"), ("csh rm x", "program"), ("usemtl red", "no MTL file")])
+def test_a_note_on_a_statement_says_what_it_would_do(tmp_path, statement, meaning):
+    _, notes = read(tmp_path, statement + "\n" + CUBE + statement + "\n")
+    note, = [note for note in notes if "ignored" in note]
+    assert f" x {statement.split()[0]} (" in note and meaning in note

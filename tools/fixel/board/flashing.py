@@ -35,7 +35,7 @@ def scene_image(options, work):
         return image
     look.check(options.look, options.scene, False)
     making.tell(image, making.build(options.scene, image, options.frames, options.screen,
-                                    limits=bounded.limits_of(options), asked=options.target))
+                                    limits=bounded.limits_of(options), asked=options.target, verbose=options.look.verbose))
     return image
 
 

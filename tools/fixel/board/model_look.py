@@ -158,7 +158,7 @@ class _Chooser:
         options, file = self.options, self.folder / f"model-{len(self.tried)}.fxls"
         try:
             made = making.build(options.scene, file, options.frames, options.screen, limits=bounded.limits_of(options),
-                                asked=options.target, looks=(look,), write=options.look.write)
+                                asked=options.target, looks=(look,), write=options.look.write, verbose=options.look.verbose)
         except ToolError as error:
             if look.texels == 0:
                 raise
@@ -302,5 +302,5 @@ def scene_image(options, elf, folder):
         raise ToolError(f"VISIBILITY={is_chosen} stands for how a scene is drawn: leave out {options.look.text}")
     if is_chosen or not suffixes.is_model(options.scene):
         return make_scene_image(options.scene, pathlib.Path(folder), options.frames, options.screen, bounded.limits_of(options),
-                                options.target)
+                                options.target, options.look.verbose)
     return choose(options, room_of(elf), pathlib.Path(elf).parents[2], folder)

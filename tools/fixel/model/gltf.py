@@ -12,6 +12,7 @@ import numpy as np
 
 from fixel.model import gltf_check, gltf_left_out, gltf_skins
 from fixel.base.errors import ToolError
+from fixel.base.notes import Usual
 from fixel.model.gltf_glow import srgb
 from fixel.model.gltf_material import Materials
 from fixel.model.gltf_nodes import Nodes
@@ -272,7 +273,7 @@ def read(path, name=None, progress=None, sources=None):
         why = f"it has {reader.left_out:,} primitives of points and lines, which have none" if reader.left_out else \
             "no node of the scene has a mesh of triangles"
         raise ToolError(left_out[0] if left_out else f"{name}: there is no face in this file: {why}")
-    notes = [f"{name}: {_CONVENTION}"]
+    notes = [Usual(f"{name}: {_CONVENTION}")]
     reader.surfaces.give_corners(reader.corners + [None] * (len(reader.faces) - len(reader.corners)))
     if reader.surfaces.have_corners():
         notes.append(f"{name}: {MEAN_NOTE}")

@@ -15,7 +15,7 @@ _REFUSED = {**_COMPRESSED, _INSTANCES: f"its meshes are placed by lists of insta
 IMAGES = {"KHR_texture_basisu": ("KTX2", "ktxdecompress"), "EXT_texture_avif": ("AVIF", "png --formats avif")}
 # What may be required: what is read, and images that stand beside others.
 READ = ("KHR_texture_transform", "KHR_mesh_quantization", "KHR_materials_unlit", "KHR_materials_emissive_strength",
-        "KHR_materials_pbrSpecularGlossiness", "EXT_texture_webp", *IMAGES, "MSFT_texture_dds")
+        "KHR_materials_pbrSpecularGlossiness", "KHR_materials_transmission", "EXT_texture_webp", *IMAGES, "MSFT_texture_dds")
 _HARMLESS = ("KHR_materials_", "KHR_lights_punctual", "KHR_xmp")
 # What is left out with words of its own.
 _TOLD = {_INSTANCES: f"meshes placed by lists of instances ({_INSTANCES}), each of which stands at its node once: {_BLENDER} them as nodes",

@@ -15,6 +15,8 @@ from fixel.model.surface import WHITE, Material
 
 _TRANSFORM, _UNLIT = "KHR_texture_transform", "KHR_materials_unlit"
 _STRENGTH, _GLOSS = "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness"
+_GLASS, _GLASS_MAP = "KHR_materials_transmission", "transmissionTexture"
+GLASS_MOST = 0.75       # of light: of what a material lets through, so much is; the rest is what shows of the glass itself
 _WEBP = "EXT_texture_webp"
 _REPEAT, _CLAMP, _MIRROR = 10497, 33071, 33648
 _TILED_MAX = 8192       # pixels along a side of an image that is stored several times
@@ -145,6 +147,14 @@ class Materials:
             return [min(1, a + b) for a, b in zip(factor, glow)] + [factor[3]], None
         return [1, 1, 1, factor[3]], (gltf_glow.added(image, factor[:3], shines, glow), *(texture or other)[1:])
 
+    def _let_through(self, entry, where):
+        """What part of the light a material lets through, 0..GLASS_MOST."""
+        glass = self._extension(entry, _GLASS, where) or {}
+        if _GLASS_MAP in glass:
+            self.left_out.add("maps of transmission", where)
+        factor, = gltf_check.numbers(self.checked, {"transmissionFactor": [glass.get("transmissionFactor", 0)]}, "transmissionFactor", 1, where)
+        return GLASS_MOST * min(max(factor, 0.0), 1.0)
+
     @staticmethod
     def _lie_alike(one, other):
         """Whether two textures have the same coordinates, matrix and wraps."""
@@ -186,8 +196,9 @@ class Materials:
                 self.left_out.add("an image's alpha between clear and opaque: from a half on it is opaque", where)
             else:
                 image, opacity = image.with_alpha(alpha / 510), opacity * alpha / 255
-        material = Material(_name(entry, number), tuple(map(srgb, factor[:3])), opacity, self._with_alpha(image, mode, factor[3], cutoff),
-                            is_unlit=keeps_colour, is_two_sided=entry.get("doubleSided") is True, is_clear=mode != "OPAQUE")
+        through = self._let_through(entry, where)
+        material = Material(_name(entry, number), tuple(map(srgb, factor[:3])), opacity * (1 - through), self._with_alpha(image, mode, factor[3], cutoff),
+                            is_unlit=keeps_colour, is_two_sided=entry.get("doubleSided") is True, is_clear=mode != "OPAQUE" or through > 0)
         return Read(material, *rest)
 
     # --- what parts ask for ------------------------------------------------------

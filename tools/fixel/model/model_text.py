@@ -68,13 +68,22 @@ class LeftOut:
         self.counts[word] += 1
         self.first.setdefault(word, where)
 
-    def notes(self, name, kind, counted=True):
-        """At most one note. kind: what these statements are, such as "ignored". counted: whether it says how often each is there."""
+    def taken(self, words):
+        """The LeftOut of some words, which this one then has no more."""
+        made = LeftOut()
+        for word in [word for word in self.counts if word in words]:
+            made.counts[word], made.first[word] = self.counts.pop(word), self.first.pop(word)
+        return made
+
+    def notes(self, name, kind, counted=True, meanings=None):
+        """At most one note. kind: what these statements are, such as "ignored". counted: whether it says how often each is there. meanings:
+        {word: what it would do}."""
         if not self.counts:
             return []
         shown = list(self.counts.items())[:KINDS_MAX]
         more = f" and {len(self.counts) - len(shown):,} other words" if len(self.counts) > len(shown) else ""
         listed = ", ".join((f"{times} x " if counted else "") +
-                           (word if word.isidentifier() and word.isascii() and len(word) < 24 else quoted(word)) for word, times in shown)
+                           (word if word.isidentifier() and word.isascii() and len(word) < 24 else quoted(word)) +
+                           (f" ({meanings[word]})" if meanings and word in meanings else "") for word, times in shown)
         first = next(filter(None, self.first.values()), None)
         return [f"{name}: {kind} {listed}{more}" + (f" (first: {first})" if first else "")]

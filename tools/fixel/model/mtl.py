@@ -1,14 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""Reading the materials of Wavefront OBJ files: newmtl, Kd, Ke, map_Kd, d and Tr of an MTL file.
+"""Reading the materials of Wavefront OBJ files: newmtl, Kd, Ke, map_Kd, map_d, d and Tr of an MTL file.
 
 Tr is transparency, and some programs write the opacity there. The one or the other is chosen for a whole file
 (_means_opacity), and said."""
 
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
 from fixel.base import reading
 from fixel.base.errors import ToolError
+from fixel.base.notes import Usual
 from fixel.base.reading import quoted
 from fixel.model import model_text, named_file, number_text
+from fixel.model.sources import PLAIN_FACES
 from fixel.model.surface import GREY, WHITE, Material
+from fixel.model.texture_image import Texture
 
 FILE_MAX = 1 << 20          # bytes
 MATERIALS_MAX = 4096
@@ -18,7 +25,16 @@ _WORDS = {"-blendu": 1, "-blendv": 1, "-cc": 1, "-clamp": 1, "-texres": 1, "-bm"
           "-type": 1}
 _ON = "on"
 _NUMBERS = {"-o": 0.0, "-s": 1.0, "-t": 0.0}    # up to three of them, and what those left out are
-_READ = {word.lower(): word for word in ("newmtl", "Kd", "map_Kd", "Ke", "d", "Tr")}      # in any case
+# What statements do that are not read: what most files have, and others.
+_USUAL = {"Ka": "a colour in light from everywhere", "Ks": "the colour of highlights", "Ns": "how small highlights are", "Ni": "how glass bends light",
+          "illum": "which kinds of light count", "Tf": "the colour of light through it", "sharpness": "how sharp reflections are",
+          "Pr": "how rough it is", "Pm": "how metallic it is", "Ps": "sheen", "Pc": "a clear coat", "Pcr": "how rough a clear coat is",
+          "aniso": "highlights in one direction", "anisor": "the direction of highlights"}
+_OTHERS = {**dict.fromkeys(("map_Bump", "map_bump", "bump", "norm", "map_Kn"), "bumps of the surface"), "disp": "moves the surface",
+           "refl": "an image of what it mirrors", "decal": "an image over the others", "map_Ka": "an image of light from everywhere",
+           "map_Ks": "an image of highlights", "map_Ns": "an image of how small highlights are", "map_Ke": "an image of what shines by itself",
+           "map_Pr": "an image of roughness", "map_Pm": "an image of metal", "map_aat": "smooth edges of images"}
+_READ = {word.lower(): word for word in ("newmtl", "Kd", "map_Kd", "map_d", "Ke", "d", "Tr")}      # in any case
 
 
 def _number(words, where, what):
@@ -102,13 +118,13 @@ class Reader:
             self.known[name] = named_file.find(self.folder, name)
         return self.known[name]
 
-    def _image(self, name, where):
-        """The image of a name, None where there is no such file or it cannot be read."""
+    def _image(self, name, where, without):
+        """The image of a name, None where there is no such file or it cannot be read. without: what there is to say then."""
         if name not in self.images:
             file, said = self._find(name)
             if said:
                 self.notes.append(f"{where}: {said}")
-            self.images[name] = self.sources.image(lambda: self.sources.image_named(file, name, where), self.notes)
+            self.images[name] = self.sources.image(lambda: self.sources.image_named(file, name, where), self.notes, without)
         return self.images[name]
 
     def exists(self, name):
@@ -142,11 +158,12 @@ class Reader:
             elif word in _READ.values():
                 if current is None:
                     raise ToolError(f"{where}: {word} stands before the first newmtl")
-                self._statement(current, word, model_text.words_of(line)[1:] if word == "map_Kd" else rest, where, left_out)
+                self._statement(current, word, model_text.words_of(line)[1:] if word.startswith("map_") else rest, where, left_out)
             elif word:
                 left_out.add(word, where)
         self._finish(begun, file, left_out)
-        self.notes += left_out.notes(file, "ignored")
+        usual = left_out.taken(_USUAL)
+        self.notes += [*map(Usual, usual.notes(file, "ignored", meanings=_USUAL)), *left_out.notes(file, "ignored", meanings=_OTHERS)]
 
     def _statement(self, entry, word, rest, where, left_out):
         if word == "Kd":
@@ -154,25 +171,27 @@ class Reader:
         elif word == "Ke":
             entry.glow, entry.glow_where = _scaled(_colour(rest, where, "Ke")), where
         elif word == "map_Kd":
-            self._map(entry, rest, where, left_out)
+            entry.map = self._map(word, rest, where, left_out, PLAIN_FACES)
+        elif word == "map_d":
+            entry.mask, entry.mask_where = self._map(word, rest, where, left_out, "Nothing is cut out of the faces"), where
         elif word == "d":
             entry.d = _share(_number(rest[1:] if rest[:1] == ["-halo"] else rest, where, word))
         else:
             entry.tr = _share(_number(rest, where, word))
 
-    def _map(self, entry, rest, where, left_out):
-        """The image of a material: its options, and the name of a file, which may have blanks."""
+    def _map(self, word, rest, where, left_out, without):
+        """The _Map of a material: its options, and the name of a file, which may have blanks."""
         options, name = ({}, rest) if self.exists(" ".join(rest)) else _options(rest)
         if not name:
-            raise ToolError(f"{where}: map_Kd names no file")
+            raise ToolError(f"{where}: {word} names no file")
         for option in options:
             if option not in _OPTIONS_READ:
                 left_out.add(option, where)
         known = self._known(name)
         if len(known) < len(name):
             left_out.add(name[0], where)
-        entry.image, entry.moves = self._image(named_file.plain(" ".join(known)), where), _moves(options)
-        entry.clamp = options.get("-clamp") == [_ON]
+        lies = {option: options[option] for option in ("-s", "-o") if option in options}
+        return _Map(self._image(named_file.plain(" ".join(known)), where, without), lies, options.get("-clamp") == [_ON])
 
     def _known(self, words):
         """The words of a name; only the last ones if there is a file of these, and options that nobody knows stand before them."""
@@ -192,26 +211,47 @@ class Reader:
         if most > 1:
             self.notes.append(f"{file}: Kd is read as 0..255: all are whole numbers, and some are larger than 1")
         for entry, opacity in zip(entries, opacities):
-            colour = _scaled(entry.colour, most) if entry.colour else WHITE if entry.image else GREY
-            if entry.image and colour == (0, 0, 0):
+            colour = _scaled(entry.colour, most) if entry.colour else WHITE if entry.map.image else GREY
+            if entry.map.image and colour == (0, 0, 0):
                 self.notes.append(f"{file}: the material {quoted(entry.name)} has an image and is black: the image is shown as it is")
                 colour = WHITE
-            if entry.image and any(entry.glow):
+            if entry.map.image and any(entry.glow):
                 left_out.add("Ke beside an image", entry.glow_where)
             elif any(entry.glow):
                 entry.is_unlit = colour == (0, 0, 0)
                 colour = tuple(min(255, a + b) for a, b in zip(colour, entry.glow))
-            self.materials[entry.name] = Material(entry.name, colour, opacity, entry.image, entry.moves, entry.clamp, entry.is_unlit)
+            shown = entry.cut(left_out)
+            self.materials[entry.name] = Material(entry.name, colour, opacity, shown.image, _moves(shown.lies), shown.clamps, entry.is_unlit)
             if " #" in entry.name:      # a comment, or a part of the name: usemtl says which
                 self.materials.setdefault(entry.name.split(" #", 1)[0], self.materials[entry.name])
+
+
+@dataclass
+class _Map:
+    """An image of a material: the image, or None; the options by which it lies on faces; whether it clamps."""
+    image: object = None
+    lies: dict = field(default_factory=dict)
+    clamps: bool = False
 
 
 class _Entry:
     """A material as a file says it."""
 
     def __init__(self, name):
-        self.name, self.colour, self.image, self.moves, self.d, self.tr, self.clamp = name, None, None, None, None, None, False
-        self.glow, self.glow_where, self.is_unlit = (0, 0, 0), None, False
+        self.name, self.colour, self.map, self.mask, self.d, self.tr = name, None, _Map(), _Map(), None, None
+        self.glow, self.glow_where, self.mask_where, self.is_unlit = (0, 0, 0), None, None, False
+
+    def cut(self, left_out):
+        """The _Map that shows: that of map_Kd, or white, without what map_d cuts out."""
+        if self.mask.image is None:
+            return self.map
+        if self.map.image is None:
+            white = Texture(self.mask.image.name, np.full((1, 1, 4), 255, dtype=np.uint8))
+            return _Map(white.cut(self.mask.image), self.mask.lies, self.mask.clamps)
+        if (self.map.lies, self.map.clamps) != (self.mask.lies, self.mask.clamps):
+            left_out.add("map_d that does not lie as map_Kd does", self.mask_where)
+            return self.map
+        return replace(self.map, image=self.map.image.cut(self.mask.image))
 
     def opacity(self, tr_is_opacity):
         """0..1. d goes before Tr."""

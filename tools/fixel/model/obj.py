@@ -15,6 +15,7 @@ import re
 
 from fixel.model import creases, model_text, number_text, obj_colours, obj_materials
 from fixel.base.errors import ToolError
+from fixel.base.notes import Usual
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh, without_unused
 from fixel.base.reading import quoted
 from fixel.model.sources import Sources
@@ -23,7 +24,13 @@ FILE_MAX = 64 << 20         # bytes
 CORNERS_MAX = 4096          # of a face, which is cut into triangles
 COORDINATE_LIMIT = Decimal(10) ** 9
 _SIZES = {"v": 3, "vt": 1, "vn": 3}
-_DISPLAY = {"usemap", "maplib", "mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"}
+# What statements do that are not read.
+_DISPLAY = {"usemap": "an image on the faces behind it: name it by map_Kd of a material", "maplib": "a list of the images of usemap",
+            "mg": "merges surfaces of free form", "lod": "a level of detail: faces of all levels are read", "bevel": "light on edges as on bevelled ones",
+            "c_interp": "blends the colours of materials over a face", "d_interp": "blends opacity over a face",
+            "shadow_obj": "another file, which casts the shadow", "trace_obj": "another file, which mirrors show",
+            "usemtl": "the material of the faces behind it: no MTL file was read", "call": "reads another file: put its text in the place",
+            "csh": "runs a program"}
 _FREE = "statements of curves and surfaces of free form"
 _SHAPES = {"p": "points", "l": "lines", **dict.fromkeys(("vp", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv",
                                                          "sp", "end", "con", "bzp", "bsp", "cdc", "cdp", "res", "ctech", "stech"), _FREE)}
@@ -225,11 +232,11 @@ class _Parser:
             self._refuse_without_faces()
         surfaces, more = self.materials.result()
         tints, said = self.colours.tint(surfaces, self.faces, self.materials.are_known)
-        notes = [f"{name}: right-handed and counter-clockwise, as OBJ is: z was negated and every outline reversed", *said]
+        notes = [Usual(f"{name}: right-handed and counter-clockwise, as OBJ is: z was negated and every outline reversed"), *said]
         vertices, faces, unused = without_unused(self.vertices, self.faces)
         if not (self.materials.are_known or tints) and self.materials.used:
             self.ignored.counts["usemtl"] = self.materials.used
-        notes += self.ignored.notes(name, "ignored") + self.left_out.notes(name, "left out") + \
+        notes += self.ignored.notes(name, "ignored", meanings=_DISPLAY) + self.left_out.notes(name, "left out") + \
             self.unknown.notes(name, "left out statements that are not known:")
         if unused:
             notes.append(f"{name}: left out vertices that no face has: {unused:,}")

@@ -10,6 +10,7 @@ import os
 import numpy as np
 
 from fixel.base.errors import ToolError
+from fixel.base.notes import Usual
 from fixel.base.reading import quoted, shortened
 from fixel.model import model_text, named_file, ply_binary, ply_header, ply_strips, ply_text
 from fixel.model.mesh import FILE_FACES_MAX, Mesh, without_unused
@@ -253,4 +254,4 @@ def read(path, name=None, progress=None, sources=None):
         said.append(f"{name}: left out vertices that no face has: {unused:,}")
     places = [f"{name}: face {number}" for number in range(len(faces))]
     return Mesh(vertices, outlines, places, surfaces, uvs or [], normals=normals), \
-        [f"{name}: {_CONVENTION}", *notes, *more, *few, *said]
+        [Usual(f"{name}: {_CONVENTION}"), *notes, *more, *few, *said]

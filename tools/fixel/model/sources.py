@@ -10,6 +10,9 @@ from fixel.base.reading import quoted
 from fixel.model import texture_image
 
 
+PLAIN_FACES = "The faces have the colour of their material"
+
+
 def _once(known, key, make):
     """known[key], made if it is not there. What failed to be made fails again without an attempt."""
     if key not in known:
@@ -33,9 +36,9 @@ class Sources:
         """The bytes of a file of a model; one of more than so many is refused."""
         return reading.read_whole(path, most, advice)
 
-    def image(self, obtain, notes):
+    def image(self, obtain, notes, without=PLAIN_FACES):
         """The texture_image.Texture that obtain() answers; None, and a note, where it cannot be read. A file that may not be opened
-        (reading.confine) is refused. notes: gets what there is to say."""
+        (reading.confine) is refused. notes: gets what there is to say. without: what is without the image."""
         found, said = None, []
         try:
             found = obtain()
@@ -43,7 +46,7 @@ class Sources:
         except reading.OutsideError:
             raise
         except ToolError as error:
-            said = [f"{error.message}. The faces have the colour of their material"]
+            said = [f"{error.message}. {without}"]
         if self.wants_images:
             notes += [note for note in said if note not in notes]
         return found

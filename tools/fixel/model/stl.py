@@ -12,6 +12,7 @@ import re
 import numpy as np
 
 from fixel.base.errors import ToolError
+from fixel.base.notes import Usual
 from fixel.model import model_text, number_text
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh
 from fixel.base.reading import quoted
@@ -187,4 +188,4 @@ def read(path, name=None, progress=None, sources=None):
             "" if count == 0 else "; in a text each statement stands on a line of its own"))
     vertices = [(exact(x), exact(z), exact(y)) for x, y, z in points]
     faces = [[3 * face + 2, 3 * face + 1, 3 * face] for face in range(len(places))]
-    return Mesh(vertices, faces, places, surfaces, surfaces.uvs if surfaces else []), [f"{name}: {_CONVENTION}", *notes]
+    return Mesh(vertices, faces, places, surfaces, surfaces.uvs if surfaces else []), [Usual(f"{name}: {_CONVENTION}"), *notes]

@@ -66,6 +66,16 @@ class Texture:
             return pixels
         return self if (self.pixels[..., 3] == 255).all() and (cutoff is None or cutoff <= 1) else self.once(("alpha", cutoff), make)
 
+    def cut(self, mask):
+        """The image where another one shows it: by the alpha of that one, or how bright it is if it is all opaque."""
+        def make():
+            size = max(self.width, mask.width), max(self.height, mask.height)
+            pixels, other = self.scaled(*size).copy(), mask.scaled(*size)
+            shown = other[..., 3] if (other[..., 3] < 255).any() else np.asarray(Image.fromarray(other).convert("L"))
+            pixels[..., 3] = (pixels[..., 3].astype(np.uint16) * shown + 127) // 255
+            return pixels
+        return self if mask is self else self.once(("cut", id(mask)), make)
+
     def is_translucent(self):
         """Whether more than a few of its pixels, as edges have them, are neither clear nor opaque."""
         alpha = self.pixels[..., 3]

@@ -115,9 +115,9 @@ def main(argv):
     how = {"looks": look.smaller(wanted, *look.targets(wanted, asked, has_tree)[0]), "write": wanted.write} if is_model else {}
     common = arguments.frames, screen, arguments.tree, limits, asked
     if arguments.command == "export":
-        made = making.export(arguments.scene, arguments.out, arguments.name, *common, **how)
+        made = making.export(arguments.scene, arguments.out, arguments.name, *common, verbose=wanted.verbose, **how)
     else:
-        made = making.build(arguments.scene, arguments.out, *common, **how)
+        made = making.build(arguments.scene, arguments.out, *common, verbose=wanted.verbose, **how)
     has_path = arguments.command == "build" or arguments.frames is not None
     making.tell(arguments.out, made, None if has_path else "no path" + (" (--frames adds one)" if takes_frames(arguments.scene) else ""))
     if wanted.write:

@@ -11,10 +11,11 @@ import numpy as np
 
 from fixel.image import image
 from fixel.model import creases, model_file
-from fixel.scene import model_parts, model_scenery, texture_size, toml_images, toml_model, toml_scene, toml_text
+from fixel.scene import model_parts, model_scenery, texture_size, toml_images, toml_model, toml_object, toml_scene, toml_text
 from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT, dot, newell, open_edges
 from fixel.model.surface import MEAN_NOTE, MISSING_NOTE, TINT_NOTE
+from fixel.base.notes import Usual
 from fixel.base.reading import shortened
 from fixel.scene.look import NO_ANIMATION, PLAIN
 from fixel.scene.corner_normals import OWN_COSINE
@@ -28,6 +29,7 @@ RAMP = 32           # levels of light at run time
 SURFACES_MAX = 65_535   # faces of an image that may be smooth or have a texture
 _FLAT = 1 - 1e-6    # the cosine between normals from which an edge is flat
 _EYES = 24          # of a circle from which fronts are looked for
+SIZE_MAX = 2e9      # of a model's radius: coordinates of a file are within 10^9
 REACH_MAX = 4       # radii from the middle: as far as parts that move are followed
 KEYS_MAX = 1 << 18  # of all parts: a quarter of a million take more than half of the largest image
 YAWS_MAX = 120      # directions that are tried; between them a model reaches 0.04 % farther
@@ -203,8 +205,10 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN, p
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
     points -= middle
     size = float(np.sqrt((points ** 2).sum(axis=1)).max())
-    if not 1e-9 < size < 1e9:
-        raise ToolError(f"{shortened(name)}: the model's radius of {size:g} cannot be framed")
+    least = radius / toml_object.SCALE_MAX
+    if not least < size < SIZE_MAX:
+        raise ToolError(f"{shortened(name)}: the model's radius of {size:g} is outside {least:g}..{SIZE_MAX:g}: scale the model in the program that "
+                        "made it, such as to a radius of 1")
     scale = toml_model.short(radius / size)
     played.notes += model_parts.leave_out_small(played, mesh, shortened(name), scale)
     moved, reach = (model_parts.moved_points(played, mesh) - middle) * float(scale), Fraction(radius)
@@ -298,9 +302,9 @@ def compile_model(path, frames=None, progress=None, screen=None, framing=WALK, l
     scene.names = [None if each == name else each for each in scene.names]  # the file's name says nothing to a program
     scene.names = scene.names if any(scene.names) else []
     scene.text = _text_of(data, path, write) if write else None
-    return scene, read_notes + more + notes + [f"{file}: framed by default: scaled by "
-                           f"{float(data['objects'][0]['scale']):.6g}, " + (f"seen by {shortened(look.camera)} for" if look.camera else "turned once in") +
-                           f" {len(scene.path)} frames"]
+    return scene, read_notes + more + notes + [
+        Usual(f"{file}: framed by default: scaled by {float(data['objects'][0]['scale']):.6g}, " +
+              (f"seen by {shortened(look.camera)} for" if look.camera else "turned once in") + f" {len(scene.path)} frames")]
 
 
 def _first_of_a_kind(notes):
@@ -308,7 +312,7 @@ def _first_of_a_kind(notes):
     found = {}
     for note in notes:
         found.setdefault(re.sub(r'\("[^"]*"\)|[0-9][0-9,.]*', "", note), []).append(note)
-    return [same[0] + (f" (the same holds for {len(same):,} parts)" if len(same) > 1 else "") for same in found.values()]
+    return [type(same[0])(same[0] + (f" (the same holds for {len(same):,} parts)" if len(same) > 1 else "")) for same in found.values()]
 
 
 def _text_of(data, path, write):

@@ -5,7 +5,7 @@
 import argparse
 import re
 import shlex
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, field, fields, replace
 
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
@@ -67,6 +67,7 @@ class Asked:
     simplify: int = None
     bake_light: bool = False
     write: str = None
+    verbose: bool = field(default=False, compare=False)     # of a scene file too
 
     def __bool__(self):
         return self != Asked()
@@ -74,7 +75,7 @@ class Asked:
     @property
     def text(self):
         """The first option that is given."""
-        name = next(each.name for each in fields(self) if getattr(self, each.name) != each.default)
+        name = next(each.name for each in fields(self) if each.compare and getattr(self, each.name) != each.default)
         return f"--{name.replace('_', '-')}"
 
 
@@ -114,6 +115,7 @@ def _add(group):
     group.add_argument("--simplify", type=_faces, metavar="FACES", help="make a model of at most so many triangles of it first")
     group.add_argument("--bake-light", action="store_true", help="light faces and their textures when the scene is compiled, not at run "
                        "time")
+    group.add_argument("-v", "--verbose", action="store_true", help="tell too what is the same for every file; of a scene file likewise")
     group.add_argument("--write", metavar="SCENE.toml", help="write the scene file that gives the same frames")
 
 

@@ -37,21 +37,22 @@ def _make(out, request, subject, limits):
     return answer
 
 
-def build(scene, out, frames=None, screen=None, layers=None, limits=None, asked=None, looks=(PLAIN,), write=None):
+def build(scene, out, frames=None, screen=None, layers=None, limits=None, asked=None, looks=(PLAIN,), write=None, verbose=False):
     """Compiles a scene file or a model into an image file; answers a Made. screen: width and height instead of the
     scene's. layers: those that are to have a tree, or "none"; without it, what the scene says. limits: a bounded.Limits. asked: what it is drawn as instead,
     a target.Target. looks: how a
-    model looks, look.Looks: the first that an image holds. write: where its scene file is to stand."""
+    model looks, look.Looks: the first that an image holds. write: where its scene file is to stand. verbose: whether notes are told
+    that are the same for every file."""
     request = {"job": "build", "scene": os.fspath(scene), "frames": frames, "screen": screen, "layers": layers, "framed": "walk",
-               "target": vars(asked) if asked else {}, "looks": [vars(look) for look in looks], "write": write}
+               "target": vars(asked) if asked else {}, "looks": [vars(look) for look in looks], "write": write, "verbose": verbose}
     return Made(**_make(out, request, scene, limits))
 
 
-def export(scene, out, name=None, frames=None, screen=None, layers=None, limits=None, asked=None, looks=(PLAIN,), write=None):
+def export(scene, out, name=None, frames=None, screen=None, layers=None, limits=None, asked=None, looks=(PLAIN,), write=None, verbose=False):
     """Writes a scene, a model or a scene image as a C header; answers a Made. frames: with so many poses of the path."""
     own = c_names.name_of_file(scene)
     request = {"job": "export", "scene": os.fspath(scene), "name": own if name is None else name, "frames": frames,
-               "screen": screen, "layers": layers, "framed": "program", "target": vars(asked) if asked else {}, "looks": [vars(look) for look in looks], "write": write}
+               "screen": screen, "layers": layers, "framed": "program", "target": vars(asked) if asked else {}, "looks": [vars(look) for look in looks], "write": write, "verbose": verbose}
     return Made(**_make(out, request, scene, limits))
 
 

@@ -24,9 +24,9 @@ def retargeted(scene, folder, asked):
     return image
 
 
-def make_scene_image(scene, folder, frames, screen=None, limits=None, asked=None):
+def make_scene_image(scene, folder, frames, screen=None, limits=None, asked=None, verbose=False):
     """The scene image of a .toml or a model, compiled into folder; an .fxls is one already, and is copied into folder where
-    it is to be drawn as something else. asked: a target.Target."""
+    it is to be drawn as something else. asked: a target.Target. verbose: as that of making.build."""
     if pathlib.Path(scene).suffix == ".fxls":
         if screen:
             raise ToolError(f"{scene} is a scene image, which has its screen already: give the .toml or the model")
@@ -34,6 +34,6 @@ def make_scene_image(scene, folder, frames, screen=None, limits=None, asked=None
             check_frames(scene, frames, images.load(scene).frames)
         return retargeted(scene, folder, asked) if asked else pathlib.Path(scene)
     image = folder / "scene.fxls"
-    for note in making.build(scene, image, frames, screen, limits=limits, asked=asked).notes:
+    for note in making.build(scene, image, frames, screen, limits=limits, asked=asked, verbose=verbose).notes:
         print(f"  {one_line(note)}", file=sys.stderr)
     return image

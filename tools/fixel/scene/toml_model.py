@@ -11,6 +11,7 @@ import math
 from fixel.base import reading
 from fixel.model import content, merge, model_file, simplify, suffixes, t_junctions
 from fixel.base.errors import ToolError
+from fixel.base.notes import Usual
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh, rounding_error, shape
 from fixel.base.reading import QUOTE_MAX, Beside, quoted
 from fixel.model.sources import Sources
@@ -213,6 +214,6 @@ def make(mesh, rows, name, inside, wanted, progress, splits=True):
         if gone:
             made.notes.append(f"{name}: {gone:,} faces merged with neighbours in their plane; {len(made.faces):,} are left")
     if mends or merges:
-        made.notes.append(f"{name}: {len(mesh.vertices):,} vertices welded to {len(made.vertices):,}; rounded to 16.16, a "
-                          f"coordinate is at most {rounding_error(mesh, rows):.2f}/65536 unit off")
+        made.notes.append(Usual(f"{name}: {len(mesh.vertices):,} vertices welded to {len(made.vertices):,}; rounded to 16.16, a "
+                                f"coordinate is at most {rounding_error(mesh, rows):.2f}/65536 unit off"))
     return made

@@ -17,6 +17,7 @@ from fixel.model import suffixes
 from fixel.scene import c_texture
 from fixel.base import job
 from fixel.base.errors import ToolError
+from fixel.base.notes import told
 from fixel.scene import compiler, look, target
 
 
@@ -84,7 +85,7 @@ def _write(request, data):
 
 def _written(request, data, compiled, notes):
     _write(request, data)
-    return {"size": len(data), "objects": len(compiled.objects), "frames": compiled.frames, "notes": notes,
+    return {"size": len(data), "objects": len(compiled.objects), "frames": compiled.frames, "notes": told(notes, request["verbose"]),
             "text": compiled.text if request["write"] else None}
 
 
