@@ -28,7 +28,12 @@ def run(folder, body, limits=SMALL, subject="x.toml"):
 
 
 def test_a_job_answers(tmp_path):
-    assert run(tmp_path, 'print("noise", flush=True)\nreturn [request["asked"], "ä\\n"]') == [5, "ä\n"]
+    assert run(tmp_path, 'print("noise", flush=True)\nreturn [request["asked"], "ä\\n"]') == ([5, "ä\n"], b"")
+
+
+def test_a_job_gives_bytes_of_any_size(tmp_path):
+    assert run(tmp_path, 'report.give(bytes(range(256)) * 40_000)\nreturn 7') == (7, bytes(range(256)) * 40_000)
+    assert run(tmp_path, 'report.give(b"")') == (None, b"")
 
 
 def test_the_files_that_a_job_read_are_known(tmp_path):
@@ -43,12 +48,12 @@ def test_a_job_reads_no_file_outside_the_folder_of_its_subject(tmp_path):
     for file in (folder / "in", tmp_path / "out"):
         file.write_text("x")
     body = "from fixel.base import reading\nreturn reading.read_all({!r}).decode()"
-    assert run(folder, body.format(str(folder / "in")), subject=str(folder / "x.toml")) == "x"
+    assert run(folder, body.format(str(folder / "in")), subject=str(folder / "x.toml"))[0] == "x"
     outside = body.format(str(tmp_path / "out"))
     with pytest.raises(ToolError, match="is outside .*, the folder of .*x.toml"):
         run(folder, outside, subject=str(folder / "x.toml"))
     allowed = bounded.Limits(cpu=1, memory=200, outside=True)
-    assert run(folder, outside, allowed, subject=str(folder / "x.toml")) == "x"
+    assert run(folder, outside, allowed, subject=str(folder / "x.toml"))[0] == "x"
 
 
 def test_a_refusal_comes_as_it_is(tmp_path):
@@ -70,6 +75,8 @@ def test_a_refusal_comes_as_it_is(tmp_path):
     ("os._exit(3)", "ended without an answer"),
     ("os.closerange(0, 100)\ntime.sleep(600)", "was killed"),
     ("report.send({'unknown': 1})\ntime.sleep(600)", "sent a damaged answer"),
+    ("report.send({'done': 1})\ntime.sleep(600)", "sent a damaged answer"),
+    ("report.send({'done': [1, 9]})\nos.write(1, b'short')\nos._exit(0)", "without an answer"),
     ("report.send([1])\ntime.sleep(600)", "sent a damaged answer"),
     ("return {}[0]", r"defect of the tool \(KeyError in worker.py, line 6\)")])
 def test_each_end_is_one_sentence(tmp_path, body, words):
@@ -105,7 +112,7 @@ def test_how_far_a_stage_is_is_told_when_the_last_words_are_some_time_old(monkey
 def test_a_limit_that_a_system_lacks_is_said_once(tmp_path, capfd, monkeypatch):
     monkeypatch.setattr(bounded, "_told_without", False)
     body = "report.send({'without': 'memory'})\nreturn 1"
-    assert run(tmp_path, body) == run(tmp_path, body) == 1
+    assert run(tmp_path, body) == run(tmp_path, body) == (1, b"")
     assert capfd.readouterr().err == "note: this system has no limit of memory for a process: scenes are compiled without\n"
 
 

@@ -161,8 +161,19 @@ def test_a_scene_file_that_somebody_changed_is_not_written_over(tmp_path):
         assert "the same as a scene file" in run_cli(*words).stdout
     mine = (tmp_path / "s.toml").read_text() + "# mine\n"
     (tmp_path / "s.toml").write_text(mine)
+    (tmp_path / "one.fxls").write_text("before")
     assert_one_sentence(run_cli(*words), "s.toml", "is there already", "--write")
-    assert (tmp_path / "s.toml").read_text() == mine
+    assert (tmp_path / "s.toml").read_text() == mine and (tmp_path / "one.fxls").read_text() == "before"
+
+
+@pytest.mark.parametrize("command", [["build"], ["export", "--c"]])
+@pytest.mark.parametrize("out, write, words", [("a folder", "s.toml", ["a folder", "cannot be written"]), ("out", "a folder", ["a folder", "cannot be written"]),
+                                               ("out", "out", ["out", "one file", "--write"]), ("out", "file/s.toml", ["file/s.toml"])])
+def test_both_results_are_written_or_neither(tmp_path, command, out, write, words):
+    (tmp_path / "a folder").mkdir()
+    (tmp_path / "file").touch()
+    assert_one_sentence(run_cli(*command, CUBE, "-o", tmp_path / out, "--write", tmp_path / write), *words)
+    assert sorted(path.name for path in tmp_path.rglob("*")) == ["a folder", "file"]
 
 
 def test_export_has_the_surfaces_that_run_shows(tmp_path):

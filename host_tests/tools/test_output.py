@@ -3,13 +3,18 @@
 
 import os
 import re
+import resource
+import shutil
 import socket
 import stat
+import threading
 
 import pytest
+import warm_start
+from PIL import Image
 
 from board_programs import BOARD, built
-from conftest import CHECKOUT, TOOLS, assert_one_sentence, run_cli
+from conftest import CHECKOUT, LAUNCHER, TOOLS, assert_one_sentence, environment, run_cli
 from fixel.base import output
 from fixel.scene import making
 from fixel.board import emulator, flash_memory
@@ -191,3 +196,41 @@ def test_no_tool_replaces_a_file_otherwise():
     found = {str(file.relative_to(TOOLS)) for file in TOOLS.rglob("*.py")
              if re.search(r"os\.re(place|name)\(", file.read_text(encoding="utf-8"))}
     assert found == {"fixel/base/kept.py", "fixel/base/output.py", "fixel/base/placing.py", "wheel/fixel/programs.py"}
+
+
+# --- while a scene is compiled ------------------------------------------------------------
+
+@pytest.fixture
+def image(tmp_path):
+    """A picture of as many texels as there are bytes that a file may have."""
+    Image.new("RGB", (64, 64), (9, 99, 199)).save(tmp_path / "skin.png")
+    return tmp_path / "skin.png"
+
+
+@pytest.mark.parametrize("words", [["build", CHECKOUT / "scenes/tiny.toml"], ["export", "--c", CHECKOUT / "scenes/tiny.toml"], ["texture"]], ids=lambda words: words[0])
+def test_a_file_that_a_limit_of_the_system_cuts_off_is_one_sentence(tmp_path, image, words):
+    """ulimit -f: the file that was there before stays."""
+    words = [*words, *([image] if words == ["texture"] else []), "-o", tmp_path / "out"]
+    (tmp_path / "out").write_text("before")
+    done = warm_start.run([str(LAUNCHER), *map(str, words)], CHECKOUT, environment(), limits=[(resource.RLIMIT_FSIZE, 1000)])
+    assert_one_sentence(done, "out", "cannot be written", "too large")
+    assert (tmp_path / "out").read_text() == "before" and sorted(path.name for path in tmp_path.iterdir()) == ["out", "skin.png"]
+
+
+def test_a_scene_is_compiled_while_somebody_empties_the_folder_of_temporary_files(tmp_path):
+    """A command of a damaged tool once took the temporary folder of a living one for left over."""
+    place, ended = tmp_path / "tmp", threading.Event()
+    place.mkdir()
+
+    def empty():
+        while not ended.is_set():
+            for path in place.iterdir():
+                shutil.rmtree(path, ignore_errors=True)
+    cleaner = threading.Thread(target=empty)
+    cleaner.start()
+    try:
+        done = run_cli("build", CHECKOUT / "scenes/tiny.toml", "-o", tmp_path / "out.fxls", TMPDIR=str(place))
+    finally:
+        ended.set()
+        cleaner.join()
+    assert done.returncode == 0 and (tmp_path / "out.fxls").stat().st_size, done.stderr

@@ -407,3 +407,12 @@ def test_as_many_more_are_tried_as_do_not_count():
     assert [number for number, _ in tried] == list(range(10)) and tried[3][1] == {"result": "known", "words": "known"}
     assert asked == [[0, 1, 2, 4], [5, 6, 7], [8], [9]]
     assert [number for number, _ in mutants.try_all(drawn, 99, known, compute)] == list(range(20))
+
+
+def test_a_tree_has_journals_of_its_own(tmp_path):
+    """A mutant of scratch.py may take the temporary files of commands that live for left over: it must not know them."""
+    checkout = tmp_path / "checkout"
+    write_files(checkout, {"tools/fixel/base/scratch.py": "", "host_tests/a.py": "", "build/.scratch/1-a": "", "build/host/frames": "", "README.md": ""})
+    tree = trees.Tree(tmp_path / "tree", checkout).folder
+    assert not (tree / "build/.scratch").exists() and not (tree / "build").is_symlink()
+    assert (tree / "build/host/frames").exists() and (tree / "README.md").is_symlink()

@@ -85,12 +85,12 @@ class _Job:
     def __init__(self, subject, limits):
         self.subject, self.stage = subject, "its start"
         self.seconds, self.bytes = limits.effective()
-        self.answered, self.answer, self.error = False, None, None
+        self.answered, self.answer, self.data, self.error = False, None, None, None
         self.next = time.monotonic() + QUIET_SECONDS
 
-    def hear(self, line):
-        """Takes a line of the process; one that is damaged ends the listening."""
-        message = json.loads(line)
+    def hear(self, line, pipe):
+        """Takes a line of the process, and behind the answer the bytes of the result; what is damaged ends the listening."""
+        self.pipe, message = pipe, json.loads(line)
         for kind, value in message.items():
             getattr(self, f"_hear_{kind}")(value)
 
@@ -106,8 +106,10 @@ class _Job:
             print(f"note: this system has no limit of {names} for a process: scenes are compiled without", file=sys.stderr)
         _told_without = True
 
-    def _hear_done(self, answer):
-        self.answered, self.answer = True, answer
+    def _hear_done(self, message):
+        self.answer, size = message
+        self.data = self.pipe.read(size)
+        self.answered = len(self.data) == size
 
     def _hear_opened(self, files):
         reading.note_opened(files)
@@ -130,11 +132,11 @@ class _Job:
                          f"(--cpu-limit) and {self.bytes // _MIB:,} MiB of memory (--memory-limit)")
 
     def result(self, code):
-        """The answer of a process that ended with this code; or what stands for it is raised."""
+        """(the answer, the bytes of the result) of a process that ended with this code; or what stands for it is raised."""
         if self.error:
             raise self.error
         if self.answered:
-            return self.answer
+            return self.answer, self.data
         if code == -signal.SIGXCPU:
             raise self._ended(f"it took the limit of {self.seconds:,} s of CPU time")
         if code == -signal.SIGKILL:
@@ -151,7 +153,7 @@ def start(program, _limits):
 
 
 def run(program, request, subject, limits=None):
-    """Runs a job and answers what it answers. program: a Python file that calls job.serve. request: what it is asked, as
+    """Runs a job: (what it answers, the bytes that it gives). program: a Python file that calls job.serve. request: what it is asked, as
     JSON holds it. subject: the file that the job is about, for messages."""
     limits = limits or Limits()
     job = _Job(subject, limits)
@@ -161,7 +163,7 @@ def run(program, request, subject, limits=None):
         try:
             _ask(process, asked)
             for line in process.stdout:
-                job.hear(line)
+                job.hear(line, process.stdout)
         except (ValueError, AttributeError, KeyError, TypeError):   # no such message: the process writes nonsense
             job.hear_nonsense()
             process.kill()

@@ -32,7 +32,12 @@ class Report:
     """Tells the caller what is being done."""
 
     def __init__(self, send):
-        self.send, self.last, self.next = send, None, 0.0
+        self.send, self.last, self.next, self.result = send, None, 0.0, b""
+
+    def give(self, data):
+        """The bytes of a result, which go to the caller with the answer. They pass through no file, which somebody could remove or a limit of
+        the system cut off."""
+        self.result = data
 
     def stage(self, text):
         """A stage begins."""
@@ -74,19 +79,22 @@ def _is_of_memory(error):
 
 
 def _answer(do, request, report):
-    """The last line: what the job answers, or how it failed."""
+    """The last line: what the job answers, and behind it the bytes of its result; or how it failed."""
     try:
-        line = json.dumps({"done": do(request, report), "opened": sorted(reading.opened())})
+        answer = do(request, report)
+        line = json.dumps({"opened": sorted(reading.opened()), "done": [answer, len(report.result)]})
+        return [line.encode() + b"\n", report.result]
     except ToolError as error:
         line = json.dumps({"error": {"message": error.message, "exit_code": error.exit_code, "words": error.words}})
     except Exception as error:  # one sentence for the caller, whatever it was
         if _is_of_memory(error):
-            return _MEMORY
+            return [_MEMORY]
         line = json.dumps({"defect": _place(error)})
-    return line.encode() + b"\n"
+    return [line.encode() + b"\n"]
 
 
 def _write(pipe, data):
+    data = memoryview(data)     # whose rest is no copy
     while data:
         data = data[os.write(pipe, data):]
 
@@ -104,5 +112,6 @@ def serve(do):
     if lacking:
         report.send({"without": " and of ".join(lacking)})
     with contextlib.suppress(BrokenPipeError):      # the caller is gone
-        _write(pipe, _answer(do, request, report))
+        for part in _answer(do, request, report):
+            _write(pipe, part)
     os._exit(0)     # the memory of a large scene need not be given back object by object

@@ -140,12 +140,35 @@ def write_file(path, data):
     replace(path, data.encode() if isinstance(data, str) else data)
 
 
-def write_new(path, text, option):
-    """Writes text as a file, unless another text is there: somebody may have changed it. option: what names it."""
+def _check_new(path, text, option):
+    """The file that a text is to be, refused where another text is there: somebody may have changed it. option: what names it."""
     target = target_of(path)
     if target.exists() and target.read_bytes() != text.encode():
         raise ToolError(f"{path}: is there already and has another text, perhaps yours: remove it, or name another file after {option}")
+    return target
+
+
+def write_new(path, text, option):
+    """Writes text as a file, unless another text is there. option: what names it."""
+    _check_new(path, text, option)
     write_file(path, text)
+
+
+def write_both(path, data, other, text, option):
+    """Writes a result and a text beside it, as write_file and write_new do: both or, where one is refused or cannot be written,
+    neither."""
+    first, second = target_of(path), _check_new(other, text, option)
+    if first == second:
+        raise ToolError(f"{other}: {option} and the result name one file: name another one")
+    refuse_input(second, other)
+    is_new = not second.exists()
+    write_new(other, text, option)
+    try:
+        write_file(path, data)
+    except BaseException:
+        if is_new:      # else it had this text before
+            second.unlink(missing_ok=True)
+        raise
 
 
 def write_json(path, value):

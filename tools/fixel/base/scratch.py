@@ -79,7 +79,8 @@ class _Journal:
                     self._write(path)
 
     def drop(self, path):
-        self._paths.discard(path)
+        with self._guard:       # another thread may be writing the paths into a new journal
+            self._paths.discard(path)
 
     def close(self):
         """Removes what is left, and the journal. With a note that was not dropped the next command has work to do."""

@@ -9,7 +9,7 @@ import sys
 import sysconfig
 import time
 
-from fixel.base import limits
+from fixel.base import limits, scratch
 from fixel.check.pytest_client import Client, EndedError
 
 RECORDER = pathlib.Path(__file__).with_name("recorder")
@@ -28,8 +28,13 @@ class Tree:
         for name in COPIED:
             shutil.copytree(checkout / name, folder / name, ignore=UNCOPIED)
         for each in checkout.iterdir():
-            if not (folder / each.name).exists() and each.name != ".git":
+            if not (folder / each.name).exists() and each.name not in (".git", "build"):
                 (folder / each.name).symlink_to(each)
+        # Its journals of temporary files are its own: a mutant of scratch.py must not take those of commands that live for left over.
+        (folder / "build").mkdir()
+        for each in checkout.glob("build/*"):
+            if each.name != scratch.JOURNALS.name:
+                (folder / "build" / each.name).symlink_to(each)
         # Set-up would make .venv anew, which is a link, because its path is another.
         (folder / "tools" / "setup.sh").write_text("#!/bin/sh\n", encoding="utf-8")
         self._said, self._report = folder / "said.txt", folder / "report.jsonl"

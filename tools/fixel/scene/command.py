@@ -19,7 +19,7 @@ tools/scene.py is the same without set-up's fixel: scene.py build ..."""
 import argparse
 import re
 
-from fixel.base import bounded, output
+from fixel.base import bounded
 from fixel.base.errors import ToolError, one_line
 from fixel.base.reading import quoted
 from fixel.image import c_names, image_surface
@@ -112,7 +112,7 @@ def main(argv):
     is_model = suffixes.is_model(arguments.scene)
     look.check(wanted, arguments.scene, is_model)
     has_tree = arguments.tree not in (None, "none")
-    how = {"looks": look.smaller(wanted, *look.targets(wanted, asked, has_tree)[0]), "write": wanted.write} if is_model else {}
+    how = {"looks": look.smaller(wanted, *look.targets(wanted, asked, has_tree)[0]), "write": wanted.write, "writes": True} if is_model else {}
     common = arguments.frames, screen, arguments.tree, limits, asked
     if arguments.command == "export":
         made = making.export(arguments.scene, arguments.out, arguments.name, *common, verbose=wanted.verbose, **how)
@@ -121,6 +121,5 @@ def main(argv):
     has_path = arguments.command == "build" or arguments.frames is not None
     making.tell(arguments.out, made, None if has_path else "no path" + (" (--frames adds one)" if takes_frames(arguments.scene) else ""))
     if wanted.write:
-        output.write_new(wanted.write, made.text, "--write")
         print(f"the same as a scene file: {one_line(wanted.write)}")
     return 0

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Scene files into scene images or C headers, and images into textures: read and compiled in a process of their own, under
-limits (fixel/base/bounded.py), which leaves the result in a temporary file. This process puts it in place."""
+limits (fixel/base/bounded.py), which sends the result. This process puts it in place."""
 
 import os
 import re
 import sys
 from dataclasses import dataclass
 
-from fixel.base import bounded, output, reading, scratch
+from fixel.base import bounded, output
 from fixel.base.errors import ToolError, one_line
 from fixel.base.reading import quoted
 from fixel.image import c_names, image_lens
@@ -26,34 +26,33 @@ class Made:
     text: str       # the scene file of a model, where one is asked for
 
 
-def _make(out, request, subject, limits):
-    """Has a job done and puts its result in place; answers what the job answers."""
-    with scratch.folder("compile") as folder:
-        file = folder / "result"
-        answer = bounded.run(WORKER, {**request, "out": str(file)}, subject, limits)
-        made, _ = reading.open_regular(file)
-        with made:
-            output.write_file(out, made.read())
+def _make(out, request, subject, limits, writes=False):
+    """Has a job done and puts its result in place, with the scene file of a model if writes; answers what the job answers."""
+    answer, made = bounded.run(WORKER, request, subject, limits)
+    if writes and request["write"]:
+        output.write_both(out, made, request["write"], answer["text"], "--write")
+    else:
+        output.write_file(out, made)
     return answer
 
 
-def build(scene, out, frames=None, screen=None, layers=None, limits=None, asked=None, looks=(PLAIN,), write=None, verbose=False):
+def build(scene, out, frames=None, screen=None, layers=None, limits=None, asked=None, looks=(PLAIN,), write=None, verbose=False, writes=False):
     """Compiles a scene file or a model into an image file; answers a Made. screen: width and height instead of the
     scene's. layers: those that are to have a tree, or "none"; without it, what the scene says. limits: a bounded.Limits. asked: what it is drawn as instead,
     a target.Target. looks: how a
     model looks, look.Looks: the first that an image holds. write: where its scene file is to stand. verbose: whether notes are told
-    that are the same for every file."""
+    that are the same for every file. writes: whether the scene file is put there too, or left to the caller as the Made's text."""
     request = {"job": "build", "scene": os.fspath(scene), "frames": frames, "screen": screen, "layers": layers, "framed": "walk",
                "target": vars(asked) if asked else {}, "looks": [vars(look) for look in looks], "write": write, "verbose": verbose}
-    return Made(**_make(out, request, scene, limits))
+    return Made(**_make(out, request, scene, limits, writes))
 
 
-def export(scene, out, name=None, frames=None, screen=None, layers=None, limits=None, asked=None, looks=(PLAIN,), write=None, verbose=False):
+def export(scene, out, name=None, frames=None, screen=None, layers=None, limits=None, asked=None, looks=(PLAIN,), write=None, verbose=False, writes=False):
     """Writes a scene, a model or a scene image as a C header; answers a Made. frames: with so many poses of the path."""
     own = c_names.name_of_file(scene)
     request = {"job": "export", "scene": os.fspath(scene), "name": own if name is None else name, "frames": frames,
                "screen": screen, "layers": layers, "framed": "program", "target": vars(asked) if asked else {}, "looks": [vars(look) for look in looks], "write": write, "verbose": verbose}
-    return Made(**_make(out, request, scene, limits))
+    return Made(**_make(out, request, scene, limits, writes))
 
 
 def texture(image, out, name, size=None, levels=1, clamp=False, limits=None):

@@ -47,7 +47,7 @@ def _build(request, report):
 def build(request, report):
     """A scene or a model as a scene image."""
     blob, compiled, notes = _build(request, report)
-    return _written(request, blob, compiled, notes)
+    return _given(request, report, blob, compiled, notes)
 
 
 def export(request, report):
@@ -66,7 +66,7 @@ def export(request, report):
         _, compiled, notes = _build(request, report)
     report.stage("writing the header")
     text = c_scene.header(compiled, request["name"], os.path.basename(scene), request["frames"] is not None)
-    return _written(request, text.encode(), compiled, notes)
+    return _given(request, report, text.encode(), compiled, notes)
 
 
 def texture(request, report):
@@ -74,17 +74,12 @@ def texture(request, report):
     report.stage("reading the image")
     text, texels, notes = c_texture.header(request["image"], request["name"], request["size"] and tuple(request["size"]),
                                            request["levels"], request["clamp"])
-    _write(request, text.encode())
+    report.give(text.encode())
     return {"texels": texels, "notes": notes}
 
 
-def _write(request, data):
-    with open(request["out"], "wb") as file:
-        file.write(data)
-
-
-def _written(request, data, compiled, notes):
-    _write(request, data)
+def _given(request, report, data, compiled, notes):
+    report.give(data)
     return {"size": len(data), "objects": len(compiled.objects), "frames": compiled.frames, "notes": told(notes, request["verbose"]),
             "text": compiled.text if request["write"] else None}
 
