@@ -38,14 +38,17 @@ static void draw_made(made_scene *made, fuzz_input *in)
 {
     if (check_scene(&made->scene)) {
         fxl_lens lens = fuzz_lens(in, PIXELS);
+        fxl_pose first = {.yaw = 0};
         for (uint32_t i = 0; i < POSES && (i == 0 || in->left > 0); i++) {
             fxl_pose pose = fuzz_pose(in);
             draw_choice choice = {fuzz_below(in, draw_clipper_count()), 0, lens.height};
             draw_scene(&made->scene, &lens, &pose, &choice, in);
             if (i == 0) {
                 draw_attached(&made->scene, &lens, &pose);
+                first = pose;
             }
         }
+        draw_sequences(&made->scene, &lens, &first, in);
     }
     free_scene(made);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* How memory for a workspace, or for a visibility method, is divided into parts. */
+/* How memory for a workspace, or for a visibility method, is divided into parts, and what a workspace
+ * is set up for. */
 #include "../../lib/draw/renderer.h"
 #include "choices.h"
 #include "tiny.h"
@@ -181,4 +182,127 @@ void test_entries_for_the_largest_model(void)
             TEST_ASSERT_EQUAL_UINT32(0, fxl_cache_entries(&scene, entry - 1));
         }
     }
+}
+
+/* --- a workspace that is older than the settings --------------------------------------------- */
+
+/* A frame of which the second workspace may draw the first rows. */
+static fxl_status draw_in_the_second(uint32_t yaw)
+{
+    static uint8_t pixels[WIDTH * HEIGHT];
+    const fxl_pose pose = {{Q16(0.5), Q16(0.25), Q16(-6)}, yaw, 0, 0};
+    const fxl_band band = {.pixels = pixels,
+                           .width = renderer.frame.view.lens.width,
+                           .stride = WIDTH,
+                           .rows = 2};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    return fxl_frame_draw_with(&renderer, &second, &band);
+}
+
+static void start_with_a_second(size_t size)
+{
+    start();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], size));
+    TEST_ASSERT_EQUAL(FXL_OK, draw_in_the_second(0));
+    memset(&renderer, 0x5A, sizeof renderer); /* fxl_renderer_init reads nothing of it */
+}
+
+static fxl_status init_again(const fxl_scene *scene, const fxl_lens *lens)
+{
+    const fxl_memory tables = {order, TINY_INSTANCES + 6, NULL, 0, NULL, 0};
+    return fxl_renderer_init_with(&renderer, scene, lens, &tables);
+}
+
+/* Another scene, also one in the same record; another lens; and other frames of the same ones. */
+void test_a_workspace_from_before_init_is_refused(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT), narrow = unit_lens(WIDTH - 1, HEIGHT);
+    fxl_lens nearer = lens;
+    nearer.near_z++;
+    start_with_a_second(ROOM);
+    fxl_scene *scene = &tiny_make()->scene, other = *scene, larger = *scene;
+    fxl_model models[4];
+    TEST_ASSERT_TRUE(scene->model_count <= 4);
+    memcpy(models, scene->models, scene->model_count * sizeof *models);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&other, NULL));
+    const struct {
+        const fxl_scene *scene;
+        const fxl_lens *lens;
+        fxl_status status;
+    } cases[] = {{&other, &lens, FXL_E_ORDER},
+                 {scene, &narrow, FXL_E_ORDER},
+                 {scene, &nearer, FXL_E_ORDER},
+                 {scene, &lens, FXL_OK}};
+    for (uint32_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        start_with_a_second(ROOM);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(scene, NULL));
+        TEST_ASSERT_EQUAL(FXL_OK, init_again(cases[i].scene, cases[i].lens));
+        TEST_ASSERT_EQUAL(cases[i].status, draw_in_the_second(0));
+    }
+    start_with_a_second(ROOM);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, init_again(scene, &lens));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, draw_in_the_second(DEGREES(3)));
+    TEST_ASSERT_EQUAL(FXL_OK, draw_in_the_second(DEGREES(3)));
+    start_with_a_second(ROOM);
+    larger.models = models;
+    larger.draw_list_needed = TINY_INSTANCES + 6;
+    *scene = larger;
+    TEST_ASSERT_EQUAL(FXL_OK, init_again(scene, &lens));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, draw_in_the_second(0));
+}
+
+/* The same tables with more faces than the workspace has room for. */
+void test_a_model_that_has_grown_is_refused(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    start_with_a_second(ROOM);
+    fxl_scene *scene = &tiny_make()->scene;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, init_again(scene, &lens));
+    second.work.setup.room.face_room--;
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, draw_in_the_second(0));
+}
+
+/* The number of changes stays at the last one, where no other workspace is taken. The renderer's own
+ * draws on, and init begins anew. */
+void test_changes_are_counted_to_the_last_number(void)
+{
+    start();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], ROOM));
+    renderer.workspace.settings_number += 65536; /* as so many changes do */
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, draw_in_the_second(0));
+    renderer.workspace.settings_number = UINT32_MAX - 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], ROOM));
+    TEST_ASSERT_EQUAL(FXL_OK, draw_in_the_second(0));
+    for (int i = 0; i < 3; i++) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &fxl_clipper_view, NULL, 0));
+        TEST_ASSERT_EQUAL_HEX32(UINT32_MAX, renderer.workspace.settings_number);
+        TEST_ASSERT_EQUAL(FXL_E_ORDER, draw_in_the_second(0));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], ROOM));
+        TEST_ASSERT_EQUAL(FXL_E_ORDER, draw_in_the_second(0));
+    }
+    memset(&second, 0, sizeof second);
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, draw_in_the_second(0));
+    start();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], ROOM));
+    TEST_ASSERT_EQUAL(FXL_OK, draw_in_the_second(0));
+}
+
+/* A centre of the lens is one of the settings; the same one again is no other. */
+void test_a_centre_that_moved_is_another_lens(void)
+{
+    const fxl_q16_16 x = Q16(WIDTH) / 2, y = Q16(HEIGHT) / 2;
+    fxl_lens lens;
+    start();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_from_fov(WIDTH, HEIGHT, DEGREES(60), Q16(0.25), Q16(64), 0,
+                                                &lens));
+    TEST_ASSERT_EQUAL(FXL_OK, init_again(renderer.scene, &lens));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], ROOM));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_centre(&renderer, x, y));
+    TEST_ASSERT_EQUAL(FXL_OK, draw_in_the_second(0));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_centre(&renderer, x + Q16(1), y));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, draw_in_the_second(0));
+    TEST_ASSERT_EQUAL_UINT32(1, second.counters.refused_calls);
 }

@@ -186,6 +186,6 @@ fxl_status fxl_attach_beams(fxl_renderer *renderer, const fxl_beam_set *set, voi
         shader = build(set, (uint8_t *)memory);
     }
     fxl_renderer_attach(renderer, FXL_SHADER_BEAMS, shader);
-    renderer->workspace.settings_version += 1; /* other workspaces have no room for these beams */
+    FXL_COUNT_CHANGE(&renderer->workspace); /* other workspaces have no room for these beams */
     return FXL_OK;
 }

@@ -35,15 +35,6 @@ static void begin_counters(fxl_counters *counters, uint32_t culled)
     counters->outside = culled;
 }
 
-/* A workspace knows nothing of the frame yet. */
-static void begin_workspace(fxl_workspace *workspace, const fxl_view *view, bool counted)
-{
-    workspace->frame_number = view->frame;
-    workspace->rest_counted = counted;
-    workspace->screen.shade = 0;             /* a light may have been detached */
-    workspace->sorted_instance = UINT16_MAX; /* none: instances in sight are fewer */
-}
-
 /* Whether bands that pass over what does not reach them are worth a traversal more. Without a
  * display list the frame is drawn in one band, or in few. */
 static bool measures_rows(const fxl_renderer *renderer)
@@ -118,7 +109,7 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
         renderer->clipper->begin(&frame->view);
     }
     begin_counters(&workspace->counters, culled);
-    begin_workspace(workspace, &frame->view, false);
+    fxl_workspace_begin(workspace, false);
     /* for each face: transform, clip, project, append */
     frame->display_list.used = 0;
     frame->resume.instances = 0;
@@ -347,26 +338,18 @@ static bool has_pixels_of(const fxl_renderer *renderer, const fxl_band *band)
     return !band->palette == !renderer->palette;
 }
 
-/* rgb565 3.6 */
-fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *workspace,
-                               const fxl_band *band)
+fxl_status fxl_draw_in_workspace(const fxl_renderer *renderer, fxl_workspace *workspace,
+                                 const fxl_band *band)
 {
-    if (workspace == NULL) {
-        return FXL_E_ARGUMENT;
-    }
-    if (renderer == NULL || band == NULL || band->pixels == NULL) {
+    if (band == NULL || band->pixels == NULL) {
         return fxl_refuse(workspace, FXL_E_ARGUMENT);
     }
     const fxl_frame *frame = &renderer->frame;
-    if (frame->state == FXL_FRAME_NONE || !has_pixels_of(renderer, band) ||
-        workspace->settings_version != renderer->workspace.settings_version) {
+    if (frame->state == FXL_FRAME_NONE || !has_pixels_of(renderer, band)) {
         return fxl_refuse(workspace, FXL_E_ORDER);
     }
     if (!is_band_of(&frame->view.lens, band)) {
         return fxl_refuse(workspace, FXL_E_RANGE);
-    }
-    if (workspace->frame_number != frame->view.frame) {
-        begin_workspace(workspace, &frame->view, true);
     }
     fxl_band from_0 = *band;
     fxl_band_begin_at_column_0(&from_0);
@@ -375,5 +358,6 @@ fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *work
 
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
 {
-    return fxl_frame_draw_with(renderer, renderer == NULL ? NULL : &renderer->workspace, band);
+    return renderer == NULL ? FXL_E_ARGUMENT
+                            : fxl_draw_in_workspace(renderer, &renderer->workspace, band);
 }

@@ -62,7 +62,7 @@ FXL_COLD fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_sce
     const uint32_t capacity = memory->draw_list_capacity - (scene->draw_list_needed - instances);
     /* A world attaches the renderer first. */
     renderer->instance_capacity = scene->instance_capacity > 0 ? 0 : capacity;
-    workspace->settings_version = 1; /* another workspace has 0 until it is set up */
+    workspace->settings_number = 1; /* another workspace has 0 until it is set up */
     fxl_view_set_lens(&frame->view, lens);
     frame->draw_list = memory->draw_list;
     frame->display_list.words = memory->display_list;
@@ -93,7 +93,7 @@ static fxl_status check_workspace(const fxl_renderer *renderer, const void *work
 static void settings_changed(fxl_renderer *renderer)
 {
     renderer->frame.state = FXL_FRAME_NONE;
-    renderer->workspace.settings_version += 1;
+    FXL_COUNT_CHANGE(&renderer->workspace);
 }
 
 FXL_COLD fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *clipper,

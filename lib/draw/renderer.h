@@ -8,6 +8,23 @@
 /* Counts a call that is refused; answers its status. */
 fxl_status fxl_refuse(fxl_workspace *workspace, fxl_status status);
 
+/* Counts a change of the settings that workspaces of other cores are set up for. At the last number
+ * it stays: fxl_frame_draw_with then takes no other workspace. */
+#define FXL_COUNT_CHANGE(workspace) \
+    ((workspace)->settings_number += (workspace)->settings_number < UINT32_MAX)
+
+/* A workspace knows nothing of the frame yet. */
+static inline void fxl_workspace_begin(fxl_workspace *workspace, bool counted)
+{
+    workspace->rest_counted = counted;
+    workspace->screen.shade = 0;             /* a light may have been detached */
+    workspace->sorted_instance = UINT16_MAX; /* none: instances in sight are fewer */
+}
+
+/* Draws a band in a workspace that was set up for the renderer, as fxl_frame_draw does. */
+fxl_status fxl_draw_in_workspace(const fxl_renderer *renderer, fxl_workspace *workspace,
+                                 const fxl_band *band);
+
 /* fxl_frame_begin of a frame that is drawn in one band. It leaves the display list empty: to write
  * a polygon and read it once costs more instructions than to draw it at once. */
 static inline fxl_status fxl_begin_one_band(fxl_renderer *renderer, const fxl_pose *pose)

@@ -20,7 +20,7 @@ fxl_status fxl_renderer_set_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16
     }
     const uint32_t frame = view->frame;
     fxl_view_set_lens(view, &lens);
-    view->frame = frame; /* workspaces tell frames apart by it */
+    view->frame = frame; /* clippers tell frames apart by it */
     renderer->frame.state = FXL_FRAME_NONE;
     return FXL_OK;
 }

@@ -4,6 +4,7 @@
 #include "../view/model_view.h"
 #include "renderer.h"
 #include "scratch.h"
+#include "submit.h"
 
 /* A workspace's block of memory: how many bytes each part takes, in the order of the parts. */
 typedef struct {
@@ -57,6 +58,85 @@ size_t fxl_workspace_size(const fxl_renderer *renderer)
     return of.scratch + of.face_list + of.clipper + of.raster;
 }
 
+/* --- what a workspace was set up for ------------------------------------------------------ */
+
+FXL_STATIC_ASSERT(FXL_SHADERS_MAX == FXL_SHADER_TARGET + 1, "one of each rank");
+
+/* Writes all that is known without the scene's tables, which may be changing while a frame that was
+ * released is drawn. */
+static void note_settings(fxl_workspace_setup *setup, const fxl_renderer *renderer)
+{
+    setup->scene = renderer->scene;
+    setup->clipper = renderer->clipper;
+    setup->order = renderer->order;
+    setup->target = renderer->target;
+    setup->billboards = renderer->billboards;
+    for (uint32_t rank = 0; rank < FXL_SHADERS_MAX; rank++) {
+        setup->shaders[rank] = fxl_renderer_shader(renderer, rank);
+    }
+    setup->lens = renderer->frame.view.lens;
+    setup->beam_size = fxl_beam_scratch_size(renderer);
+    setup->clipper_size = renderer->clipper->workspace_size;
+    setup->frame = renderer->frame.view.frame;
+    setup->camera = renderer->frame.view.camera;
+}
+
+/* Of a lens, without off_centre and the padding before it. */
+#define LENS_BYTES (offsetof(fxl_lens, centre_y) + sizeof(fxl_q16_16))
+
+static bool are_equal(const void *a, const void *b, size_t size)
+{
+    const uint8_t *left = (const uint8_t *)a, *right = (const uint8_t *)b;
+    size_t i = 0;
+    while (i < size && left[i] == right[i]) {
+        i++;
+    }
+    return i == size;
+}
+
+/* Whether a scene, which may be another one at the same address, needs no more than it did. */
+static bool has_room(const fxl_workspace_room *room, const fxl_renderer *renderer)
+{
+    const fxl_scene *scene = renderer->scene;
+    if (room->models != scene->models || room->tree_size != fxl_tree_scratch_size(renderer)) {
+        return false;
+    }
+    for (uint32_t i = 0; i < scene->model_count; i++) {
+        const fxl_model *model = &scene->models[i];
+        if (model->kind == FXL_MODEL_SORTED && model->face_count > room->face_room) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Whether a workspace that is not the renderer's own was set up for its settings. Two frames of
+ * one number are one frame, unless the renderer was initialised between them. */
+static bool is_current(const fxl_workspace *workspace, const fxl_renderer *renderer)
+{
+    const fxl_workspace_setup *setup = &workspace->work.setup;
+    const fxl_view *view = &renderer->frame.view;
+    const uint32_t number = renderer->workspace.settings_number;
+    if (!is_set_up(renderer) || workspace->settings_number != number || number == UINT32_MAX) {
+        return false;
+    }
+    for (uint32_t rank = 0; rank < FXL_SHADERS_MAX; rank++) {
+        if (setup->shaders[rank] != fxl_renderer_shader(renderer, rank)) {
+            return false;
+        }
+    }
+    return setup->scene == renderer->scene && setup->clipper == renderer->clipper &&
+           setup->order == renderer->order && setup->target == renderer->target &&
+           setup->billboards == renderer->billboards &&
+           setup->clipper_size == renderer->clipper->workspace_size &&
+           setup->beam_size == fxl_beam_scratch_size(renderer) &&
+           setup->lens.off_centre == view->lens.off_centre &&
+           are_equal(&setup->lens, &view->lens, LENS_BYTES) &&
+           (setup->frame != view->frame ||
+            are_equal(&setup->camera, &view->camera, sizeof view->camera)) &&
+           (renderer->frame.state == FXL_FRAME_RELEASED || has_room(&setup->room, renderer));
+}
+
 /* surfaces 6.3 */
 FXL_COLD fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *renderer,
                                        void *memory, size_t memory_size)
@@ -81,7 +161,11 @@ FXL_COLD fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_rende
     const uint32_t entries = fxl_cache_entries(renderer->scene, over);
     uint8_t *at = (uint8_t *)memory + of.scratch;
     memset(workspace, 0, sizeof *workspace);
-    workspace->settings_version = renderer->workspace.settings_version;
+    workspace->settings_number = renderer->workspace.settings_number;
+    note_settings(&workspace->work.setup, renderer);
+    const fxl_workspace_room room = {renderer->scene->models, fxl_tree_scratch_size(renderer),
+                                     (uint32_t)(of.face_list / sizeof(fxl_draw_entry))};
+    workspace->work.setup.room = room;
     workspace->face_list = (fxl_draw_entry *)(void *)at;
     at += of.face_list;
     if (of.clipper != 0) {
@@ -96,4 +180,29 @@ FXL_COLD fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_rende
         workspace->target_memory_size = remaining < UINT32_MAX ? (uint32_t)remaining : UINT32_MAX;
     }
     return FXL_OK;
+}
+
+/* rgb565 3.6 */
+fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *workspace,
+                               const fxl_band *band)
+{
+    if (workspace == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (renderer == NULL) {
+        return fxl_refuse(workspace, FXL_E_ARGUMENT);
+    }
+    if (workspace == &renderer->workspace) {
+        return fxl_draw_in_workspace(renderer, workspace, band);
+    }
+    if (!is_current(workspace, renderer)) {
+        return fxl_refuse(workspace, band == NULL || band->pixels == NULL ? FXL_E_ARGUMENT
+                                                                          : FXL_E_ORDER);
+    }
+    const fxl_workspace_room room = workspace->work.setup.room;
+    fxl_workspace_begin(workspace, true);
+    const fxl_status status = fxl_draw_in_workspace(renderer, workspace, band);
+    note_settings(&workspace->work.setup, renderer);
+    workspace->work.setup.room = room;
+    return status;
 }

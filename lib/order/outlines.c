@@ -11,12 +11,15 @@
  * cut: 1/256 pixel. A clipped vertex is less than 1/512 pixel from the side. */
 #define SIDE 256
 
-/* fxl_target.draw_band. All workspaces draw with the outlines of the renderer. */
+/* fxl_target.draw_band. All workspaces draw with the outlines of the renderer, whose own is not
+ * written here: other cores read it while they draw. */
 /* wire 3.4 */
 static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
                             const fxl_band *band)
 {
-    workspace->target_memory = renderer->workspace.target_memory;
+    if (workspace != &renderer->workspace) {
+        workspace->target_memory = renderer->workspace.target_memory;
+    }
     return fxl_painted_target(renderer)->draw_band(renderer, workspace, band);
 }
 
@@ -98,7 +101,7 @@ static void change_target(fxl_renderer *renderer, fxl_outlines *outlines)
     }
     renderer->target = target;
     workspace->target_memory = outlines;
-    workspace->settings_version += 1;
+    FXL_COUNT_CHANGE(workspace);
     if (outlines != NULL) {
         outlines->height = renderer->frame.view.lens.height;
         const fxl_target_extras extras = {.outlined = target, .outline = draw_edges};

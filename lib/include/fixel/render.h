@@ -72,31 +72,6 @@ typedef struct {
     fxl_view view;
 } fxl_frame;
 
-/* What drawing works in, and may change: each core that draws has its own. The renderer's own is
- * within it; fxl_workspace_init sets up others. */
-typedef struct fxl_workspace {
-    bool face_rows_known; /* face_list has the rows that the faces reach */
-    bool rest_counted;    /* faces that are not in the display list have been counted */
-    uint16_t dark;        /* the renderer's, while an RGB565 band is drawn */
-    fxl_counters counters;
-    uint32_t frame_number;     /* fxl_view.frame of the frame that this workspace last drew */
-    fxl_draw_entry *face_list; /* front faces of one sorted model, in the order of drawing */
-    uint16_t sorted_instance;  /* whose they are, as fxl_resume_point counts instances */
-    uint16_t front_count;      /* how many of its faces face the eye */
-    uint16_t sorted_count;     /* how many are in the order: fewer, where some were dropped */
-    uint16_t settings_version; /* of the renderer when this was set up */
-    void *target_memory;       /* the target's, of the caller's memory; or null */
-    fxl_vertex_cache cache;
-    uint32_t target_memory_size;
-    fxl_screen_polygon screen;
-    union { /* faces are sorted before any is clipped; a clipped polygon is then scanned */
-        fxl_sort_work sort;
-        fxl_clipper_work clip;
-        fxl_scan scan;
-        fxl_point points[FXL_FACE_VERTICES_MAX]; /* of a face, until beams have copied them */
-    } work;
-} fxl_workspace;
-
 /* What is done with a face before it is clipped: it is split by light beams, or gets another
  * colour. Its maker puts it first in a record of its own, which the caller owns. Members are
  * internal. */
@@ -108,6 +83,57 @@ struct fxl_shader {
 };
 
 typedef struct fxl_billboards fxl_billboards; /* fixel/billboards.h */
+
+enum {
+    FXL_SHADERS_MAX = 7 /* of a renderer: one of each rank */
+};
+
+/* The tables of a scene, and what they need of a workspace. Members are internal. */
+typedef struct {
+    const fxl_model *models;
+    uint32_t tree_size, face_room; /* bytes; faces of one sorted model */
+} fxl_workspace_room;
+
+/* What the workspace of another core was set up for, and the frame that it last drew. Members are
+ * internal. */
+typedef struct {
+    const fxl_scene *scene;
+    const fxl_clipper *clipper;
+    const fxl_order *order;
+    const fxl_target *target;
+    const fxl_billboards *billboards;
+    const fxl_shader *shaders[FXL_SHADERS_MAX]; /* by rank; null: none */
+    fxl_lens lens;
+    uint32_t beam_size, clipper_size; /* bytes of memory that these need */
+    fxl_workspace_room room;
+    uint32_t frame;                   /* fxl_view.frame */
+    fxl_camera camera;
+} fxl_workspace_setup;
+
+/* What drawing works in, and may change: each core that draws has its own. The renderer's own is
+ * within it; fxl_workspace_init sets up others. */
+typedef struct fxl_workspace {
+    bool face_rows_known; /* face_list has the rows that the faces reach */
+    bool rest_counted;    /* faces that are not in the display list have been counted */
+    uint16_t dark;        /* the renderer's, while an RGB565 band is drawn */
+    fxl_counters counters;
+    uint32_t settings_number;  /* changes of the renderer's settings: at UINT32_MAX it stays */
+    fxl_draw_entry *face_list; /* front faces of one sorted model, in the order of drawing */
+    uint16_t sorted_instance;  /* whose they are, as fxl_resume_point counts instances */
+    uint16_t front_count;      /* how many of its faces face the eye */
+    uint16_t sorted_count;     /* how many are in the order: fewer, where some were dropped */
+    void *target_memory;       /* the target's, of the caller's memory; or null */
+    fxl_vertex_cache cache;
+    uint32_t target_memory_size;
+    fxl_screen_polygon screen;
+    union { /* faces are sorted before any is clipped; a clipped polygon is then scanned */
+        fxl_workspace_setup setup; /* of another core, while it does not draw */
+        fxl_sort_work sort;
+        fxl_clipper_work clip;
+        fxl_scan scan;
+        fxl_point points[FXL_FACE_VERTICES_MAX]; /* of a face, until beams have copied them */
+    } work;
+} fxl_workspace;
 
 /* A renderer, which the caller owns. On a core of 32 bits it takes 512 bytes and
  * 64 for each vertex of FXL_POLYGON_CAPACITY: 2560 where that is 32, 1280 where
@@ -341,8 +367,9 @@ size_t fxl_workspace_size(const fxl_renderer *renderer);
 
 /* Sets up a workspace beside the renderer's own, in one block of the caller's memory, aligned to 8
  * bytes; the workspace keeps the pointer. Bytes beyond fxl_workspace_size become a vertex cache and
- * memory for the target. The workspace must be set up anew after the renderer's clipper, order,
- * target, outlines or beams were changed, or the renderer was initialised.
+ * memory for the target. The workspace must be set up anew after the renderer was initialised, or got
+ * another clipper, order, target, centre of the lens or attachment. The same record attached again
+ * is no other one, unless it is of outlines or beams.
  * FXL_E_ARGUMENT: a null pointer; also the renderer's own workspace.
  * FXL_E_ALIGNMENT: a pointer is not aligned.
  * FXL_E_ORDER: the renderer lacks a clipper, an order or a target.
@@ -354,11 +381,13 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
 /* fxl_frame_draw in another workspace. It changes neither the renderer nor the frame, so each core
  * may draw a band of its own at the same time, each in its own workspace, with any clipper, order
  * and target and all that is attached, whether the display list holds the whole frame or not.
- * Requires a workspace that was set up for this renderer. The faces of a frame are counted
- * in the renderer's own workspace; another's counters have split_bands and refused_calls.
+ * Requires a workspace that fxl_workspace_init has set up, or one of zeros. The faces of a frame are
+ * counted in the renderer's own workspace; another's counters have split_bands and refused_calls.
+ * If a band reads the scene, another workspace sorts the faces of a model anew.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: no frame begun; a band whose pixels are not the target's; the workspace was set up
- * before the settings above were changed, or never: it is all zeros.
+ * for another scene, lens, clipper, order, target or attachment, or never: it is all zeros. Also
+ * where the settings have changed 2^32 - 2 times since fxl_renderer_init.
  * FXL_E_RANGE: a band that is not of this screen.
  * FXL_E_ALIGNMENT: an RGB565 target, and pixels at an odd address.
  * With each of these statuses: band untouched; counted in refused_calls of the workspace. */
