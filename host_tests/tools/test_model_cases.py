@@ -100,7 +100,7 @@ def test_a_palette_shows_no_colours_at_corners(tmp_path):
 def test_an_image_that_is_not_there():
     made, notes = compiled("missing_image.obj")
     red, green, blue = max(colours(made))
-    assert red > green > blue and said(notes, "missing_image.mtl:3", "wood.png", "the colour of Kd") == 1
+    assert red > green > blue and said(notes, "missing_image.mtl:3", "wood.png", "the colour of their material") == 1
 
 
 def test_a_file_whose_name_has_another_case():

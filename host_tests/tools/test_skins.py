@@ -237,6 +237,17 @@ def test_joints_that_are_stretched_as_they_stand_move_and_as_they_move_are_told(
     made.data["nodes"][3]["rotation"] = [0, 0, 1, 0]
     scene, notes = compiled(made.write(tmp_path / "m.glb"))
     assert len(scene.motions) == 1 and any("stretched in one direction as they move have one size in all: 1 (first: elbow)" in note for note in notes)
+    made.data["nodes"][3]["children"] = [len(made.data["nodes"])]
+    made.data["nodes"].append({"name": "tool", "mesh": 1, "translation": [1, 0, 0]})
+    made.box()
+    scene, _ = compiled(made.write(tmp_path / "m.glb"))
+    numbers = by_name(scene)
+
+    def apart(frame):
+        """How far the tool is from the forearm, by the size at which this one is shown."""
+        arm, tool = (placed(scene, numbers[name], frame) for name in ("elbow", "tool"))
+        return math.dist(tool.mean(axis=0), arm.mean(axis=0)) / math.dist(arm[0], arm[-1])
+    assert [apart(frame) for frame in (10, 20)] == pytest.approx([apart(0)] * 2, rel=0.01)      # it stays in the hand that is shown
     made = figure()
     made.data["nodes"][3]["scale"] = [1, 3, 1]
     assert not any("stretched" in note for note in compiled(made.write(tmp_path / "m.glb"))[1])

@@ -148,15 +148,23 @@ def _product(one, other):
     return np.concatenate([one[:, :, :3] @ other[:, :, :3], one[:, :, :3] @ other[:, :, 3:] + one[:, :, 3:]], axis=2)
 
 
+def _with_size(poses, others):
+    """Matrices of 3x4, and others in the frames in which they have no size."""
+    sizes = np.linalg.svd(poses[:, :, :3], compute_uv=False)
+    return np.where((sizes[:, 2] > tracks.SIZE_MIN * sizes[:, 0])[:, None, None], poses, others)
+
+
 def _play(parts, frames, name):
-    """Gives parts their poses, relative to nothing; and notes. A part's relative pose becomes a turn with one scale."""
-    stretched, still = [], np.repeat(np.eye(4)[None, :3], frames, axis=0)
+    """Gives parts their poses, relative to nothing; and notes. A part's pose in its parent becomes a turn with one scale, also where the
+    parent is stretched: what hangs on it stays with what is shown of it."""
+    stretched, still, own = [], np.repeat(np.eye(4)[None, :3], frames, axis=0), {}
     for part in parts:
         if not part.is_turned:
             continue
         wanted = part.node.poses() if part.node.poses is not None else still
         above = part.parent.pose if part.parent is not None else still
-        relative = _product(_inverse(above), wanted)
+        own[id(part)] = wanted
+        relative = _product(_inverse(_with_size(own[id(part.parent)], above) if part.parent is not None else still), wanted)
         turns, sizes, off = tracks.similar(relative[:, :, :3])
         if off > tracks.STRETCH_MAX:
             stretched.append(part.name)
