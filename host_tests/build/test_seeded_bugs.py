@@ -33,6 +33,14 @@ def test_each_bug_names_tests_that_there_are():
     assert {test for bug in bugs.read(CHECKOUT) for test in bug.tests} <= set(seeded_bugs.all_tests(CHECKOUT))
 
 
+def test_each_run_has_a_scene_and_a_bug_that_it_must_see():
+    named = {test for bug in bugs.read(CHECKOUT) for test in bug.tests}
+    assert set(seeded_bugs.RUNS) <= named
+    for test in seeded_bugs.RUNS:
+        name = test.split("/")[1]
+        assert sum((CHECKOUT / pattern.format(name)).exists() for pattern in seeded_bugs.RUN_SCENES) == 1, test
+
+
 def test_the_library_has_no_marks():
     """A bug is found by its function and its line."""
     assert [file for file, text in bugs.sources(CHECKOUT).items() if "/* bug:" in text] == []

@@ -13,6 +13,7 @@ Exit: 0 all caught, 1 a bug survived or does not compile (or a test fails withou
 import argparse
 import concurrent.futures
 import dataclasses
+import json
 import os
 import pathlib
 import queue
@@ -29,13 +30,19 @@ from fixel.base.table import coloured, table
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 # What make needs to build the library's tests.
-COPIED = ("Makefile", "lib", "boards", "firmware", "linker", "bench", "host_tests")
+COPIED = ("Makefile", "lib", "boards", "firmware", "linker", "bench", "host_tests", "scenes")
 # What make has built of them in the checkout, which it need not build again.
 COPIED_BUILT = ("host/unit", "equality", "bench/m0", "bench/m3", "core/*/lib", "core/runners", "boards/mps2-an385/boards")
 TEST_CPU = 120          # seconds of CPU time; a bug that never ends is caught too
 # A core's kernels against the portable ones, on the emulated core: with so many thousand inputs.
 EQUALITY = ("equality/m0", "equality/m3", "equality/m3-small", "equality/m3-os")
 EQUALITY_THOUSANDS = 20
+# Frames that the host draws and the reference renderer judges, as make run does: "run/SCENE", "run/SCENE/PIXELS".
+RUNS = ("run/room", "run/gallery", "run/gallery/rgb565", "run/grove", "run/landscape", "run/car/rgb565", "run/clamped",
+        "run/colours/rgb565")
+RUN_FRAMES = 4          # the last one is drawn as two rectangles
+RUN_PROGRAMS = ("build/boards/host/walk", "build/host/judge", "build/host/raycast")
+RUN_SCENES = ("scenes/{}.toml", "host_tests/build/seeded_bugs/{}.toml", "host_tests/build/seeded_bugs/{}.ply")
 
 
 @dataclasses.dataclass
@@ -50,12 +57,14 @@ class Verdict:
 # --- a copy, built and run -----------------------------------------------------
 
 def all_tests(root):
-    """Names of the library's Unity programs, and of the comparisons of kernels."""
-    return sorted(file.stem for file in (pathlib.Path(root) / "host_tests/unit").glob("test_*.c")) + list(EQUALITY)
+    """Names of the library's Unity programs, of the comparisons of kernels, and of the runs that are judged."""
+    return sorted(file.stem for file in (pathlib.Path(root) / "host_tests/unit").glob("test_*.c")) + [*EQUALITY, *RUNS]
 
 
 def target(test):
-    """The program of a test, as make knows it."""
+    """The program of a test, as make knows it; of a run the one that draws."""
+    if test in RUNS:
+        return RUN_PROGRAMS[0]
     return f"build/{test}.elf" if test in EQUALITY else f"build/host/unit/{test}"
 
 
@@ -86,11 +95,34 @@ def build_targets(folder, targets, jobs):
 
 def build_tests(folder, tests, jobs):
     """The same of tests."""
-    return build_targets(folder, map(target, tests), jobs)
+    judges = RUN_PROGRAMS[1:] if any(test in RUNS for test in tests) else ()
+    return build_targets(folder, [*map(target, tests), *judges], jobs)
+
+
+def judge_run(folder, test):
+    """run_test of a scene that the host draws."""
+    _, name, *pixels = test.split("/")
+    scene = next(file for file in (folder / pattern.format(name) for pattern in RUN_SCENES) if file.exists())
+    out = folder / "build" / "judged"
+    shutil.rmtree(out, ignore_errors=True)
+    command = [sys.executable, str(CHECKOUT / "tools/fixel/launcher.py"), "run", "--board", "host", "--scene", str(scene),
+               "--frames", str(RUN_FRAMES), "--build", str(folder / "build"), "--out", str(out), "--fresh"]
+    try:
+        done = limits.run(command + [word for each in pixels for word in ("--pixels", each)], TEST_CPU, merge=True, text=True, cwd=folder)
+    except limits.LimitError as error:
+        return str(error)
+    if done.returncode == 0:
+        return None
+    if not (out / "summary.json").exists():
+        return f"ended with {done.returncode}"
+    summary = json.loads((out / "summary.json").read_text(encoding="utf-8"))
+    return f"{summary['pixels_unexplained']} of {summary['pixels']} pixels are unexplained"
 
 
 def run_test(folder, test):
     """None if the program passes, else its first words of failure."""
+    if test in RUNS:
+        return judge_run(folder, test)
     if test in EQUALITY:
         from fixel.check import kernel_equality     # it needs packages, and whoever reads the options needs none
         return kernel_equality.first_difference(folder / target(test), EQUALITY_THOUSANDS, TEST_CPU)
