@@ -15,6 +15,7 @@
 typedef struct {
     lv_obj_t obj;
     fxl_renderer *renderer; /* null: there is none */
+    lv_display_t *display;  /* whose refreshes are followed; it may have been deleted */
     fxl_pose pose, shown;   /* as set; as of the frame that was begun last */
     uint16_t *swapped;      /* the palette with its bytes swapped; null: not needed yet */
     uint32_t swapped_in;    /* as counters.frames has it: the frame that it was made for */
@@ -67,6 +68,30 @@ static void follow_refresh(lv_event_t *event)
     lv_fixel_t *widget = lv_event_get_user_data(event);
     widget->is_refreshing = lv_event_get_code(event) == LV_EVENT_REFR_START;
     end_frame(widget);
+}
+
+/* Follows the refreshes of a display, none if it is null, and no longer those of another. LVGL does
+ * not tell a widget that an object above it has got a parent on another display, so each drawing
+ * asks. */
+static void follow_display(lv_fixel_t *widget, lv_display_t *display)
+{
+    lv_display_t *old = lv_display_get_next(NULL);
+    if (display == widget->display) {
+        return;
+    }
+    while (old != NULL && old != widget->display) {
+        old = lv_display_get_next(old);
+    }
+    if (old != NULL) {
+        lv_display_remove_event_cb_with_user_data(old, follow_refresh, widget);
+    }
+    end_frame(widget);
+    widget->display = display;
+    widget->is_refreshing = display != NULL && display->rendering_in_progress;
+    if (display != NULL) {
+        lv_display_add_event_cb(display, follow_refresh, LV_EVENT_REFR_START, widget);
+        lv_display_add_event_cb(display, follow_refresh, LV_EVENT_REFR_READY, widget);
+    }
 }
 
 /* --- the draw unit ---------------------------------------------------------------------- */
@@ -281,6 +306,7 @@ static void add_task(lv_fixel_t *widget, lv_layer_t *layer)
 {
     const lv_area_t area = picture_of(widget);
     lv_draw_fill_dsc_t fill;
+    follow_display(widget, lv_obj_get_display(&widget->obj));
     lv_draw_fill_dsc_init(&fill);
     fill.base.obj = &widget->obj;
     fill.base.layer = layer;
@@ -331,24 +357,17 @@ static void answer(const lv_obj_class_t *class_p, lv_event_t *event)
 static void construct(const lv_obj_class_t *class_p, lv_obj_t *obj)
 {
     LV_UNUSED(class_p);
-    lv_fixel_t *widget = (lv_fixel_t *)obj;
-    lv_display_t *display = lv_obj_get_display(obj);
     make_unit();
     lv_obj_remove_flag(obj, LV_OBJ_FLAG_SCROLLABLE);
-    lv_display_add_event_cb(display, follow_refresh, LV_EVENT_REFR_START, widget);
-    lv_display_add_event_cb(display, follow_refresh, LV_EVENT_REFR_READY, widget);
+    follow_display((lv_fixel_t *)obj, lv_obj_get_display(obj));
 }
 
 static void destruct(const lv_obj_class_t *class_p, lv_obj_t *obj)
 {
     LV_UNUSED(class_p);
     lv_fixel_t *widget = (lv_fixel_t *)obj;
-    lv_display_t *display = lv_obj_get_display(obj);
-    end_frame(widget);
+    follow_display(widget, NULL);
     lv_free(widget->swapped);
-    if (display != NULL) {
-        lv_display_remove_event_cb_with_user_data(display, follow_refresh, widget);
-    }
 }
 
 const lv_obj_class_t lv_fixel_class = {

@@ -49,11 +49,17 @@ void begin_display(lv_color_format_t format)
     format_of_screen = format;
     lv_init();
     lv_tick_set_cb(tick);
+    add_display();
+}
+
+lv_display_t *add_display(void)
+{
     lv_display_t *display = lv_display_create(WIDTH, HEIGHT);
-    lv_display_set_color_format(display, format);
+    lv_display_set_color_format(display, format_of_screen);
     lv_display_set_flush_cb(display, flush);
     lv_display_set_buffers(display, buffer.pixels, NULL, WIDTH * ROWS * pixel_bytes(),
                            LV_DISPLAY_RENDER_MODE_PARTIAL);
+    return display;
 }
 
 void end_display(void)

@@ -23,6 +23,8 @@ extern uint8_t screen[HEIGHT][2 * WIDTH];
 /* Begins LVGL with a display of a format, whose buffer lies between canaries. */
 void begin_display(lv_color_format_t format);
 void end_display(void);
+/* Another display of the same format and buffer, shown in the same place. */
+lv_display_t *add_display(void);
 /* One refresh, 33 ms later. */
 void refresh(void);
 bool canaries_are_intact(void);
@@ -65,5 +67,6 @@ void test_formats(void);
 void test_opacity(void);
 void test_snapshot(void);
 void test_pick_and_pose(void);
+void test_another_display(void);
 
 #endif

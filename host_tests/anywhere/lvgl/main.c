@@ -18,6 +18,7 @@ void run_all_tests(void)
     test_opacity();
     test_snapshot();
     test_pick_and_pose();
+    test_another_display();
 }
 
 static void run_with(lv_obj_t *(*make_view)(lv_obj_t *parent))

@@ -161,6 +161,12 @@ def test_pointer_pose_and_snapshot(said):
     assert "snapshot: 0 pixels differ, 1 begun, none afterwards" in said and "deleted: no frame yes" in said
 
 
+def test_a_widget_follows_the_display_that_it_is_moved_to(said):
+    """A frame is begun once a refresh there, and nothing of the widget stays with the display that it has left."""
+    assert figures(said, r"another display: (\d+) pixels differ, (\d+) frames of 5, callbacks (\d+) and (\d+)") == [0, 5, 0, 2]
+    assert "deleted: callbacks 0, no frame yes" in said
+
+
 def test_sizes_beside_lvgl_alone(folder, lvgl, programs, record_property):
     """Text, data and RAM of a dashboard with the widget, and with a plain one in its place."""
     found = {}

@@ -462,3 +462,47 @@ void test_pick_and_pose(void)
     printf("deleted: no frame %s\n", model.renderer.frame.state == FXL_FRAME_NONE ? "yes" : "no");
     end_display();
 }
+
+/* How many callbacks of the widget a display has. */
+static uint32_t callbacks_of_view(lv_display_t *display)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < lv_display_get_event_count(display); i++) {
+        count += lv_event_dsc_get_user_data(lv_display_get_event_dsc(display, i)) == view;
+    }
+    return count;
+}
+
+/* A panel with the widget goes to a screen of another display, whose refreshes it follows then. */
+void test_another_display(void)
+{
+    make_dashboard(LV_COLOR_FORMAT_RGB565);
+    lv_display_t *first = lv_display_get_default(), *second = add_display();
+    lv_obj_t *panel = lv_obj_create(lv_display_get_screen_active(first));
+    lv_obj_remove_style_all(panel);
+    lv_obj_set_size(panel, WIDTH, HEIGHT);
+    lv_obj_set_parent(view, panel);
+    refresh();
+    lv_obj_delete(button);
+    lv_obj_set_parent(panel, lv_display_get_screen_active(second));
+    refresh();
+    fxl_pose pose = eye;
+    const uint32_t begun = lv_fixel_get_counters(view).frames;
+    long differ = 0;
+    for (uint32_t k = 1; k <= 5; k++) {
+        pose.yaw = k * FXL_DEGREES(3);
+        lv_fixel_set_pose(view, &pose);
+        refresh();
+        const box_t without[] = {box_of(label)};
+        differ += pixels_that_differ(&twin, &pose, VIEW_X, VIEW_Y, whole_view, without, 1);
+    }
+    printf("another display: %ld pixels differ, %u frames of 5, callbacks %u and %u\n", differ,
+           lv_fixel_get_counters(view).frames - begun, callbacks_of_view(first),
+           callbacks_of_view(second));
+    lv_display_delete(first);
+    lv_obj_delete(panel);
+    printf("deleted: callbacks %u, no frame %s\n", callbacks_of_view(second),
+           model.renderer.frame.state == FXL_FRAME_NONE ? "yes" : "no");
+    refresh();
+    end_display();
+}
