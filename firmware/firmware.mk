@@ -259,6 +259,14 @@ $(SAY)
 $(FIRMWARE_QUIET)$(1) -o $@
 endef
 
+# The same for a board, whose linker may say that the program is too large. $(1): the board.
+define TARGET_LINK
+$(MAKE_FOLDER)
+$(SAY)
+$(FIRMWARE_QUIET)code=0; $(2) -o $@ 2>$@.said || code=$$?; \
+    if [ $$code = 0 ]; then cat $@.said >&2; else python3 tools/fixel/board/room.py $(1) $@ $@.said; fi; rm -f $@.said; exit $$code
+endef
+
 # What a program of the user's own links beside its objects: own.c, which hands out its pictures, and any of the library. Its
 # code may have warnings, and GNU's C. An exported scene is kept whole, so that the tools find its palette.
 OWN_WRAPPED := main fxl_frame_begin fxl_frame_draw fxl_render
@@ -335,7 +343,7 @@ BOARD_WALK.$(1) := $(FIRMWARE_OUT)/$(1)/walk.elf
 BOARD_FAULTS.$(1) := $(FIRMWARE_OUT)/$(1)/faults.elf
 
 $(call PROGRAM_FILES_OF,$(1)): $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)
-	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) $$(BOARD_LINK_MAP) -nostdlib $$(filter %.o,$$^) $$(filter %.a,$$^) -lgcc)
+	$$(call TARGET_LINK,$(1),$$(call BOARD_LINK,$(1)) $$(BOARD_LINK_MAP) -nostdlib $$(filter %.o,$$^) $$(filter %.a,$$^) -lgcc)
 
 $$(BOARD_FAULTS.$(1)): $(BOARD_FAULTS_OBJECTS_OF) $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)
 	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) $$(BOARD_LINK_MAP) -nostdlib $$(filter %.o,$$^) -lgcc)

@@ -9,7 +9,7 @@ import pytest
 from conftest import CHECKOUT, run_make
 from PIL import Image
 
-from fixel.board import dump
+from fixel.board import dump, room
 from fixel.scene import making
 
 HELLO = (CHECKOUT / "docs" / "hello.md").read_text(encoding="utf-8")
@@ -150,6 +150,26 @@ def test_a_program_that_fails_says_so(folder, text, code, sentence):
     done = run_make("run", f"PROGRAM={folder / 'failing.c'}", f"OUT={folder / 'failed'}", "BOARD=netduino2")
     assert done.returncode == 2 and f"Error {code}" in done.stderr and sentence in done.stdout + done.stderr, done.stderr
     assert not (folder / "failed").exists()
+
+
+def test_a_program_that_is_too_large_is_told_which_boards_have_the_room(folder):
+    """What it takes, what there is, and none of the linker's lines."""
+    (folder / "large.c").write_text("static char large[100000]; int main(void) { large[7] = 1; return large[5]; }", encoding="utf-8")
+    done = run_make("run", f"PROGRAM={folder / 'large.c'}", "BOARD=microbit")
+    errors = [line for line in done.stderr.splitlines() if not line.startswith(("make", "setup"))]
+    assert done.returncode == 2 and len(errors) == 1 and "ld:" not in done.stderr, done.stderr
+    needs, has = map(int, re.search(r"needs (\d+) KB of RAM, and BOARD=microbit has (\d+) KB;", errors[0]).groups())
+    assert has == 16 and 98 < needs < 120
+    named = errors[0].split("are: ")[1].split()
+    assert set(named) == {board.parent.name for board in (CHECKOUT / "boards").glob("*/memory.ld") if room.room(board.parent.name)["RAM"] >= 100_000}
+
+
+def test_lines_of_the_linker_are_judged():
+    has = room.room("microbit")
+    assert has == {"FLASH": 178 * 1024, "RAM": 16 * 1024}
+    both = room.sentence("microbit", "x", "ld: region `FLASH' overflowed by 1000 bytes\nld: region `RAM' overflowed by 5000000 bytes", has)
+    assert "179 KB of flash and 4,899 KB of RAM" in both and "no board has so much" in both
+    assert room.sentence("microbit", "x", "ld: undefined reference to `f'", has) is None
 
 
 @pytest.mark.parametrize("words, sentence", [

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: MIT
+"""Says that a program is too large for its board, in the place of the linker's lines: what it takes, what there is, and which
+boards have so much.
+
+    python3 tools/fixel/board/room.py BOARD PROGRAM FILE-WITH-THE-LINKER'S-LINES
+
+The makefile of the boards calls it where the linker failed; it runs by any Python, without a package. Lines that say something
+else are printed as they are.
+"""
+
+import pathlib
+import re
+import sys
+
+BOARDS = pathlib.Path(__file__).resolve().parents[3] / "boards"
+KINDS = {"FLASH": "flash", "RAM": "RAM"}
+OVERFLOW = re.compile(r"region [`'](FLASH|RAM)' overflowed by (\d+) bytes?")
+UNITS = {"": 1, "K": 1 << 10, "M": 1 << 20}
+
+
+def room(board):
+    """{kind: bytes} that a board's memory.ld has for a program. Where that depends on the program, the least."""
+    text = (BOARDS / board / "memory.ld").read_text(encoding="utf-8")
+    found = {}
+    for kind in KINDS:
+        length = re.search(rf"^ *{kind} .*LENGTH = (.*)$", text, re.MULTILINE)[1]
+        found[kind] = min(int(number) * UNITS[unit] for number, unit in re.findall(r"\b(\d+)([KM]?)\b", length))
+    return found
+
+
+def used(map_file):
+    """{kind: bytes} that a board has by the linker's map, which knows what memory.ld decides by the program."""
+    try:
+        text = pathlib.Path(map_file).read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        return {}
+    return {kind: int(length, 16) for kind, length in re.findall(r"^(FLASH|RAM) +0x[0-9a-f]+ +0x([0-9a-f]+) ", text, re.MULTILINE)}
+
+
+def size(count):
+    """Bytes as text, rounded up to KB of 1,024."""
+    return f"{-(-count // 1024):,} KB"
+
+
+def sentence(board, program, said, has):
+    """What does not fit; None if the linker failed for another reason. has: {kind: bytes} of the board."""
+    over = {kind: int(count) for kind, count in OVERFLOW.findall(said)}
+    if not over:
+        return None
+    needs = {kind: has[kind] + count for kind, count in over.items()}
+    boards = sorted(folder.parent.name for folder in BOARDS.glob("*/memory.ld"))
+    fitting = [each for each in boards if each != board and all(room(each)[kind] >= count for kind, count in needs.items())]
+    return (f"program {program} needs {' and '.join(f'{size(count)} of {KINDS[kind]}' for kind, count in needs.items())}, and BOARD={board} has "
+            f"{' and '.join(size(has[kind]) for kind in needs)}; "
+            + (f"the boards that have so much are: {' '.join(fitting)}" if fitting else "no board has so much: make its arrays smaller, or draw in bands"))
+
+
+def main(board, program, said):
+    text = pathlib.Path(said).read_text(encoding="utf-8", errors="replace")
+    file = pathlib.Path(program)
+    found = sentence(board, file.stem.removeprefix("own-"), text, room(board) | used(file.with_suffix(".map")))
+    print(f"error: {found}" if found else text, end="\n" if found else "", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
