@@ -129,6 +129,11 @@ BOARDS := $(filter-out $(filter-out $(BOARD_CHOSEN) $(FIXEL_EXTRA_BOARDS),$(EXTR
 
 # --- set-up ------------------------------------------------------------------
 
+# Before a command's set-up its variables are looked at: what its tool would refuse is refused before anything is installed or
+# built. The tests that give PY ask what reaches a tool.
+LOOK_AT = $(if $(filter PY,$(GIVEN_BY_TESTS)),,python3 tools/fixel/base/before.py $(1) &&)
+SET_UP = $(call LOOK_AT,$@) tools/setup.sh
+
 # The commands. Those of one command line run one after the other, so that no two makes build the
 # same file at a time. What a command builds is built in parallel, after its set-up. lib
 # calls no make of its own.
@@ -196,31 +201,31 @@ help: ## print this list
 	@echo "Boards: $(ALL_BOARDS)"
 
 all: ## build everything, run nothing
-	@tools/setup.sh report
+	@$(SET_UP) report
 	@$(MAKE) $(WALK) $(HOST_WALK) $(HOST_TOOLS)
 
 run: ## draw a scene's path on a board, compare it with double; or run a program of your own there [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT= FRESH=1]
-	@tools/setup.sh run$(SETUP_OF_BOARD:%= %)
+	@$(SET_UP) run$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast $(PREDICTS)
 	@$(TOOL) run $(DRAW_OPTIONS) --out $(BUILD)/run
 
 view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= PORT= OPEN=1]
-	@tools/setup.sh view$(SETUP_OF_BOARD:%= %)
+	@$(SET_UP) view$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(WALK) $(BUILD)/host/live $(PREDICTS)
 	@$(TOOL) view $(DRAW_OPTIONS)
 
 flash: ## write program and scene to the board's flash image, or to the real board [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= PROBE=openocd DRY_RUN=1]
-	@tools/setup.sh $(FLASH_SETUP)
+	@$(SET_UP) $(FLASH_SETUP)
 	@$(MAKE) $(WALK) $(PREDICTS)
 	@$(TOOL) flash --board $(BOARD_CHOSEN) --elf $(WALK) --scene $(SCENE_OF_PROGRAM) --scenes $(BUILD)/scenes --image $(IMAGE)
 
 boot: ## boot a board from its flash image [BOARD= FRAMES= PIXELS= ORDER= DEPTH=; PROGRAM= VISIBILITY= CLIPPER= ROWS= as for flash]
-	@tools/setup.sh run$(SETUP_OF_BOARD:%= %)
+	@$(SET_UP) run$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(WALK)
 	@$(TOOL) boot --board $(BOARD_CHOSEN) --image $(IMAGE) --elf $(WALK) --dump $(BUILD)/boot/$(BOARD_CHOSEN).fxld
 
 gdb: ## open a debugger on a board, booted from its flash image, stopped at main [BOARD= FRAMES= GDB_COMMANDS=file; PROGRAM= VISIBILITY= CLIPPER= ROWS= as for flash]
-	@tools/setup.sh gdb$(SETUP_OF_BOARD:%= %)
+	@$(SET_UP) gdb$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(WALK)
 	@$(TOOL) gdb --board $(BOARD_CHOSEN) --image $(IMAGE) --elf $(WALK)
 
@@ -233,27 +238,27 @@ REPORT_TOOLS := $(addprefix $(BUILD)/host/,oracle designs judge raycast stage_er
 REPORT_PROGRAMS = $(if $(ONLY),$(BUILD)/host/oracle,$(BOARD_WALK.host) $(BOARD_WALK.$(BOARD_CHOSEN)) $(REPORT_TOOLS))
 
 report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [BOARD= SAMPLES= SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SEED= ONLY= MINUTES=20 JOBS= CLUSTER= FRESH=1]
-	@tools/setup.sh report
+	@$(SET_UP) report
 	@$(MAKE) $(REPORT_PROGRAMS)
 	@$(TOOL) report --out $(BUILD)/report --build $(BUILD) --board $(BOARD_CHOSEN)
 
 wire: ## draw a scene's path as wireframes on this machine, compare it with double [SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= OUT= FRESH=1]
-	@tools/setup.sh run
+	@$(SET_UP) run
 	@$(MAKE) $(BUILD)/host/wire
 	@$(TOOL) wire --scene $(SCENE_OF_PROGRAM) --build $(BUILD) --out $(BUILD)/wire
 
 showcase: ## make 24 models as people have them, draw each by its first command, and write a page [BOARD= ONLY= OUT= FRESH=1]
-	@tools/setup.sh run simplify$(SETUP_OF_BOARD:%= %)
+	@$(SET_UP) run simplify$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast $(BUILD)/host/predict
 	@$(TOOL) showcase --board $(BOARD_CHOSEN) --build $(BUILD)
 
 screen: ## save what a board's screen shows after the last frame [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= DEVICE= PICTURE=]
-	@tools/setup.sh run$(SETUP_OF_BOARD:%= %)
+	@$(SET_UP) run$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(WALK) $(PREDICTS)
 	@$(TOOL) screen $(DRAW_OPTIONS) --out $(BUILD)/screen/$(BOARD_CHOSEN).png
 
 pictures: ## renew the pictures of the documents (needs make report) [BOARD=]
-	@tools/setup.sh test
+	@$(SET_UP) test
 	@$(MAKE) $(BOARD_WALK.$(BOARD_CHOSEN)) $(BUILD)/host/live $(BUILD)/host/frames $(BUILD)/host/libfixel.a
 	@$(MAKE) run SCENE=scenes/plaza.toml FRAMES=106 OUT=$(BUILD)/plaza
 	@$(FIXEL) pictures --run $(BUILD)/plaza --out docs/plaza.png
@@ -295,32 +300,36 @@ set-up-lib:
 	@tools/setup.sh $(LIB_SETUP)
 
 one-file: ## write the library as fixel.h and fixel.c into build/one-file [OUT=]
-	@tools/setup.sh tools
+	@$(SET_UP) tools
 	@$(TOOL) one-file
 
 packages: ## write packages for Arduino, PlatformIO, ESP-IDF, Zephyr, Conan and Rust into build/packages [ONLY= OUT=]
-	@tools/setup.sh tools
+	@$(SET_UP) tools
 	@$(TOOL) packages
 
 docs: ## write the reference of all public functions and types into build/docs, by Doxygen [OUT=]
-	@tools/setup.sh docs
+	@$(SET_UP) docs
 	@$(TOOL) docs
 
 release: ## build every artefact of a version into dist, with hashes and an SPDX list: the same bytes for the same commit [OUT=]
-	@tools/setup.sh tools
+	@$(SET_UP) tools
 	@$(TOOL) release
 
 # Before the first tag there is nothing to compare, and nothing to install for it.
 api-check: ## compare the public headers and functions with those of the last tag; fails where a program may break
-	@tools/setup.sh tools$(if $(shell git tag --list 'v[0-9]*'), api)
+	@$(SET_UP) tools$(if $(shell git tag --list 'v[0-9]*'), api)
 	@$(TOOL) api-check
 
-SIZE_CORES := cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33
+SIZE_CORES_ALL := cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33
+SIZE_CORES := $(if $(call ONE_OF,$(CORE),all),$(SIZE_CORES_ALL),$(or $(call ONE_OF,$(CORE),$(SIZE_CORES_ALL)),$(call ONE_OF,cortex-$(CORE),$(SIZE_CORES_ALL))))
+ifneq ($(and $(filter size,$(MAKECMDGOALS)),$(if $(SIZE_CORES),,none)),)
+$(error CORE=$(CORE) has no size here; the cores are: $(SIZE_CORES_ALL), or all of them: all)
+endif
 # A Cortex-M7's library is that of a Cortex-M4, instruction for instruction (CORE_SHARED): it is compiled once.
 SIZE_LIBRARIES := $(foreach core,$(SIZE_CORES),--library $(core)=$(BUILD)/lib/$(call CORE_SHARED,$(core))/libfixel.a)
 
-size: ## print flash, RAM and stack; check that the library has no float and no heap [BOARD= PROGRAM=walk]
-	@tools/setup.sh run$(SETUP_OF_BOARD:%= %)
+size: ## print flash, RAM and stack; check that the library of a core, or of all, has no float and no heap [CORE=cortex-m3 BOARD= PROGRAM=walk]
+	@$(SET_UP) run$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(WALK)
 	@for core in $(sort $(call CORE_SHARED,$(SIZE_CORES))); do echo "  LIB  $$core" && \
 	    $(MAKE) CORE=$$core $(BUILD)/lib/$$core/libfixel.a >/dev/null || exit; done
@@ -335,7 +344,7 @@ LIST_MOST_OF = $(or $(patsubst WALK_LIST_MOST=%,%,$(filter WALK_LIST_MOST=%,$(BO
 LEFT_OUT_OF = $(subst $(space),$(,),$(patsubst WALK_WITHOUT_%,%,$(filter WALK_WITHOUT_%,$(BOARD_SETTINGS.$(1)))))
 
 predict: ## predict flash, RAM, stack and instructions a frame before anything is built for the board [BOARD= SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= LOOK= JSON=]
-	@tools/setup.sh predict
+	@$(SET_UP) predict
 	@$(MAKE) $(sort $(BUILD)/host/predict $(PREDICTS))
 	@$(TOOL) predict --board $(BOARD_CHOSEN) --core '$(BOARD_CORE.$(BOARD_CHOSEN))' --scene $(SCENE_OF_PROGRAM) --build $(BUILD) \
 	    --band $(BOARD_BAND_BYTES.$(BOARD_CHOSEN)) --order $(BOARD_ORDER_ENTRIES.$(BOARD_CHOSEN)) --list $(BOARD_LIST_BYTES.$(BOARD_CHOSEN)) \
@@ -343,7 +352,7 @@ predict: ## predict flash, RAM, stack and instructions a frame before anything i
 
 COSTED_BOARDS := $(foreach board,$(COSTS_BOARDS),$(or $(call ONE_OF,$(board),$(BOARDS)),$(error COSTS_BOARDS: there is no board "$(board)"; the boards are: $(BOARDS))))
 costs: ## renew bench/costs.json, from which make predict predicts [COSTS_CORES= of the bench's cores, COSTS_BOARDS=, FRAMES=30 of each scene at most]
-	@tools/setup.sh report
+	@$(SET_UP) report
 	@$(MAKE) $(BUILD)/host/predict $(BENCH_COUNTER) $(COSTS_PROGRAMS) $(foreach board,$(COSTED_BOARDS),$(BOARD_WALK.$(board)))
 	@$(TOOL) costs --cores $(COSTED_CORES) --sizes $(COSTS_SETTINGS) --boards $(COSTED_BOARDS) --build $(BUILD)
 
@@ -379,17 +388,17 @@ $(if $(filter test-programs,$(MAKECMDGOALS)),$(eval test-programs: $(TEST_BUILT)
     $(if $(value ONLY),$(foreach board,$(TEST_BOARDS),$(eval $(call BOARD_$(if $(UNITS_CHOSEN),,NONE_)CHOSEN_RULES,$(board))))))
 
 test: ## run the tests, on the host and on a board for each build of the library [BOARD= of one board, ONLY=, WHOLE=1: all of what is otherwise sampled]
-	@tools/setup.sh test$(SETUP_OF_BOARD:%= %)
+	@$(SET_UP) test$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) test-programs
 	@FIXEL_BUILT='$(if $(value ONLY),,$(TEST_PROGRAMS))' $(TOOL) test $(TEST_OPTIONS)
 
 test-anywhere: ## run the tests of packages and of what make test has no tools for; says what was not run, and why [ONLY=]
-	@tools/setup.sh test
+	@$(SET_UP) test
 	@$(MAKE) $(HOST_WALK) $(HOST_TOOLS) $(BUILD)/host/libfixel.a
 	@$(TOOL) test-anywhere --json $(BUILD)/anywhere.json
 
 test-campaigns: ## run a campaign on a cluster of three workers of which one is killed: the bytes must be those of one process and of eight; and fuzz by one and by eight
-	@tools/setup.sh cluster
+	@$(SET_UP) cluster
 	@$(MAKE) $(BUILD)/host/oracle
 	@test -n "$$(tools/setup.sh --missing fuzz)" || $(MAKE) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/fuzz_%)
 	@$(PY) -m pytest -q -p no:cacheprovider host_tests/anywhere/campaigns
@@ -401,7 +410,7 @@ NOT_RUN_OPTIONS = $(if $(TEST_BOARD),,$(foreach board,$(EXTRA_BOARDS),$(if $(LAC
 COMPARED_UNITS = $(foreach board,$(COMPARED_BOARDS),$(if $(and $(BOARD_UNITS_APART.$(board)),$(if $(TEST_BOARD),,yes)),,$(board)))
 COMPARED_PROGRAMS = $(foreach board,host $(COMPARED_BOARDS),$(BOARD_WALK.$(board))) $(foreach board,host $(COMPARED_UNITS),$(BOARD_UNITS.$(board)))
 boards: ## compare all boards: memory, stack, speed, frames equal to the host's, unit tests [BOARD= of one board, PIXELS= ORDER= DEPTH=]
-	@tools/setup.sh units $(foreach board,$(filter $(EXTRA_BOARDS),$(COMPARED_BOARDS)),$(call SETUP_OF,$(board)))
+	@$(SET_UP) units $(foreach board,$(filter $(EXTRA_BOARDS),$(COMPARED_BOARDS)),$(call SETUP_OF,$(board)))
 	@$(MAKE) $(COMPARED_PROGRAMS)
 	@$(TOOL) boards --boards $(COMPARED_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
 	    $(call UNIT_OPTIONS,$(COMPARED_UNITS)) $(NOT_RUN_OPTIONS) --build $(BUILD) --out $(BUILD)/boards.json
@@ -409,7 +418,7 @@ boards: ## compare all boards: memory, stack, speed, frames equal to the host's,
 # Boards with a main of their own in firmware/benchmark.
 BENCHMARK_BOARD := $(call ONE_OF,$(if $(filter BOARD,$(GIVEN)),$(BOARD_CHOSEN),host),$(BENCHMARK_BOARDS))
 benchmark: ## run the benchmark for real boards, on the host or emulated, and write its UF2 file (docs/results.md) [BOARD=host]
-	@tools/setup.sh run$(SETUP_OF_BOARD:%= %)
+	@$(SET_UP) run$(SETUP_OF_BOARD:%= %)
 	$(if $(BENCHMARK_BOARD),,$(error that board has no main in firmware/benchmark; these have one: $(BENCHMARK_MAINS)))
 	@$(MAKE) $(call BENCHMARK_OF,$(BENCHMARK_BOARD))
 	@$(FIXEL) benchmark --board $(BENCHMARK_BOARD) --elf $(call BENCHMARK_OF,$(BENCHMARK_BOARD)) --uf2 $(BUILD)/flash/benchmark-$(BENCHMARK_BOARD).uf2
@@ -418,68 +427,71 @@ benchmark: ## run the benchmark for real boards, on the host or emulated, and wr
 BENCH_CORES_ASKED = $(if $(filter CORE,$(GIVEN)),$(or $(call ONE_OF,$(CORE),$(BENCH_CORES_HERE)),\
     $(error there is no core "$(CORE)" in the bench; its cores are: $(BENCH_CORES_HERE))),$(BENCH_CORES_HERE))
 bench: ## count the instructions of frames and kernels on four cores, beside the chapter's listing: a report, JSON [CORE= of one core, WORKLOAD= of one workload, PIXELS= ORDER= DEPTH=]
-	@tools/setup.sh report
+	@$(SET_UP) report
 	@$(MAKE) $(call BENCH_BUILT_OF,$(BENCH_CORES_ASKED))
 	@$(TOOL) bench --cores $(BENCH_CORES_ASKED) $(if $(BENCH_LEFT_OUT),--left-out $(BENCH_LEFT_OUT)) \
 	    --out $(BENCH_OUT) --build $(BUILD)
 
 clippers: ## compare every clipper with every visibility method: an HTML page, JSON [FRAMES= ONLY= JOBS= CLUSTER= FRESH=1]
-	@tools/setup.sh report
+	@$(SET_UP) report
 	@$(MAKE) $(CLIPPERS_BUILT) $(BOARD_WALK.host)
 	@$(TOOL) clippers --out $(BUILD)/clippers --build $(BUILD) --cores $(CLIPPERS_CORES)
 
 clippers-accept: ## take the last make clippers into docs/clipping.md and bench/clippers.json
-	@tools/setup.sh report
+	@$(SET_UP) report
 	@$(FIXEL) clippers --out $(BUILD)/clippers --build $(BUILD) --accept
 
 bench-diff: ## compare the last make bench with bench/baseline.json [THRESHOLD=0.5]
-	@tools/setup.sh tools
+	@$(SET_UP) tools
 	@$(TOOL) bench-diff --current $(BENCH_OUT)/bench.json
 
 bench-baseline: ## take the last make bench as the baseline, and renew the tables of docs/performance.md
-	@tools/setup.sh tools
+	@$(SET_UP) tools
 	@$(FIXEL) bench-diff --current $(BENCH_OUT)/bench.json --accept
 
 PROFILE_CORE := $(if $(filter CORE,$(GIVEN)),$(call ONE_OF,$(CORE),$(BENCH_CORES)),m3)
 PROFILE_NAMES := $(or $(call ONE_OF,$(RENDERER),$(call BENCH_PROGRAMS_OF,$(PROFILE_CORE))),fixel fixel-native)
+ifneq ($(and $(filter profile,$(MAKECMDGOALS)),$(RENDERER),$(if $(call ONE_OF,$(RENDERER),$(call BENCH_PROGRAMS_OF,$(PROFILE_CORE))),,unknown)),)
+$(error there is no RENDERER "$(RENDERER)"; the programs are: $(call BENCH_PROGRAMS_OF,$(PROFILE_CORE)))
+endif
 PROFILE_PROGRAM := $(filter $(PROFILE_NAMES:%=$(BENCH_OUT)/$(PROFILE_CORE)/%.elf),$(BENCH_PROGRAMS.$(PROFILE_CORE)))
 profile: ## show where a workload's instructions go: functions, lines, flame graph [WORKLOAD=w1 CORE=m3 RENDERER= FRAMES=]
-	@tools/setup.sh run
+	@$(SET_UP) run
 	@$(MAKE) $(BENCH_COUNTER) $(PROFILE_PROGRAM)
 	@$(TOOL) profile --workload w1 --core m3 --build $(BUILD)
 
 equality: ## compare every kernel of every core with the portable one, on the emulated core [THOUSANDS=10000 KEEP=bench/equality.json JOBS= CLUSTER= FRESH=1]
-	@tools/setup.sh run
+	@$(SET_UP) run
 	@$(MAKE) $(EQUALITY_PROGRAMS)
 	@$(TOOL) equality $(EQUALITY_KINDS) --build $(BUILD)
 
 fuzz: ## fuzz the scene loader, the whole pipeline and the tools' input, print the branches reached [RUNS=10000 EXAMPLES=1500 JOBS= CLUSTER= FRESH=1]
-	@tools/setup.sh fuzz
+	@$(SET_UP) fuzz
 	@$(MAKE) $(FUZZ_PROGRAMS) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%)
 	@$(TOOL) fuzz --examples $(FUZZ_TOOLS_EXAMPLES) --build $(BUILD) --clang '$(FUZZ_CLANG)'
 
 CORPUS_PROGRAMS = $(if $(ADD),$(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%))
 corpus: ## list the fuzzer's corpus, or add a file to that of a harness, with what the library answers [HARNESS= ADD=]
-	@tools/setup.sh units
+	@$(SET_UP) units
 	@$(if $(CORPUS_PROGRAMS),$(MAKE) $(CORPUS_PROGRAMS))
 	@$(TOOL) corpus --build $(BUILD)
 
 kills: ## kill run, flash, boot, view and report at random moments: nothing may be left [BOARD= KILLS=200 SEED=1]
-	@tools/setup.sh test
+	@$(SET_UP) test
 	@$(MAKE) $(BOARD_WALK.host) $(BOARD_WALK.$(BOARD_CHOSEN)) $(BOARD_WALK.lm3s6965evb) $(REPORT_TOOLS) $(BUILD)/host/live
 	@$(TOOL) kills --board $(BOARD_CHOSEN) --streaming lm3s6965evb --build $(BUILD)
 
 seeded-bugs: ## break the library on purpose, one place at a time; the tests must fail each time [ONLY=]
-	@tools/setup.sh units
+	@$(SET_UP) units
 	@$(TOOL) seeded-bugs --build $(BUILD)
 
 trace: ## join each clause of the specification with its code and its tests; BREAK=1: the tests must fail when it is broken [BREAK=1 ONLY= SAMPLE= ACCEPT=1 JOBS= CLUSTER= FRESH=1]
-	@tools/setup.sh $(if $(value BREAK),units,tools)
+	@$(SET_UP) $(if $(value BREAK),units,tools)
 	@$(if $(value BREAK),$(MAKE) $(UNIT_PROGRAMS) $(UNIT_ARCHIVES))
 	@$(TOOL) trace --build $(BUILD) --units $(UNIT_OUT) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK'
 
 prove: ## prove properties of the library's text for every input, and say of each function what shows it; JSON [ONLY= BUGS=1 JOBS= CLUSTER= FRESH=1]
-	@tools/setup.sh predict
+	@$(SET_UP) predict
 	@$(TOOL) prove --build $(BUILD)
 
 # ONLY here is the name of one unit test; without it, all.
@@ -487,13 +499,13 @@ COVERED_TESTS = $(if $(ONLY),$(COVERAGE_OUT)/$(or $(call ONE_OF,$(ONLY),$(notdir
     $(error ONLY: there is no unit test "$(ONLY)"; host_tests/unit has them)),$(COVERAGE_TESTS))
 COVERED_REPLAYS = $(if $(ONLY),,$(FUZZ_TARGETS))
 coverage: ## print which lines, branches and conditions of lib/ the unit tests and the fuzzer's corpus reach; the rest must have a reason [ONLY= of one unit test, such as test_scan]
-	@tools/setup.sh coverage
+	@$(SET_UP) coverage
 	@$(MAKE) $(COVERED_TESTS) $(COVERED_REPLAYS:%=$(COVERAGE_OUT)/replay_%)
 	@$(TOOL) coverage --library $(COVERAGE_LIBRARY) --tests $(COVERED_TESTS) --out $(BUILD)/coverage/coverage.json \
 	    $(foreach target,$(COVERED_REPLAYS),--replay $(COVERAGE_OUT)/replay_$(target) host_tests/fuzz/corpus/$(target).zip) $(if $(value ONLY),,--reasons host_tests/unit/uncovered.toml)
 
 rules: ## check lib/ by the rules of MISRA C:2012 that cppcheck 2.10 knows: the lines of each rule may only become fewer [RENEW=1]
-	@tools/setup.sh rules
+	@$(SET_UP) rules
 	@$(TOOL) rules --json $(BUILD)/rules.json
 
 # What only the other part needs is not built.
@@ -501,7 +513,7 @@ MUTANTS_PART := $(call ONE_OF,$(PART),lib tools)
 MUTANTS_LIB := $(if $(filter tools,$(MUTANTS_PART)),,$(UNIT_PROGRAMS) $(UNIT_ARCHIVES) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%))
 MUTANTS_TOOLS := $(if $(filter lib,$(MUTANTS_PART)),,all $(BENCH_TESTED) $(CLIPPERS_TESTED))
 mutants: ## put random small mistakes into the library and the tools; a test must fail for most of them [SEED=1 COUNT=100 PART= ONLY= JOBS= CLUSTER= FRESH=1]
-	@tools/setup.sh $(if $(MUTANTS_LIB),units) $(if $(MUTANTS_TOOLS),test)
+	@$(SET_UP) $(if $(MUTANTS_LIB),units) $(if $(MUTANTS_TOOLS),test)
 	@$(MAKE) $(MUTANTS_LIB) $(MUTANTS_TOOLS)
 	@$(TOOL) mutants --seed 1 --count 100 --build $(BUILD) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK' --units $(UNIT_OUT) \
 	    $(foreach target,$(FUZZ_TARGETS),--replay $(FUZZ_OUT)/replay_$(target) host_tests/fuzz/record/$(target).txt \
@@ -509,16 +521,16 @@ mutants: ## put random small mistakes into the library and the tools; a test mus
 
 BREAKS_COVERED = $(COVERAGE_TESTS) $(FUZZ_TARGETS:%=$(COVERAGE_OUT)/replay_%)
 breaks: ## break what the project claims, by a list of breaks that nobody wrote for the tests; commands must fail and name them [SEED=1 DRAW=20 ONLY= SAMPLES=]
-	@tools/setup.sh units report coverage rules predict
+	@$(SET_UP) units report coverage rules predict
 	@$(MAKE) $(UNIT_PROGRAMS) $(UNIT_ARCHIVES) $(BREAKS_COVERED)
 	@$(TOOL) breaks --build $(BUILD) --units $(UNIT_OUT) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK'
 
 size-of-tree: ## count files, lines of code, public functions, places of recipes and build steps; no count may be above its record [REASON=]
-	@tools/setup.sh tools
+	@$(SET_UP) tools
 	@$(TOOL) size-of-tree
 
 format: ## format the C sources with clang-format
-	@tools/setup.sh format
+	@$(SET_UP) format
 	@find lib boards firmware host_tests bench -name '*.[ch]' -exec clang-format -i {} +
 
 clean: ## remove what was built (keeps .venv)

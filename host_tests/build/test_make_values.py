@@ -7,6 +7,7 @@ import json
 import re
 import shutil
 import subprocess
+import sys
 
 import pytest
 
@@ -18,7 +19,7 @@ COMMANDS = make_variables.commands()
 # make itself compares these with the names that there are, and refuses any other value.
 CHECKED = {"BOARD", "PROGRAM", "VISIBILITY", "CLIPPER", "ROWS", "DRIVER", "PIXELS", "ORDER", "DEPTH", "COSTS_CORES", "COSTS_BOARDS", "LIB_FLAGS"}
 # Read by make in the commands that are named here, and by a tool in the others.
-CHECKED_IN = {"CORE": ["lib", "bench"], "ONLY": ["coverage"]}
+CHECKED_IN = {"CORE": ["lib", "bench", "size"], "ONLY": ["coverage"], "RENDERER": ["profile"]}
 # Any value that is not empty means yes.
 SWITCHES = {"SIZE"}
 # Commands that call none of the tools.
@@ -123,6 +124,62 @@ def test_every_command_has_a_tool_or_is_known_to_have_none(stand_in):
     for command in COMMANDS:
         done = run_make("-n", command, "MAKE=:") if not free(command) else None
         assert done is None or (f".venv/bin/python {LAUNCHED}" in done.stdout) == (command not in WITHOUT_TOOL), command
+
+
+# --- a bad value is refused before anything is installed or built ------------------
+
+BEFORE = CHECKOUT / "tools" / "fixel" / "base" / "before.py"
+# For each variable a value that no tool takes, and what the sentence must carry beside it.
+BAD = {"SCENE": ("nothere.glb", "cannot be read"), "CPU_LIMIT": ("0", "from 1 to"), "MEMORY_LIMIT": ("x", "whole number"), "SCREEN": ("axb", "128x64"),
+       "FRAMES": ("x", "FRAMES"), "LOOK": ("--nothing", "--palette"), "PORT": ("x", "65535"), "OUT": ("/proc/x", "cannot be written"),
+       "PICTURE": ("/proc/x.png", "cannot be written"), "KEEP": ("/proc/x", "cannot be written"), "PROBE": ("jlink", "openocd"),
+       "A": ("nothere.png", "no such file"), "B": ("nothere.png", "B="), "TOLERANCE": ("256", "255"), "SAMPLES": ("-5", "SAMPLES"),
+       "SEED": ("-1", "SEED"), "ONLY": ("nonexistent", "nonexistent"), "MINUTES": ("x", "whole number"), "JOBS": ("x", "from 0 to"),
+       "CLUSTER": ("x", "tcp://"), "GDB_COMMANDS": ("nothere", "flash"), "CORE": ("m9", "m55"), "WORKLOAD": ("w9", "w1"), "THRESHOLD": ("x", "threshold"),
+       "THOUSANDS": ("0", "from 1 to"), "RUNS": ("0", "from 1 to"), "EXAMPLES": ("x", "examples"), "HARNESS": ("x", "pipeline"), "ADD": ("nothere", "harness"),
+       "KILLS": ("0", "from 1 to"), "SAMPLE": ("-1", "negative"), "COUNT": ("-1", "negative"), "PART": ("x", "tools"), "DRAW": ("0", "DRAW"),
+       "JSON": ("/proc/x", "cannot be written")}
+# Any text is one: words of QEMU, a word that draws breaks, a reason.
+ANY = {"DEVICE", "breaks SEED", "REASON"}
+GIVEN = [(command, name) for command in COMMANDS if command not in WITHOUT_TOOL for name in free(command)
+         if not {name, f"{command} {name}"} & (ANY | make_variables.FLAGS | {"SIZE"})]
+
+
+@pytest.mark.parametrize("command, name", GIVEN)
+def test_a_bad_value_of_every_variable_of_every_command_is_refused(command, name):
+    """Without a Python package: -S has none. One sentence, exit 2, and nothing on standard output."""
+    value, words = BAD[name]
+    more = {"B": {"A": str(CHECKOUT / "docs/cube.png")}, "ADD": {}}.get(name, {})
+    if (command, name) == ("compare", "B"):
+        value, words = "", "B="
+    if (command, name) == ("compare", "TOLERANCE"):
+        more = dict.fromkeys("AB", str(CHECKOUT / "docs/cube.png"))
+    done = subprocess.run([sys.executable, "-I", "-S", BEFORE, command], cwd=CHECKOUT, env={**environment(), **more, name: value},
+                          text=True, capture_output=True, check=False)
+    assert done.returncode == 2 and done.stdout == "" and re.fullmatch("error: .*\n", done.stderr), done.stderr
+    assert words.lower() in done.stderr.lower()
+
+
+@pytest.mark.parametrize("command", [command for command in COMMANDS if command not in WITHOUT_TOOL | {"compare", "boot", "gdb"}])
+def test_a_command_without_a_variable_is_let_through(command):
+    done = subprocess.run([sys.executable, "-I", "-S", BEFORE, command], cwd=CHECKOUT, env=environment(), text=True, capture_output=True, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+@pytest.mark.parametrize("words", [["run", "SCENE=nothere.glb", "BOARD=pico"], ["report", "SAMPLES=-5"], ["report", "ONLY=nothing"], ["test", "ONLY=nothing"],
+                                   ["flash", "PROBE=jlink"], ["boot", "BOARD=rv32"], ["docs", "OUT=/proc/x"], ["predict", "BOARD=pico"], ["compare"]])
+def test_make_refuses_it_before_set_up_and_builds_nothing(tmp_path, words):
+    done = run_make(*words, f"BUILD={tmp_path / 'build'}")
+    assert done.returncode == 2 and done.stdout == "" and not (tmp_path / "build" / "host").exists() and not (tmp_path / "build" / "boards").exists()
+    assert "setup:" not in done.stderr and done.stderr.count("\n") == (1 if words == ["compare"] else 2), done.stderr
+
+
+@pytest.mark.parametrize("command", [command for command in COMMANDS if command not in WITHOUT_TOOL])
+def test_every_command_is_looked_at_before_its_set_up(command):
+    """So a new command cannot be forgotten."""
+    steps = run_make("-n", command, "MAKE=:", *(["A=docs/cube.png", "B=docs/cube.png"] if command == "compare" else [])).stdout
+    looked, set_up = steps.find(f"base/before.py {command} &&"), steps.find("tools/setup.sh")
+    assert 0 <= looked < set_up, steps
 
 
 # --- no recipe names a variable ---------------------------------------------------

@@ -16,7 +16,8 @@ import pytest
 from conftest import CHECKOUT
 from fixel.base.errors import ToolError
 from fixel.base.version import version
-from fixel.package import artefacts, bill, layouts
+from fixel.package import artefacts, bill
+from fixel.package.packages import table
 
 SECONDS = 1_900_000_000
 COMMIT = "0123456789abcdef0123456789abcdef01234567"
@@ -88,7 +89,7 @@ def test_the_same_commit_gives_the_same_source(root):
 
 
 def test_the_same_texts_give_the_same_packages(packages):
-    assert set(packages) == {f"fixel-{version()}-{name}.zip" for name in ("one-file", *layouts.table())}
+    assert set(packages) == {f"fixel-{version()}-{name}.zip" for name in ("one-file", *table())}
     assert packages == artefacts.packages(CHECKOUT, SECONDS)
     later = artefacts.packages(CHECKOUT, SECONDS + 60)
     assert not [name for name in packages if packages[name] == later[name]], "the time of the commit is in each"

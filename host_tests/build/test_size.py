@@ -240,3 +240,12 @@ def test_what_is_printed(capsys, passes, wrong, last):
     assert {"firmware b 5,000 300 at least 120 120 2,048", "library cortex-m3 4,000 0 64 - -"} <= rows
     assert "(77 bytes)" in said
     assert said.endswith(f"deepest, b: main > f\n  not bounded: f calls a pointer\ndeepest, cortex-m3: g\n{last}\n")
+
+
+def test_make_size_builds_one_core(build):
+    """Right after the first program: the library of a Cortex-M3 alone. CORE=all is all five, of which two share one."""
+    def cores(*settings):
+        done = subprocess.run(["make", "-n", "MAKE=:", "size", *settings], cwd=build.parent, check=True, text=True, capture_output=True)
+        return re.search(r"for core in ([^;]*);", done.stdout)[1].split()
+    assert cores() == ["cortex-m3"] and cores("CORE=m0") == ["cortex-m0"]
+    assert cores("CORE=all") == ["cortex-m0", "cortex-m3", "cortex-m33", "cortex-m4"]

@@ -13,7 +13,7 @@ ROOMS = {
     "Scenes": {
         "build": (SCENE, "compile a scene file or a model into a scene image"),
         "export": (SCENE, "write a scene as a C header"),
-        "info": (SCENE, "say what is in a scene image"),
+        "info": (SCENE, "say what is in a scene image, a scene file or a model"),
         "texture": (SCENE, "write an image as a texture in C"),
         "font": ("fixel.image.font", "write a font as a C header"),
         "formats": ("fixel.image.formats", "write what C and documents say of an image's fields"),

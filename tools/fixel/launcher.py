@@ -12,6 +12,7 @@ if __name__ == "__main__":
 from fixel import commands
 from fixel.base.errors import ToolError, run_main
 from fixel.base.nearest import question
+from fixel.base.version import version
 
 
 def usage():
@@ -19,12 +20,15 @@ def usage():
     width = max(map(len, commands.COMMANDS))
     rooms = ("\n".join([f"{room}:", *(f"  {name:{width}}  {what}" for name, (_, what) in members.items())])
              for room, members in commands.ROOMS.items())
-    return "usage: fixel COMMAND ...\n\n" + "\n\n".join(rooms) + "\n\nfixel COMMAND --help tells more of one."
+    return "usage: fixel COMMAND ...\n\n" + "\n\n".join(rooms) + "\n\nfixel COMMAND --help tells more of one. fixel --version tells the version."
 
 
 def main(argv):
     """Runs a command; the exit code."""
     name, *words = argv or ["--help"]
+    if name == "--version":
+        print(f"fixel {version()}")
+        return 0
     if name in ("-h", "--help"):
         print(usage())
         return 0

@@ -7,9 +7,15 @@ measured, 1 a program of the bench failed or drew a wrong picture, 2 the bench c
 """
 
 import argparse
+import pathlib
+import tomllib
 
 from fixel import commands
+from fixel.base.errors import ToolError
 from fixel.scene import target
+
+CORES = ("m0", "m3", "m4f", "m55")
+PLAN = pathlib.Path(__file__).resolve().parents[3] / "bench" / "bench.toml"
 
 
 def parser():
@@ -22,6 +28,24 @@ def parser():
     made.add_argument("--build", default="build", help="folder that make builds in")
     target.add_options(made)
     return made
+
+
+def workloads():
+    """The names of the workloads, in a palette and to RGB565."""
+    plan = tomllib.loads(PLAN.read_text(encoding="utf-8"))
+    return [each["name"] for kind in ("workloads", "rgb565") for each in plan.get(kind, ())]
+
+
+def refuse_workload(name):
+    """Refuses a name that no workload has."""
+    if name not in (None, *workloads()):
+        raise ToolError(f"there is no workload '{name}'; the workloads are: {', '.join(workloads())}")
+
+
+def before(options):
+    """Refuses a workload that there is not."""
+    for name in options.workloads or ():
+        refuse_workload(name)
 
 
 main = commands.main_of(parser, "fixel.bench.bench_report")

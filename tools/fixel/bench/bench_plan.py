@@ -7,12 +7,11 @@ import tomllib
 from fixel.base import output
 from fixel.scene import making
 from fixel.bench import bench_changes, bench_turned
+from fixel.bench.bench import CORES, PLAN
 from fixel.image import image
 from fixel.base.errors import ToolError
 
-CORES = ("m0", "m3", "m4f", "m55")
 NAMES = {"m0": "Cortex-M0", "m3": "Cortex-M3", "m4f": "Cortex-M4F", "m55": "Cortex-M55"}
-PLAN = pathlib.Path(__file__).resolve().parents[3] / "bench" / "bench.toml"
 DOUBLE = "listing-double"
 
 

@@ -6,9 +6,16 @@ every core drew the frames of the host, 1 not, 2 the comparison could not be run
 """
 
 import argparse
+import pathlib
+import tomllib
 
 from fixel import commands
+from fixel.base.errors import ToolError
 from fixel.campaign import runner
+
+PLAN = pathlib.Path(__file__).resolve().parents[3] / "bench" / "clippers.toml"
+CORES = ("m3", "m0")
+KINDS = ("clippers", "hidden", "scenes")
 
 
 def parser():
@@ -23,6 +30,22 @@ def parser():
                       help="only take the run in --out into docs/clipping.md and bench/clippers.json")
     runner.add_options(made)
     return made
+
+
+def refuse_strange(words, names):
+    """Refuses a word that is none of the names."""
+    strange = [word for word in words if word not in names]
+    if strange:
+        raise ToolError(f"ONLY names '{strange[0]}'; the names are: {', '.join(sorted(names))}")
+
+
+def before(options):
+    """Refuses a name that nothing of the plan has."""
+    plan = tomllib.loads(PLAN.read_text(encoding="utf-8"))
+    names = {*CORES, *(each["name"] for kind in KINDS for each in plan[kind])}
+    refuse_strange(options.only.replace(",", " ").split(), names)
+    if options.frames is not None and options.frames < 1:
+        raise ToolError(f"FRAMES is {options.frames}; it must be at least 1")
 
 
 main = commands.main_of(parser, "fixel.bench.clippers_report")

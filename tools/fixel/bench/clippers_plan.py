@@ -8,12 +8,11 @@ import tomllib
 
 from fixel.scene import making
 from fixel.bench import bench_plan
+from fixel.bench.clippers import CORES, PLAN, refuse_strange
 from fixel.board import dump, emulator
 from fixel.image import image
 from fixel.base.errors import ToolError
 
-PLAN = pathlib.Path(__file__).resolve().parents[3] / "bench" / "clippers.toml"
-CORES = ("m3", "m0")
 UNIT = 65536            # of a pixel, and of a world unit
 
 
@@ -46,9 +45,7 @@ class Plan:
         """Keeps of each kind the entries that are named; a kind of which none is named stays whole."""
         kinds = ("clippers", "hidden", "scenes", "cores")
         names = {name for kind in kinds for name in getattr(self, kind)}
-        strange = [word for word in words if word not in names]
-        if strange:
-            raise ToolError(f"ONLY names '{strange[0]}'; the names are: {', '.join(sorted(names))}")
+        refuse_strange(words, names)
         for kind in kinds:
             entries = getattr(self, kind)
             wanted = {name: entry for name, entry in entries.items() if name in words}

@@ -13,8 +13,9 @@ import numpy as np
 from fixel.base import limits
 from fixel.base.errors import ToolError
 from fixel.base.reading import shortened
+from fixel.bench.predict import COSTS
 
-FILE = pathlib.Path(__file__).resolve().parents[3] / "bench" / "costs.json"
+FILE = COSTS
 WALK_CPU = 600.0        # seconds of CPU time for a walk on the host
 SWEEPS = 20_000
 RIDGE = 1e-9            # keeps counts that always go together from taking turns

@@ -10,7 +10,7 @@ from fixel.board import model_look
 from fixel.model import suffixes
 from fixel.scene import look, scene_options
 from fixel.scene.scene_image import make_scene_image
-from fixel.bench import frame_costs
+from fixel.bench import frame_costs, predict as predict_command
 from fixel.image import image, memory_needed
 from fixel.base import bounded
 from fixel.base.errors import ToolError, one_line
@@ -133,6 +133,7 @@ def image_of(options, folder):
 def command(options):
     """The command; its exit code."""
     scene_options.check(options)
+    predict_command.complete(options)
     output.make_folder(options.build)
     with scratch.folder("predict", options.build) as folder:
         result = predict(options, image_of(options, folder))

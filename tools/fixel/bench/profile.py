@@ -7,6 +7,8 @@ Counts are exact. Cycles are an ESTIMATE from a table of costs (bench/cycles.tom
 import argparse
 
 from fixel import commands
+from fixel.base.errors import ToolError
+from fixel.bench import bench
 
 
 def parser():
@@ -19,6 +21,13 @@ def parser():
     made.add_argument("--out", help="folder for the results")
     made.add_argument("--build", default="build", help="folder that make builds in")
     return made
+
+
+def before(options):
+    """Refuses a workload or a core that there is not."""
+    bench.refuse_workload(options.workload)
+    if options.core not in (None, *bench.CORES):
+        raise ToolError(f"there is no core '{options.core}'; the cores are: {', '.join(bench.CORES)}")
 
 
 main = commands.main_of(parser, "fixel.bench.profiling")

@@ -5,7 +5,7 @@ import pathlib
 import sys
 
 from fixel.base import output, scratch
-from fixel.bench import bench_plan, bench_rgb565, bench_run, cycles, flame, places
+from fixel.bench import bench_plan, bench_rgb565, bench_run, cycles, flame, places, profile
 from fixel.board import qemu
 from fixel.base.errors import ToolError, one_line
 from fixel.base.progress import Progress
@@ -80,8 +80,7 @@ def chosen(plan, options):
 def command(options):
     """The command; its exit code."""
     plan = bench_plan.Plan(options.build)
-    if options.core not in bench_plan.CORES:
-        raise ToolError(f"there is no core '{options.core}'; the cores are: {', '.join(bench_plan.CORES)}")
+    profile.before(options)
     workload, renderer = chosen(plan, options)
     qemu.find_qemu()
     taken, frames = take(plan, workload, options.core, renderer, options.frames)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Prints flash, RAM and stack of the firmware, and of the library for each core.
 
-Also checks on the Cortex-M0 build that the library links neither floating point nor a heap: by its undefined
+Also checks on the Cortex-M0 build, or on another one where that is not given, that the library links neither floating point nor a heap: by its undefined
 symbols, and by linking all of it with the compiler's own helpers alone. Exit 1 if the check fails.
 """
 

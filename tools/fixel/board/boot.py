@@ -2,11 +2,13 @@
 """Boots a board from its flash image and fetches its frame dump."""
 
 import argparse
+import os
+import pathlib
 
 from fixel.base import scratch
-from fixel.base.errors import one_line
+from fixel.base.errors import ToolError, one_line
 from fixel.base.progress import Progress
-from fixel.scene import target
+from fixel.scene import scene_options, target
 
 
 def positive(text):
@@ -28,6 +30,14 @@ def parser():
                       help="seconds without a new frame after which the board hangs (60)")
     target.add_options(made)
     return made
+
+
+def before(options):
+    """Refuses a board without a flash image. The image is the recipe's, or none."""
+    board = os.environ.get("BOARD", scene_options.BOARD)
+    image = pathlib.Path("build/flash") / f"{board}.bin"
+    if options.image is None and not image.exists():
+        raise ToolError(f"{image}: there is no flash image of {board}; make flash BOARD={board} writes it, with the scene")
 
 
 def main(argv):

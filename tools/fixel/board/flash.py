@@ -4,7 +4,11 @@
 import argparse
 
 from fixel import commands
+from fixel.base.errors import ToolError
 from fixel.scene import scene_options
+
+OPENOCD = "openocd"
+PROBES = (OPENOCD,)
 
 
 def parser():
@@ -18,6 +22,14 @@ def parser():
     made.add_argument("--probe", default="", help="openocd: program the real board instead")
     made.add_argument("--dry-run", action="store_true", help="with --probe: only print the command")
     return made
+
+
+def before(options):
+    """Refuses a probe that there is not."""
+    if options.probe and options.probe not in PROBES:
+        raise ToolError(f"PROBE is '{options.probe}'; it may be {' or '.join(PROBES)}")
+    if options.dry_run and not options.probe:
+        raise ToolError("DRY_RUN needs a PROBE")
 
 
 main = commands.main_of(parser, "fixel.board.flashing")

@@ -5,7 +5,7 @@ import itertools
 import pathlib
 
 from fixel.scene import look, making
-from fixel.board import firmware, model_look, probe, uf2
+from fixel.board import firmware, flash as flash_command, model_look, probe, uf2
 from fixel.model import suffixes
 from fixel.base import bounded, output, scratch
 from fixel.base.errors import ToolError, one_line
@@ -55,10 +55,7 @@ def write_image(options, scene):
 def command(options):
     """The command; its exit code."""
     scene_options.check(options)
-    if options.probe and options.probe not in probe.PROBES:
-        raise ToolError(f"PROBE is '{options.probe}'; it may be {' or '.join(probe.PROBES)}")
-    if options.dry_run and not options.probe:
-        raise ToolError("DRY_RUN needs a PROBE")
+    flash_command.before(options)
     with scratch.folder("flash") as work:
         scene = scene_image(options, work)
         if options.probe:

@@ -3,6 +3,8 @@
 
 import argparse
 
+from fixel.base import reading
+from fixel.board import boot
 from fixel.board.boot import positive
 
 
@@ -15,6 +17,13 @@ def parser():
     made.add_argument("--frames", type=positive, help="number of frames (default: the whole path)")
     made.add_argument("--commands", help="a file of GDB commands (default: GDB asks for them)")
     return made
+
+
+def before(options):
+    """Refuses a board without a flash image, and a file of commands that is not there."""
+    boot.before(options)
+    if options.commands:
+        reading.open_regular(options.commands)[0].close()
 
 
 def main(argv):

@@ -11,9 +11,8 @@ import sys
 from fixel.base import children
 from fixel.board import flash_memory
 from fixel.base.errors import ToolError
+from fixel.board.flash import OPENOCD
 
-OPENOCD = "openocd"
-PROBES = (OPENOCD,)
 STARTED = "** Programming Started **"
 VERIFIED = "** Verified OK **"
 

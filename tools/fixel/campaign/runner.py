@@ -34,16 +34,22 @@ def add_options(parser):
     kept.add_option(parser)
 
 
+def check(options):
+    """Refuses what is no number of processes, or no address."""
+    jobs_of(options)
+    if options.cluster and not ADDRESS.fullmatch(options.cluster):
+        raise ToolError(f"CLUSTER is '{options.cluster}'; it must be the address of a Dask scheduler, such as tcp://192.168.1.7:8786")
+
+
 def jobs_of(options):
     """How many processes there are."""
     return whole_number("--jobs", str(options.jobs), 0, JOBS_MAX) or os.cpu_count() or 1
 
 
 def _pool(options, todo):
+    check(options)
     if not options.cluster:
         return local.Pool(options.build, min(jobs_of(options), len(todo)))
-    if not ADDRESS.fullmatch(options.cluster):
-        raise ToolError(f"CLUSTER is '{options.cluster}'; it must be the address of a Dask scheduler, such as tcp://192.168.1.7:8786")
     if children.run(["tools/setup.sh", "cluster"], cwd=CHECKOUT, stdout=None, stderr=None).returncode:
         raise ToolError("CLUSTER needs the Python package Dask, and set-up could not install it; its words are above")
     from fixel.campaign import cluster      # it needs packages that nothing else needs

@@ -104,6 +104,14 @@ def parser():
     return made
 
 
+def before(options):
+    """Refuses a word that no break has, and a number that draws none."""
+    if options.only and not any(options.only in f"{each.id} {each.kind} {each.file}" for each in break_list.read(options.root)):
+        raise ToolError(f"no break of {break_list.LIST} has '{options.only}' in its id, kind or file")
+    if options.draw < 1 or options.samples < 1:
+        raise ToolError("DRAW= is less than 1" if options.draw < 1 else "SAMPLES= is less than 1")
+
+
 def main(argv):
     options = parser().parse_args(argv)
     every = break_list.read(options.root)

@@ -200,10 +200,17 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
+def before(options):
+    """Refuses inputs of no harness, and a file that is not there."""
     if (options.add or options.unpack) and not options.harness:
         raise ToolError(f"--harness is missing: whose corpus? One of {', '.join(HARNESSES)}")
+    if options.add:
+        reading.open_regular(options.add)[0].close()
+
+
+def main(argv):
+    options = parser().parse_args(argv)
+    before(options)
     build = pathlib.Path(options.build).resolve()
     if options.add:
         add(options.harness, options.add, build)

@@ -9,7 +9,12 @@ a campaign: shards of a million random inputs. Exit: 0 all kernels are equal, 1 
 import argparse
 
 from fixel import commands
+from fixel.base.arguments import whole_number
 from fixel.campaign import runner
+
+SHARD = 1000        # thousands of random inputs
+SHARD_SHIFT, KERNEL_SHIFT = 10, 26  # as in firmware/equality/main.c
+THOUSANDS_MAX = SHARD << KERNEL_SHIFT - SHARD_SHIFT
 
 
 def parser():
@@ -21,6 +26,11 @@ def parser():
     made.add_argument("--keep", metavar="FILE", help="write the result there too, for the report of make bench (KEEP=)")
     runner.add_options(made)
     return made
+
+
+def before(options):
+    """The number of thousands; refuses what is none."""
+    return whole_number("--thousands", options.thousands, 1, THOUSANDS_MAX)
 
 
 main = commands.main_of(parser, "fixel.check.kernel_equality")

@@ -198,9 +198,14 @@ def parser():
     return made
 
 
+def before(options):
+    """The number of runs; refuses what is none."""
+    return whole_number("--runs", options.runs, 1, fuzz_shards.RUNS_MAX)
+
+
 def main(argv):
     options = parser().parse_args(argv)
-    options.runs = whole_number("--runs", options.runs, 1, fuzz_shards.RUNS_MAX)
+    options.runs = before(options)
     runner.jobs_of(options)
     build = options.build = pathlib.Path(options.build).resolve()
     if options.add_records:

@@ -6,16 +6,14 @@ import re
 
 from fixel.board import ending as endings
 from fixel.base import output, scratch
-from fixel.base.arguments import whole_number
 from fixel.base.errors import ToolError
 from fixel.board import emulator, firmware, qemu
 from fixel.campaign import runner
+from fixel.check import equality
+from fixel.check.equality import KERNEL_SHIFT, SHARD, SHARD_SHIFT
 from fixel.campaign.shards import Shard
 
 TIMEOUT = 3600.0    # seconds of CPU time for a kernel
-SHARD = 1000        # thousands of random inputs
-SHARD_SHIFT, KERNEL_SHIFT = 10, 26  # as in firmware/equality/main.c
-THOUSANDS_MAX = SHARD << KERNEL_SHIFT - SHARD_SHIFT
 LINE = re.compile(r"^equality: (\S+) (\d+)\nequality: differences (\d+)$", re.MULTILINE)
 NAME = re.compile(r"^equality: kernel (\S+)$", re.MULTILINE)
 MARKER = re.compile(r"^equality: done$", re.MULTILINE)
@@ -108,7 +106,7 @@ def merge(some, results):
 
 def command(options):
     """The command; its exit code."""
-    thousands = whole_number("--thousands", options.thousands, 1, THOUSANDS_MAX)
+    thousands = equality.before(options)
     runner.jobs_of(options)
     some = plan(options.build, options.cores, thousands)
     done = runner.run("kernels compared, in shards", some, options)

@@ -7,13 +7,11 @@ import sys
 
 from fixel.base import output, scratch
 from fixel.scene import making
-from fixel.check import kill_campaign
-from fixel.base.arguments import whole_number
+from fixel.check import kill_campaign, kills
 from fixel.base.progress import Progress
 from fixel.base.table import coloured, table
 
 SCENE = "scenes/tiny.toml"
-KILLS_MAX = 1_000_000
 
 
 def make_campaign(options, folder):
@@ -53,16 +51,9 @@ def print_kills(kills, commands):
     return bad
 
 
-def checked(options):
-    """The options, as the command needs them."""
-    options.kills = whole_number("KILLS", options.kills, 1, KILLS_MAX)
-    options.seed = whole_number("SEED", options.seed, 0, 2 ** 64 - 1)
-    return options
-
-
 def command(options):
     """The command; its exit code."""
-    options = checked(options)
+    options = kills.before(options)
     # A shell ignores it for what it starts in the background, and so would the commands.
     if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -8,6 +8,9 @@ whole, the old one or the new one. Exit: 0 so it was, 1 not.
 import argparse
 
 from fixel import commands
+from fixel.base.arguments import whole_number
+
+KILLS_MAX = 1_000_000
 
 COMMANDS = ("run", "flash", "boot", "view", "view-stream", "report")
 
@@ -23,6 +26,13 @@ def parser():
     made.add_argument("--samples", default="1000", help="of a report")
     made.add_argument("--build", default="build", help="folder that make builds in")
     return made
+
+
+def before(options):
+    """The options, as the command needs them."""
+    options.kills = whole_number("KILLS", options.kills, 1, KILLS_MAX)
+    options.seed = whole_number("SEED", options.seed, 0, 2 ** 64 - 1)
+    return options
 
 
 main = commands.main_of(parser, "fixel.check.killing")

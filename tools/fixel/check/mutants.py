@@ -137,12 +137,24 @@ def parser():
     return made
 
 
+def parts_of(options):
+    """{the word of a part: it}, of those that are asked for."""
+    return {word: PARTS[word] for word in ([options.part] if options.part else sorted(PARTS))}
+
+
+def before(options):
+    """Refuses a word that no file has in its path."""
+    parts = parts_of(options).values()
+    if not any(options.only in path.relative_to(CHECKOUT).as_posix() for part in parts for path in part.files(CHECKOUT)):
+        raise ToolError(f"no file of the {' or the '.join(part.NAME for part in parts)} has '{options.only}' in its path")
+
+
 def main(argv):
     options = parser().parse_args(argv)
     os.nice(NICE)
     known = survivors.load(CHECKOUT / KNOWN, CHECKOUT, mutants_of)
     scratch = pathlib.Path(options.build).resolve() / "mutants"
-    parts = {word: PARTS[word] for word in ([options.part] if options.part else sorted(PARTS))}
+    parts = parts_of(options)
     drawn = {word: draw(part.files(CHECKOUT), options.only, options.seed) for word, part in parts.items()}
     if not any(drawn.values()):
         raise ToolError(f"no file of the {' or the '.join(part.NAME for part in parts.values())} has '{options.only}' in "

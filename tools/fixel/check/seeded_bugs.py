@@ -217,11 +217,17 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
+def before(options):
+    """The bugs that are asked for; refuses a word that none has."""
     bugs = [bug for bug in records.read(options.root) if options.only in f"{bug.id} {bug.name} {bug.kind} {bug.file}"]
     if not bugs:
         raise ToolError(f"no bug has '{options.only}' in its id, name, kind or file")
+    return bugs
+
+
+def main(argv):
+    options = parser().parse_args(argv)
+    bugs = before(options)
     if options.sample:
         bugs = sampling.choose(options.root, "seeded bugs", bugs, options.sample)
     tests = all_tests(options.root)

@@ -9,9 +9,13 @@ Limits are on CPU time and on sleep (fixel.base.limits), not on wall time.
 
 import argparse
 import os
+import pathlib
 
 from fixel import commands
+from fixel.base.errors import ToolError
 from fixel.check import units
+
+TESTS = pathlib.Path(__file__).resolve().parents[3] / "host_tests"
 
 
 def parser():
@@ -28,6 +32,15 @@ def parser():
     # One more than processors: some suites wait, for a browser or for time to pass.
     made.add_argument("--workers", type=int, default=(os.cpu_count() or 1) + 1)
     return made
+
+
+def before(options):
+    """Refuses a word that no suite has in its name: a suite of the host or of a board for a unit test, one for each file of pytest."""
+    units_of = [file.stem for file in TESTS.glob("unit/test_*.c")] + [file.stem for file in TESTS.glob("judges/oracle/unit/test_*.c")]
+    boards = [folder.name for folder in (TESTS.parent / "boards").iterdir() if (folder / "board.mk").exists()]
+    names = {f"{file.parent.name}/{file.stem}" for file in TESTS.glob("*/test_*.py")} | {f"{board}/{unit}" for board in boards for unit in units_of}
+    if options.only and not any(options.only in name for name in names):
+        raise ToolError(f"no suite has '{options.only}' in its name; names are such as host/test_scan, mps2-an385/test_scan, tools/test_stl")
 
 
 main = commands.main_of(parser, "fixel.check.all_tests")

@@ -9,6 +9,7 @@ Exit: 0 nothing failed, 1 a test failed, 2 there is no such part.
 import argparse
 
 from fixel import commands
+from fixel.check import anywhere
 
 
 def parser():
@@ -17,6 +18,11 @@ def parser():
     made.add_argument("--only", default="", metavar="PART", help="a folder of host_tests/anywhere, or a file of one")
     made.add_argument("--json", help="write the result of each file")
     return made
+
+
+def before(options):
+    """Refuses a name that no part has."""
+    anywhere.chosen(options.only, anywhere.files())
 
 
 main = commands.main_of(parser, "fixel.check.anywhere")

@@ -189,6 +189,12 @@ def read(root):
     return found, *tags.read(root, pages_of(found)), bugs.entries(root)
 
 
+def before(options):
+    """Refuses a word that no clause has in its id."""
+    if not any(options.only in id_ for id_ in clauses.read(options.root)):
+        raise ToolError(f"no clause has '{options.only}' in its id; ids are such as 'SPEC 4.5' and 'beams 2.2'")
+
+
 def main(argv):
     options = parser().parse_args(argv)
     if options.breaks and not (options.units and options.cc):
@@ -203,9 +209,8 @@ def main(argv):
     reasons, unreasoned = unbroken(options.root, rows)
     wrong = [*clauses.differences(found, clauses.recorded(options.root)), *unknown(found, code, tests, seeded),
              *missing(rows), *unreasoned]
+    before(options)
     here = {id_: row for id_, row in rows.items() if options.only in id_}
-    if not here:
-        raise ToolError(f"no clause has '{options.only}' in its id; ids are such as 'SPEC 4.5' and 'beams 2.2'")
     print_rows(here, options.only)
     said = {"clauses": [as_json(row) for row in rows.values()], "wrong": wrong}
     if options.breaks:

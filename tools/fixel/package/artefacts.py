@@ -18,6 +18,7 @@ from fixel.base import children, output, scratch
 from fixel.base.errors import ToolError, one_line
 from fixel.base.version import version
 from fixel.package import bill, layouts, one_text, repository
+from fixel.package.packages import table
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 SUMS = "SHA256SUMS"
@@ -73,7 +74,7 @@ def packages(root, seconds):
     texts = {**one_file, "LICENSE": (root / "LICENSE").read_text(encoding="utf-8")}
     made = {f"fixel-{version()}-one-file.zip": zipped({f"fixel/{name}": text.encode() for name, text in texts.items()}, seconds)}
     with scratch.folder("release") as folder:
-        for name, layout in layouts.table().items():
+        for name, layout in table().items():
             place = pathlib.Path(folder) / name
             layouts.write(layout, place, one_file)
             made[f"fixel-{version()}-{name}.zip"] = zipped(of_folder(place, "fixel"), seconds)

@@ -2,24 +2,17 @@
 """The work of fixel packages: every file of a package, by layouts.toml."""
 
 import pathlib
-import tomllib
 
 from fixel.base import output
 from fixel.base.errors import ToolError
-from fixel.base.nearest import question
 from fixel.base.version import version
 from fixel.image import image
-from fixel.package import one_text, rust_bindings
+from fixel.package import one_text, packages, rust_bindings
 from fixel.report import examples
 from fixel.scene import making
 
-TABLE = pathlib.Path(__file__).with_name("layouts.toml")
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 ABOUT = "Fixed-point 3-D renderer for microcontrollers"
-
-
-def table():
-    return tomllib.loads(TABLE.read_text(encoding="utf-8"))
 
 
 def texts(layout, one_file):
@@ -65,9 +58,7 @@ def write(layout, folder, one_file):
 
 def command(options):
     """The command; its exit code."""
-    known = table()
-    if options.only and options.only not in known:
-        raise ToolError(f"there is no package '{options.only}'{question(options.only, known)}; there are: {', '.join(known)}")
+    known = packages.before(options)
     one_file = {"fixel.h": one_text.header_text(version()), "fixel.c": one_text.source_of_all(version())}
     for name in [options.only] if options.only else known:
         count = write(known[name], options.out / name, one_file)

@@ -6,8 +6,13 @@ All come from one table, layouts.toml. Exit: 0 written, 2 a file cannot be writt
 
 import argparse
 import pathlib
+import tomllib
 
 from fixel import commands
+from fixel.base.errors import ToolError
+from fixel.base.nearest import question
+
+TABLE = pathlib.Path(__file__).with_name("layouts.toml")
 
 
 def parser():
@@ -16,6 +21,19 @@ def parser():
     made.add_argument("--only", default="", metavar="PACKAGE", help="one of them: arduino, platformio, esp-idf, zephyr, conan or rust")
     made.add_argument("--out", type=pathlib.Path, default=pathlib.Path("build/packages"), metavar="FOLDER", help="where to (build/packages)")
     return made
+
+
+def table():
+    """The layouts of all packages."""
+    return tomllib.loads(TABLE.read_text(encoding="utf-8"))
+
+
+def before(options):
+    """The layouts of all packages; refuses a name that none has."""
+    known = table()
+    if options.only and options.only not in known:
+        raise ToolError(f"there is no package '{options.only}'{question(options.only, known)}; there are: {', '.join(known)}")
+    return known
 
 
 main = commands.main_of(parser, "fixel.package.layouts")

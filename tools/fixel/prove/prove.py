@@ -13,7 +13,9 @@ import argparse
 import importlib
 import pathlib
 
+from fixel.base.errors import ToolError
 from fixel.campaign import runner
+from fixel.prove import rows
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 
@@ -30,6 +32,14 @@ def parser():
     made.add_argument("--seconds", type=int, default=120, help="of CPU time that a row may take")
     runner.add_options(made)
     return made
+
+
+def before(options):
+    """The rows that are asked for; refuses a word that none has."""
+    found = [row for row in rows.read(pathlib.Path(options.root).resolve()) if options.only in f"{row.id} {row.function} {row.place}"]
+    if not found:
+        raise ToolError(f"no row has '{options.only}' in its id, function or file")
+    return found
 
 
 def main(argv):

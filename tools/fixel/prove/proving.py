@@ -14,7 +14,7 @@ from fixel.base.errors import ToolError
 from fixel.base.table import coloured, table
 from fixel.campaign import runner
 from fixel.campaign.shards import AGAIN, Shard
-from fixel.prove import cbmc, functions, others, provers, recomputed, rows as records
+from fixel.prove import cbmc, functions, others, prove, provers, recomputed, rows as records
 
 PROVERS = {"cbmc": cbmc, "z3": others, "gappa": others, "enumeration": others, "recomputed": recomputed}
 
@@ -194,9 +194,7 @@ def command(options):
     """The command; its exit code."""
     root = pathlib.Path(options.root).resolve()
     rows = records.read(root)
-    chosen = [row for row in rows if options.only in f"{row.id} {row.function} {row.place}"]
-    if not chosen:
-        raise ToolError(f"no row has '{options.only}' in its id, function or file")
+    chosen = prove.before(options)
     jobs = runner.jobs_of(options)
     if options.bugs:
         from fixel.prove import bugs    # which uses this module

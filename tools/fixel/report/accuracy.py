@@ -5,17 +5,13 @@ import pathlib
 import sys
 
 from fixel.base import bounded, kept, output, scratch, spent
-from fixel.report import (report_averages, report_claims, report_frames, report_page, report_plots, report_scale, report_shards,
+from fixel.report import (report, report_averages, report_claims, report_frames, report_page, report_plots, report_scale, report_shards,
                           report_stages)
-from fixel.base.arguments import whole_number
 from fixel.base.errors import ToolError, one_line
 from fixel.board.programs import HostPrograms, read_json
 from fixel.base.table import coloured, table
-from fixel.campaign import runner
 
 PATTERNS = ["report.html", "report.json"]
-SAMPLES_MAX = 10 ** 12
-MINUTES_MAX = 60 * 24 * 366
 RAY_FRAMES = 12         # about how many frames the ray-cast oracle judges
 # Below the default number of samples paths are cut in proportion, to no fewer frames than this.
 FEWEST_FRAMES = 2
@@ -118,25 +114,9 @@ def write_picture(options):
     print(one_line(options.picture))
 
 
-def checked(options):
-    """The options, as the command needs them."""
-    options.samples = report_shards.SAMPLES if options.samples is None else \
-        whole_number("SAMPLES", options.samples, 1, SAMPLES_MAX)
-    options.seed = whole_number("SEED", options.seed, 0, 2 ** 64 - 1)
-    runner.jobs_of(options)
-    minutes = "0" if options.cluster and options.minutes is None else options.minutes or report_shards.MINUTES
-    options.minutes = whole_number("MINUTES", minutes, 0, MINUTES_MAX)
-    options.only = options.only.split()
-    known = [kind.what for kind in report_shards.CLAIMS]
-    for word in options.only:
-        if word not in known:
-            raise ToolError(f"ONLY names '{word}'; the claims that have samples are: {', '.join(known)}")
-    return options
-
-
 def command(options):
     """The command; its exit code."""
-    options = checked(options)
+    options = report.before(options)
     if options.picture:
         write_picture(options)
         return 0

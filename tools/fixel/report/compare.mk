@@ -7,12 +7,17 @@
 # Set-up is a target of its own, before that. Make brings makefiles up to date
 # even with -n: then there is none to bring up to date, and the goal shows the steps.
 
+# Without one of them there is nothing to set up; the tool says so too, but make would add two lines.
+ifneq ($(if $(filter PY,$(GIVEN_BY_TESTS)),,$(if $(value A),,A)$(if $(value B),,B)),)
+$(error make compare takes two PNGs, folders of PNGs, or frame dumps: make compare A=... B=...)
+endif
+
 VERDICT := $(BUILD)/compare/verdict.mk
 COMPARE := $(TOOL) compare --out $(BUILD)/compare
 
 .PHONY: set-up-tools
 set-up-tools:
-	@tools/setup.sh tools
+	@$(call LOOK_AT,compare) tools/setup.sh tools
 
 ifneq ($(findstring n,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),)
 compare: set-up-tools

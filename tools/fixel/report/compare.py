@@ -5,8 +5,11 @@ Exit: 0 equal, 1 different, 2 cannot be compared.
 """
 
 import argparse
+import os
 
 from fixel import commands
+from fixel.base import reading
+from fixel.base.errors import ToolError
 
 SIDE_MAX = 4096         # pixels
 PIXELS_MAX = 1 << 23    # of a PNG: two of them, and what is made of them, take less than 200 MB and 2 s
@@ -23,6 +26,24 @@ def parser():
     made.add_argument("--out", help="folder for compare.json and the pictures")
     made.add_argument("--json", action="store_true", help="JSON instead of the table")
     return made
+
+
+def tolerance_of(text):
+    """0..255 from a command line."""
+    if not (len(text) <= 3 and text.isascii() and text.isdigit() and int(text) <= 255):
+        raise ToolError(f"TOLERANCE is '{reading.shortened(text)}'; it must be a whole number from 0 to 255")
+    return int(text)
+
+
+def before(options):
+    """Refuses one picture, and names at which there is nothing."""
+    for name in ("a", "b"):
+        path = getattr(options, name)
+        if not path:
+            raise ToolError(f"{name.upper()}= is missing: make compare A=... B=... takes two PNGs, folders of PNGs, or frame dumps")
+        if not os.path.exists(path):
+            raise ToolError(f"{path}: there is no such file or folder")
+    tolerance_of(options.tolerance)
 
 
 main = commands.main_of(parser, "fixel.report.comparison")

@@ -19,6 +19,7 @@ from fixel.board import dump
 from fixel.base.errors import ToolError, one_line
 from fixel.base.progress import steps
 from fixel.base.table import coloured, table
+from fixel.report import compare as compare_command
 from fixel.report.compare import SIDE_MAX, PIXELS_MAX
 
 PNG_MAX = 64 << 20      # bytes of a PNG
@@ -218,20 +219,10 @@ def print_table(result, out):
         print(f"JSON and pictures: {one_line(out)}")
 
 
-def tolerance_of(text):
-    """0..255 from a command line."""
-    if not (len(text) <= 3 and text.isascii() and text.isdigit() and int(text) <= 255):
-        raise ToolError(f"TOLERANCE is '{reading.shortened(text)}'; it must be a whole number from 0 to 255")
-    return int(text)
-
-
 def command(options):
     """The command; its exit code."""
-    for name in ("a", "b"):
-        if not getattr(options, name):
-            raise ToolError(f"{name.upper()}= is missing: make compare A=... B=... takes two PNGs, "
-                            f"folders of PNGs, or frame dumps")
-    tolerance = tolerance_of(options.tolerance)
+    compare_command.before(options)
+    tolerance = compare_command.tolerance_of(options.tolerance)
     place = (output.replaced_folder(options.out, written_before) if options.out
              else contextlib.nullcontext())
     with place as folder:

@@ -10,7 +10,13 @@ import argparse
 
 from fixel import commands
 from fixel.base import bounded
+from fixel.base.arguments import whole_number
+from fixel.base.errors import ToolError
 from fixel.campaign import runner
+from fixel.report import report_shards
+
+SAMPLES_MAX = 10 ** 12
+MINUTES_MAX = 60 * 24 * 366
 
 
 def parser():
@@ -30,6 +36,22 @@ def parser():
     made.add_argument("--picture", metavar="FILE",
                       help="only write the README's picture, from the report in --out")
     return made
+
+
+def before(options):
+    """The options, as the command needs them."""
+    options.samples = report_shards.SAMPLES if options.samples is None else \
+        whole_number("SAMPLES", options.samples, 1, SAMPLES_MAX)
+    options.seed = whole_number("SEED", options.seed, 0, 2 ** 64 - 1)
+    runner.jobs_of(options)
+    minutes = "0" if options.cluster and options.minutes is None else options.minutes or report_shards.MINUTES
+    options.minutes = whole_number("MINUTES", minutes, 0, MINUTES_MAX)
+    options.only = options.only.split()
+    known = [kind.what for kind in report_shards.CLAIMS]
+    for word in options.only:
+        if word not in known:
+            raise ToolError(f"ONLY names '{word}'; the claims that have samples are: {', '.join(known)}")
+    return options
 
 
 main = commands.main_of(parser, "fixel.report.accuracy")

@@ -10,12 +10,12 @@ is about the first shards of each kind, as far as they are done, and the same co
 """
 
 import dataclasses
+import importlib
 import json
 import math
 import sys
 
 from fixel.base.errors import ToolError
-from fixel.board.programs import run_program
 from fixel.campaign import runner
 from fixel.campaign.shards import Shard
 
@@ -108,7 +108,7 @@ def _command(build, program, what, seed, shard, samples):
 
 def _run(command):
     try:
-        text = run_program(command)
+        text = importlib.import_module("fixel.board.programs").run_program(command)     # it needs NumPy
     except ToolError as error:
         words = " ".join(str(word) for word in command)
         raise ToolError(f"{error.message} (command: {words})", error.exit_code, error.words) from error

@@ -17,9 +17,13 @@
 tools/scene.py is the same without set-up's fixel: scene.py build ..."""
 
 import argparse
+import contextlib
+import io
+import os
 import re
+import sys
 
-from fixel.base import bounded
+from fixel.base import bounded, scratch
 from fixel.base.errors import ToolError, one_line
 from fixel.base.reading import quoted
 from fixel.image import c_names, image_surface
@@ -82,8 +86,8 @@ def _parsers():
     drawing.add_argument("--clamp", action="store_true", help="beyond its edge it shows the texel of the edge")
     for command in (building, exporting, drawing):
         bounded.add_options(command)
-    telling = commands.add_parser("info", help="say what is in a scene image")
-    telling.add_argument("image")
+    telling = commands.add_parser("info", help="say what is in a scene image, or in that of a .toml or a model")
+    telling.add_argument("image", help="a .fxls; a .toml or a model is compiled as build does, and nothing is written")
     telling.add_argument("--json", action="store_true")
     return made, commands.choices
 
@@ -98,12 +102,27 @@ def parsers():
     return _parsers()[1]
 
 
+def tell_of(arguments):
+    """Says what is in a scene image. A scene file or a model is compiled first, with what build says of it on standard error."""
+    from fixel.scene import summary
+    if suffixes.suffix_of(arguments.image) == ".fxls" or not os.path.exists(arguments.image):
+        summary.info(arguments.image, arguments.json)
+        return 0
+    with scratch.folder("info") as folder:
+        compiled, said = os.path.join(folder, "scene.fxls"), io.StringIO()
+        try:
+            with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+                main(["build", arguments.image, "-o", compiled])
+        finally:
+            print(said.getvalue().replace(compiled, one_line(arguments.image)), end="", file=sys.stderr)
+        summary.info(compiled, arguments.json, arguments.image)
+    return 0
+
+
 def main(argv):
     arguments = parser().parse_args(argv)
     if arguments.command == "info":
-        from fixel.scene import summary
-        summary.info(arguments.image, arguments.json)
-        return 0
+        return tell_of(arguments)
     if arguments.command == "texture":
         make_texture(arguments)
         return 0

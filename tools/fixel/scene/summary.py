@@ -50,13 +50,13 @@ def summary(scene):
     }
 
 
-def info(file, as_json):
-    """Prints what is in a scene image."""
+def info(file, as_json, name=None):
+    """Prints what is in a scene image. name: what it is called, if it was made of another file."""
     data = summary(image.load(file))
     if as_json:
         print(json.dumps(data, indent=1))
         return
-    print(f"{one_line(file)}: {data['bytes']:,} bytes, CRC-32 {data['crc32']}")
+    print(f"{one_line(name or file)}: {data['bytes']:,} bytes, CRC-32 {data['crc32']}")
     print(f"  screen   {data['width']}x{data['height']}, field of view {data['fov_degrees']:g} "
           f"degrees (focal {data['focal_pixels']:g} pixels)")
     if data["centre"] != [data["width"] / 2, data["height"] / 2]:

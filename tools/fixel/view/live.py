@@ -10,6 +10,7 @@ import webbrowser
 from fixel.base import output, scratch
 from fixel.board import firmware, flash_memory, methods, model_look
 from fixel.base.errors import ENDINGS, ToolError, one_line
+from fixel.view.view import port_number
 from fixel.view.view_board import Board
 from fixel.view.view_pump import IDLE_RATE, Pump
 from fixel.view.view_server import Hub, Server, hello
@@ -73,13 +74,6 @@ def view(options):
     if error:
         raise error
     return 0
-
-
-def port_number(text):
-    """A port from a command line."""
-    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= 65535):
-        raise ToolError(f"PORT is '{text}'; it must be a whole number from 1 to 65535")
-    return int(text)
 
 
 def command(options):

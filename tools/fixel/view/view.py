@@ -9,6 +9,7 @@ itself, with the exit code of its program.
 import argparse
 
 from fixel import commands
+from fixel.base.errors import ToolError
 from fixel.board import methods
 from fixel.scene import scene_options
 
@@ -23,6 +24,19 @@ def parser():
     made.add_argument("--open", action="store_true", help="open the page in this machine's browser")
     made.add_argument("--build", default="build", help="folder that make builds in")
     return made
+
+
+def port_number(text):
+    """A port from a command line."""
+    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= 65535):
+        raise ToolError(f"PORT is '{text}'; it must be a whole number from 1 to 65535")
+    return int(text)
+
+
+def before(options):
+    """Refuses what is no port."""
+    if options.port is not None:
+        port_number(options.port)
 
 
 main = commands.main_of(parser, "fixel.view.live")
