@@ -2,6 +2,7 @@
 """Edges on which vertices of other faces lie are split there."""
 
 from fractions import Fraction
+import math
 import random
 import time
 
@@ -90,12 +91,61 @@ def test_a_texture_goes_on_through_a_vertex_on_an_edge(tmp_path):
     assert sorted(sides) == [3] * 5 + [4]       # the triangle at whose edge the vertex lies
 
 
-@pytest.mark.parametrize("limit", ["LONG_MAX", "PAIRS_MAX"])
-def test_a_model_with_very_many_open_edges_is_left_as_it_is_and_said(monkeypatch, limit):
-    monkeypatch.setattr(t_junctions, "_CELLS_MAX", 0 if limit == "LONG_MAX" else 1 << 60)
-    monkeypatch.setattr(t_junctions, limit, 2)
+@pytest.mark.parametrize("limit, most", [("PAIRS_MAX", 2), ("SPLITS_MAX", 0)])
+@pytest.mark.parametrize("cells", [0, 1 << 60])
+@pytest.mark.parametrize("each", [0, 1 << 60])
+def test_a_model_with_very_many_open_edges_is_left_as_it_is_and_said(monkeypatch, limit, most, cells, each):
+    monkeypatch.setattr(t_junctions, "_CELLS_MAX", cells)
+    monkeypatch.setattr(t_junctions, "_PAIRS_EACH", each)
+    monkeypatch.setattr(t_junctions, limit, most)
     made = shape_of(*SIDE_BY_SIDE)
     assert [len(face.corners) for face in made.faces] == [4, 4, 4] and any("too many to look for" in note for note in made.notes)
+
+
+def fan(count, where):
+    """Faces that share one edge, and where their third corners are."""
+    chance, third = random.Random(count), {
+        "circle": lambda i: (math.cos(2 * math.pi * i / count), 0.5, math.sin(2 * math.pi * i / count)), "row": lambda i: (i / count, 0.5, 0),
+        "cube": lambda i: (chance.random(), chance.random(), chance.random())}[where]
+    points = [(0, 0, 0), (0, 1, 0), *(third(i) for i in range(count))]
+    return [tuple(round(50 * UNIT * c) for c in point) for point in points], [[0, 1, 2 + i] for i in range(count)]
+
+
+def work(monkeypatch, points, faces):
+    """(what is inserted, how many pairs and boxes were looked at)."""
+    counted, real = [], t_junctions._Near.found
+
+    def found(self, *edges):
+        try:
+            return real(self, *edges)
+        finally:
+            counted.append(self.looked)
+    with monkeypatch.context() as patch:
+        patch.setattr(t_junctions._Near, "found", found)
+        return t_junctions._inserted(faces, points, t_junctions._open_edges(faces)), sum(counted)
+
+
+@pytest.mark.parametrize("where", ["circle", "row", "cube"])
+def test_the_work_for_many_faces_on_one_edge_grows_little_faster_than_their_number(monkeypatch, where):
+    """Eight times the faces: less than 24 times the work, where each edge with each vertex would be 64 times."""
+    (_, few), (_, many) = (work(monkeypatch, *fan(count, where)) for count in (750, 6000))
+    assert 0 < many < 24 * few and many < 6000 ** 2 / 8
+
+
+@pytest.mark.parametrize("where", ["circle", "row", "cube"])
+def test_both_ways_of_looking_for_vertices_find_the_same(monkeypatch, where):
+    points, faces = fan(200, where)
+    chance, found = random.Random(7), []
+    for face in faces[:150]:        # vertices on edges, whose faces stand apart
+        a, b = (points[corner] for corner in chance.sample(face, 2))
+        at = chance.random()
+        points.append(tuple(round(p + at * (q - p)) for p, q in zip(a, b)))
+        points += [tuple(c + UNIT * chance.randint(1, 9) for c in points[-1]) for _ in range(2)]
+        faces.append([len(points) - 3, len(points) - 2, len(points) - 1])
+    for each in (0, 1 << 60):
+        monkeypatch.setattr(t_junctions, "_PAIRS_EACH", each)
+        found.append(work(monkeypatch, points, faces)[0])
+    assert found[0] == found[1] and len(found[0]) >= 100
 
 
 def bricks(columns, rows, digits, turn):

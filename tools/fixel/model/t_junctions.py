@@ -13,8 +13,10 @@ from fixel.model import mesh
 
 OFF_MIN = mesh.DENT_MAX     # 1/65536: how far off the edge rounding to 16.16 puts a vertex
 OFF_PART = 1 << 16          # of the model's extent, as decimals of five digits do; farther off, many faces would no longer be flat
-LONG_MAX = 1 << 14          # edges of many cells of the grid, among which vertices are looked for; a model with more is left as it is
-PAIRS_MAX = 1 << 27         # of an edge and a vertex that is looked at: likewise
+PAIRS_MAX = 1 << 25         # of an edge and a vertex that is looked at; a model with more is left as it is
+SPLITS_MAX = 1 << 20        # vertices on edges of faces: likewise
+_PAIRS_EACH = 64            # for an edge or a vertex, from which the grid is too coarse and the vertices are halved instead
+_LEAF = 8                   # vertices that are halved no more
 _CELLS_MAX = 64             # of the grid, that a short edge takes
 _CELLS_ACROSS = 1 << 20     # of the grid: so the number of a cell is an integer of 64 bits
 _AT_A_TIME = 1 << 20        # pairs
@@ -39,7 +41,7 @@ class _Near:
         self.points = np.array([vertices[number] for number in self.numbers], dtype=float)
         self.orders = [np.argsort(self.points[:, axis], kind="stable") for axis in range(3)]
         self.sorted = [self.points[order, axis] for axis, order in enumerate(self.orders)]
-        self.origin = self.points.min(axis=0)
+        self.origin, self.looked, self.hits = self.points.min(axis=0), 0, 0     # pairs, and edges at boxes, that were looked at; vertices on edges
 
     def _on(self, starts, ends, points):
         """(where along each edge its point lies, 0..1; whether it lies on the edge and is none of its ends)."""
@@ -50,12 +52,50 @@ class _Near:
         margin = 2 * self.off / np.sqrt(square)     # an end of the edge itself, or what rounding made of it
         return along, (along > margin) & (along < 1 - margin) & ((across * across).sum(axis=1) <= self.off * self.off * square)
 
-    def _of_long(self, one, other):
-        """Places of the vertices that may lie on one edge: those of the axis that has fewest beside it."""
-        ends = [(np.searchsorted(values, min(a, b) - self.off), np.searchsorted(values, max(a, b) + self.off, "right"))
-                for values, a, b in zip(self.sorted, one, other)]
-        axis = min(range(3), key=lambda i: ends[i][1] - ends[i][0])
-        return self.orders[axis][ends[axis][0]:ends[axis][1]]
+    def _beside(self, low, high):
+        """(the axis along which an edge has fewest vertices beside it, the first and the one behind the last in its order) of boxes."""
+        begins, ends = (np.column_stack([np.searchsorted(values, side[:, axis], which) for axis, values in enumerate(self.sorted)])
+                        for side, which in ((low, "left"), (high, "right")))
+        axes = (ends - begins).argmin(axis=1)
+        rows = np.arange(len(low))
+        return axes, begins[rows, axes], ends[rows, axes]
+
+    def _of_long(self, low, high):
+        """Pairs of an edge and a vertex beside it along one axis, an edge at a time."""
+        axes, begins, ends = self._beside(low, high)
+        if (ends - begins).sum() > _PAIRS_EACH * (len(low) + len(self.points)):
+            raise _Dense
+        for edge, (axis, begin, end) in enumerate(zip(axes, begins, ends)):
+            yield np.full(end - begin, edge), self.orders[axis][begin:end]
+
+    def _meets(self, starts, ends, low, high):
+        """Whether each edge meets its box, which is widened by the distance at which a vertex counts as on the edge."""
+        way, near, far = ends - starts, low - 2 * self.off - starts, high + 2 * self.off - starts
+        with np.errstate(divide="ignore", invalid="ignore"):
+            one, other = near / way, far / way
+        still = way == 0
+        first = np.where(still, np.where((near <= 0) & (far >= 0), -np.inf, np.inf), np.minimum(one, other)).max(axis=1)
+        last = np.where(still, np.inf, np.maximum(one, other)).min(axis=1)
+        return np.maximum(first, 0) <= np.minimum(last, 1)
+
+    def _of_halves(self, starts, ends):
+        """Pairs of an edge and a vertex, in parts: the vertices are halved along the longest side of their box, and an edge goes on to the
+        halves whose boxes it meets."""
+        order, parts = np.arange(len(self.points)), [(0, len(self.points), np.arange(len(starts)))]
+        while parts:
+            begin, end, edges = parts.pop()
+            self.looked += len(edges)
+            points = self.points[order[begin:end]]
+            low, high = points.min(axis=0), points.max(axis=0)
+            edges = edges[self._meets(starts[edges], ends[edges], low, high)]
+            if not len(edges):
+                continue
+            if end - begin <= _LEAF or len(edges) <= 2:
+                yield np.repeat(edges, end - begin), np.tile(order[begin:end], len(edges))
+                continue
+            axis, middle = np.argmax(high - low), (end - begin) // 2
+            order[begin:end] = order[begin:end][np.argpartition(points[:, axis], middle)]
+            parts += [(begin, begin + middle, edges), (begin + middle, end, edges)]
 
     def _cells(self, points, size):
         return np.floor((points - self.origin) / size).astype(np.int64) + 1     # from 0, as edges reach off beyond the points
@@ -78,8 +118,8 @@ class _Near:
         there = np.flatnonzero(ends > begins)
         edges, begins, counts = edges[there], begins[there], (ends - begins)[there]
         sums = np.cumsum(counts)
-        if len(sums) and sums[-1] > PAIRS_MAX:
-            raise _TooMany
+        if len(sums) and sums[-1] > _PAIRS_EACH * (len(low) + len(self.points)):
+            raise _Dense
         at = 0
         while at < len(sums):
             until = max(at + 1, int(np.searchsorted(sums, (sums[at - 1] if at else 0) + _AT_A_TIME, "right")))
@@ -94,22 +134,38 @@ class _Near:
         sides = (high - low).max(axis=1)
         size = max(np.median(sides), sides.max() / _CELLS_ACROSS, np.ptp(self.points, axis=0).max() / _CELLS_ACROSS)
         is_short = (self._cells(high, size) - self._cells(low, size) + 1).prod(axis=1) <= _CELLS_MAX
-        short, long = np.flatnonzero(is_short), np.flatnonzero(~is_short)
-        if len(long) > LONG_MAX:
-            raise _TooMany
         result = {}
-        for edges, places in self._of_short(low[short], high[short], size) if len(short) else ():
-            self._add(result, starts, ends, short[edges], places)
-        for edge in long:
-            places = self._of_long(starts[edge], ends[edge])
-            self._add(result, starts, ends, np.full(len(places), edge), places)
+        for some, look in ((np.flatnonzero(is_short), lambda low, high: self._of_short(low, high, size)), (np.flatnonzero(~is_short), self._of_long)):
+            for edges, places in self._pairs(look, starts, ends, low, high, some):
+                self._add(result, starts, ends, edges, places)
         return {edge: [number for _, number in sorted(each)] for edge, each in result.items()}
+
+    def _pairs(self, look, starts, ends, low, high, some):
+        """Pairs of some edges and the vertices that may lie on them, in parts. look: how vertices are looked for where few are near."""
+        if not len(some):
+            return
+        try:
+            for edges, places in look(low[some], high[some]):
+                yield some[edges], places
+        except _Dense:      # before the first pair
+            for edges, places in self._of_halves(starts[some], ends[some]):
+                yield some[edges], places
 
     def _add(self, result, starts, ends, edges, places):
         """Adds to the result what lies on edges of pairs."""
+        self.looked += len(edges)
+        if self.looked > PAIRS_MAX:
+            raise _TooMany
         along, found = self._on(starts[edges], ends[edges], self.points[places])
+        self.hits += np.count_nonzero(found)
+        if self.hits > SPLITS_MAX:
+            raise _TooMany
         for edge, where, place in zip(edges[found].tolist(), along[found].tolist(), places[found].tolist()):
             result.setdefault(edge, set()).add((where, int(self.numbers[place])))
+
+
+class _Dense(Exception):
+    """Too many vertices are near the edges for a way of looking for them."""
 
 
 class _TooMany(Exception):
@@ -125,8 +181,12 @@ def _inserted(outlines, vertices, edges):
     """{number of a face: {place of a corner: the vertices that lie on the edge behind it}}."""
     extent, corners = max(max(axis) - min(axis) for axis in zip(*vertices)), [outlines[number] for number, _ in edges]
     pairs = [(each[place], each[(place + 1) % len(each)]) for (_, place), each in zip(edges, corners)]
+    different = {pair: number for number, pair in enumerate(dict.fromkeys(pairs))}     # many faces may have one edge
     near = _Near({corner for pair in pairs for corner in pair}, vertices, max(OFF_MIN, extent // OFF_PART))
-    found, inserted = near.found(*(np.array([vertices[corner] for corner in side], dtype=float) for side in zip(*pairs))), {}
+    on_edges, inserted = near.found(*(np.array([vertices[corner] for corner in side], dtype=float) for side in zip(*different))), {}
+    found = {edge: on_edges[different[pair]] for edge, pair in enumerate(pairs) if different[pair] in on_edges}
+    if sum(map(len, found.values())) > SPLITS_MAX:
+        raise _TooMany
     for edge in sorted(found):
         number, place = edges[edge]
         kept = [corner for corner in found[edge] if corner not in corners[edge]]
