@@ -1,8 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""host_tests/fuzz/wraps.txt: each function and file that the fuzzer lets wrap is there, and has arithmetic."""
+"""host_tests/fuzz/wraps.txt: each function and file that the fuzzer lets wrap is there, and has arithmetic; no other check is off
+in them."""
 
+import collections
+import concurrent.futures
+import os
 import re
+import shutil
+import subprocess
 
+import pytest
 from conftest import CHECKOUT
 
 LIST = CHECKOUT / "host_tests" / "fuzz" / "wraps.txt"
@@ -29,3 +36,90 @@ def test_each_file_that_may_wrap_is_there():
 def test_what_wraps_on_purpose_is_listed():
     """A sum of light that falls along a row, and the count of cached instances."""
     assert {"fxl_segment_weight", "next_tag"} <= set(entries("fun"))
+
+
+# --- what the list turns off ------------------------------------------------------------------
+
+INCLUDES = ["-I", CHECKOUT / "lib" / "include", "-I", CHECKOUT / "lib"]
+CLANGS = [name for name in ("clang-19", "clang-14", "clang") if shutil.which(name)]
+LABEL = re.compile(r"^(\w+):")
+CALL = re.compile(r"\bcallq?\s+(__asan_report\w+|__ubsan_handle\w+)|\bbl\s+(__asan_report\w+|__ubsan_handle\w+)")
+SUM = re.compile(r"__ubsan_handle_(add|sub|mul|negate)_overflow")     # of signed numbers, and of unsigned ones
+
+
+def calls_of(clang, source, folder, *flags):
+    """How often each function of a source calls each report of the sanitizers, as (function, report): count. Nothing is
+    optimised, so the calls of one check do not depend on another."""
+    done = subprocess.run([clang, "-std=c11", "-O0", "-g0", "-S", "-o", "-", *INCLUDES, "-fsanitize=address,undefined",
+                           "-fno-sanitize-recover=all", "-mllvm", "-asan-opt=0", "-DFXL_ASSERT_HOOK", *flags, source], check=True,
+                          text=True, capture_output=True, cwd=folder)
+    function, calls = "", collections.Counter()
+    for line in done.stdout.splitlines():
+        if label := LABEL.match(line):
+            function = label[1]
+        elif call := CALL.search(line):
+            calls[function, call[1] or call[2]] += 1
+    return calls
+
+
+def defined_in(file):
+    return set(re.findall(DEFINITION.format(name=r"(\w+)"), file.read_text(encoding="utf-8"), re.MULTILINE))
+
+
+def listed_functions(source):
+    """Of a source: those by name, and those of listed files. What a listed file includes is not listed."""
+    files = [CHECKOUT / name.removeprefix("*") for name in entries("src")]
+    headers = set().union(*(defined_in(file) for file in files if file.suffix == ".h"))
+    return set(entries("fun")) | (defined_in(source) if source in files else headers - defined_in(source))
+
+
+@pytest.mark.parametrize("clang", CLANGS[:1] + [name for name in CLANGS[1:] if name != "clang"])
+def test_the_list_turns_off_one_check(clang, tmp_path):
+    """Each function of the library has the same calls with and without the list, but for those of unsigned overflow."""
+    sources = sorted((CHECKOUT / "lib").glob("*/*.c"))
+    ignored = ["-fsanitize=unsigned-integer-overflow", f"-fsanitize-ignorelist={LIST}"]
+
+    def both(source):
+        return calls_of(clang, source, tmp_path), calls_of(clang, source, tmp_path, *ignored)
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        found = list(pool.map(both, sources))
+    wrong, sums, seen = [], 0, set()
+    for source, (without, with_list) in zip(sources, found):
+        listed = listed_functions(source)
+        for key in without | with_list:
+            function, report = key
+            more = with_list[key] - without[key]
+            if function in listed:
+                seen.add(function)
+            elif SUM.match(report):     # the check of unsigned sums is on
+                sums += more > 0
+                more = min(more, 0)
+            if more:
+                wrong.append((source.name, function, report, without[key], with_list[key]))
+    assert wrong == []
+    assert sums > 100 and len(seen) > 60
+
+
+PLANTED = {"": 0,
+           "volatile int32_t most = INT32_MAX; most = most + (int32_t)(angle % 2 + 1);": 1,
+           "static const uint8_t few[4] = {1, 2, 3, 4}; volatile uint8_t taken = few[angle % 2 + 4]; (void)taken;": 1,
+           "volatile uint32_t moved = 1; moved = moved << (angle % 2 + 32);": 1}
+
+
+@pytest.mark.skipif(not CLANGS, reason="no clang")
+@pytest.mark.parametrize("planted", PLANTED)
+def test_faults_in_a_listed_function_are_seen(planted, tmp_path):
+    """A signed overflow, a bad index and a bad shift in fxl_cos, whose own sum wraps on purpose."""
+    text = (CHECKOUT / "lib" / "math" / "angle.c").read_text(encoding="utf-8")
+    body = "    return fxl_sin(angle + FXL_ANGLE_QUARTER);\n"
+    assert text.count(body) == 1 and "fxl_cos" in entries("fun")
+    (tmp_path / "main.c").write_text(text.replace('#include "', f'#include "{CHECKOUT}/lib/math/').replace(f"{CHECKOUT}/lib/math/fixel", "fixel")
+                                     .replace(body, planted + "\n" + body) +
+                                     "int main(int count, char **words)\n{\n    (void)words;\n"
+                                     "    return fxl_cos(0xF0000000u + (uint32_t)count) == 0;\n}\n", encoding="utf-8")
+    others = [CHECKOUT / "lib" / "math" / "arith.c"]
+    flags = ["-fsanitize=undefined,unsigned-integer-overflow", "-fsanitize-trap=all"]     # needs no run-time library
+    for ignored, ends in (([f"-fsanitize-ignorelist={LIST}"], bool(PLANTED[planted])), ([], True)):
+        subprocess.run([CLANGS[0], "-std=c11", "-O1", *INCLUDES, *flags, *ignored, tmp_path / "main.c", *others, "-o", tmp_path / "main"], check=True)
+        assert (subprocess.run([tmp_path / "main"]).returncode < 0) == ends

@@ -55,7 +55,8 @@ paint_holes(const surface_row *of, int32_t x0, int32_t x1, void *cells, fxl_dept
     for (uint32_t i = 0; i < 2; i++) {
         fxl_paint_row row = *of->row;
         memset(painted[i], (int)i, sizeof painted[i]);
-        row.pixels = (uint8_t *)(painted[i] - first);
+        /* Column 0 lies before the array; the columns from x0 to x1 lie in it. */
+        row.pixels = (uint8_t *)((uintptr_t)painted[i] - (uint32_t)first * sizeof(fxl_pixel));
         PAINT_PIXELS(of->paint, &row, x0, x1);
     }
     for (int32_t x = x0; x < x1; x++, line.code += line.step) {
