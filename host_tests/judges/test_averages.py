@@ -2,6 +2,7 @@
 """What is off on average: scenes of the bench with surfaces and depth against the record, and claims of the report."""
 
 import copy
+import dataclasses
 import json
 import subprocess
 
@@ -10,6 +11,7 @@ import pytest
 from conftest import CHECKOUT
 from fixel.bench import bench_plan
 from fixel.board import dump
+from fixel.image import image, image_surface
 from fixel.report import report_averages, report_claims
 
 FRAMES = 12     # of a path, at most
@@ -22,10 +24,20 @@ SAMPLES = {name: entry["samples"] for name, entry in RECORD["claims"].items()}
 def drawn(build, folder, workload, *changes):
     """A workload's image, and the host's dump of it."""
     entry = PLAN.rgb565[workload]
-    image, _ = bench_plan.compile_scene({**entry, "with": [*entry.get("with", ()), *changes]}, folder)
+    file, _ = bench_plan.compile_scene({**entry, "with": [*entry.get("with", ()), *changes]}, folder)
     dumped = folder / "drawn.fxld"
-    subprocess.run([build / "host" / "frames", image, dumped, "--frames", str(FRAMES)], check=True, capture_output=True)
-    return image, dumped
+    subprocess.run([build / "host" / "frames", file, dumped, "--frames", str(FRAMES)], check=True, capture_output=True)
+    return file, dumped
+
+
+def divided(build, file, folder):
+    """The dump of an image with the same coordinates, whose surfaces are divided at each pixel."""
+    made = image.unpack(file.read_bytes())
+    surfaces = [dataclasses.replace(one, division=image_surface.DIVIDE_1) for one in made.surfaces.surfaces]
+    exact, dumped = folder / "divided.fxls", folder / "divided.fxld"
+    exact.write_bytes(image.pack(dataclasses.replace(made, surfaces=dataclasses.replace(made.surfaces, surfaces=surfaces))))
+    subprocess.run([build / "host" / "frames", exact, dumped, "--frames", str(FRAMES)], check=True, capture_output=True)
+    return dumped
 
 
 def pixels(dumped):
@@ -35,13 +47,13 @@ def pixels(dumped):
 def measured(build, folder, workload):
     """Of a workload's frames: pixels that something is drawn to, those unlike the reference renderer's in double, and
     those unlike the same scene divided at each pixel; None where it has no textures."""
-    image, dumped = drawn(build, folder, workload)
+    file, dumped = drawn(build, folder, workload)
     frames = pixels(dumped)
-    subprocess.run([build / "host" / "judge", image, dumped, "--json", folder / "judge.json"], check=False, capture_output=True)
+    subprocess.run([build / "host" / "judge", file, dumped, "--json", folder / "judge.json"], check=False, capture_output=True)
     verdict = json.loads((folder / "judge.json").read_text())
     unlike = None
     if workload.startswith(("tq", "crates", "balls")):
-        exact = pixels(drawn(build, folder, workload, "divided")[1])
+        exact = pixels(divided(build, file, folder))
         unlike = sum(int((one != other).sum()) for one, other in zip(frames, exact, strict=True))
     return {"covered": sum(int((frame != 0).sum()) for frame in frames),
             "unlike_double": sum(frame["pixels_differing"] for frame in verdict["frames"]), "unlike_divided": unlike}

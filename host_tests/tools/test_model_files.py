@@ -8,12 +8,12 @@ import zlib
 import numpy
 import pytest
 
-from fixel.image import image
+from fixel.image import image, image_surface
 from fixel.model import mesh, texture_image
 from fixel.model import obj as obj_reader
 from fixel.base.errors import ToolError
 from fixel.base.notes import Usual
-from fixel.scene import compiler
+from fixel.scene import compiler, surfaces
 from model_files import SQUARE, TETRAHEDRON, glb, gltf, png, stl
 
 PATH = "[path]\nkeys = [{ position = [0, 0, -4] }]\n"
@@ -410,10 +410,12 @@ def test_an_image_becomes_a_texture_at_the_files_coordinates(tmp_path):
             found[made.models[0].vertices[vertex]] = texel
     left, right = (end(x for x, _, _ in found) for end in (min, max))
     top, bottom = (end(y for _, y, _ in found) for end in (max, min))
-    # The file's (0, 0, 0) is at u = 0, v = 0, its (1, 1, 0) at u = 2, v = 1; its y is up.
-    assert {point: texel for point, texel in found.items()} == {
-        (left, bottom, 0): (0, 0), (right, bottom, 0): (32 << 16, 0), (right, top, 0): (32 << 16, 4 << 16),
-        (left, top, 0): (0, 4 << 16)}
+    # The file's (0, 0, 0) is at u = 0, v = 0, its (1, 1, 0) at u = 2, v = 1; its y is up. Each is within the image's edge by what
+    # keeps the edge on its side.
+    margin = round(65536 * surfaces.edge_margin(16, 1, image_surface.DIVIDE_16))
+    low, right_texel, bottom_texel = margin, (32 << 16) - margin, (4 << 16) - margin
+    assert found == {(left, bottom, 0): (low, low), (right, bottom, 0): (right_texel, low), (right, top, 0): (right_texel, bottom_texel),
+                     (left, top, 0): (low, bottom_texel)}
 
 
 def test_images_are_scaled_by_a_box_filter_and_have_levels(tmp_path):
