@@ -114,9 +114,10 @@ typedef struct {
     uint8_t cell_bytes;
 } comparison;
 
+/* bytes: 0, 2 or 4. The compiler is told that they are no more than a cell. */
 static void copy_cell(uint8_t *to, const uint8_t *from, uint32_t bytes)
 {
-    for (uint32_t i = 0; i < bytes; i++) {
+    for (uint32_t i = 0; i < bytes && i < sizeof(uint32_t); i++) {
         to[i] = from[i];
     }
 }

@@ -42,8 +42,7 @@
 #endif
 
 /* Assembly without an -O cannot know how the C files are compiled. */
-#if defined __ASSEMBLER__ && defined FXL_COMPACT_IS_A_GUESS && !defined __OPTIMIZE__ && \
-    FXL_KERNELS_ARMV7M
+#if defined __ASSEMBLER__ && !defined FXL_COMPACT && !defined __OPTIMIZE__ && FXL_KERNELS_ARMV7M
 #error "define FXL_COMPACT, 0 or 1, for C and assembly, or give both the same -O"
 #endif
 

@@ -44,6 +44,7 @@ def test_the_tests_of_the_crates_pass(tested, record_property):
 def test_there_is_no_warning(crates, tested):
     assert "warning" not in tested
     assert "warning" not in cargo("doc", "--no-deps", "-p", "fixel", folder=crates)
+    assert "warning" not in cargo("build", "--release", folder=crates), "of the C compiler, by -O3"
 
 
 def test_clippy_has_nothing_to_say(crates, tested):

@@ -32,13 +32,11 @@
  * crate's frame. C and assembly read this one switch, and must read it alike: a build that gives
  * its -O to C alone must define FXL_COMPACT for both (lib/math/family.h refuses assembly that
  * cannot know). */
-#if !defined FXL_COMPACT && defined __OPTIMIZE_SIZE__
-#define FXL_COMPACT 1
-#elif !defined FXL_COMPACT
-#define FXL_COMPACT 0
-#define FXL_COMPACT_IS_A_GUESS
-#endif
-#if defined FXL_SMALL || FXL_COMPACT
+#if defined FXL_SMALL
+#define FXL_IS_COMPACT 1
+#elif defined FXL_COMPACT
+#define FXL_IS_COMPACT FXL_COMPACT
+#elif defined __OPTIMIZE_SIZE__
 #define FXL_IS_COMPACT 1
 #else
 #define FXL_IS_COMPACT 0
