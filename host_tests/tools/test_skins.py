@@ -9,10 +9,9 @@ import numpy
 import pytest
 
 from conftest import run_cli
-from fixel.base.errors import ToolError
 from fixel.model import gltf, gltf_nodes
 from fixel.model.mesh import UNIT
-from fixel.scene import model_parts, toml_scene
+from fixel.scene import framing, look, model_parts, toml_scene
 from node_files import BONES, CORNERS, SIDES, File, Limbs, about_x, binds, biped, places_of
 from test_gltf_nodes import by_name, compiled, placed, scale_of
 
@@ -306,9 +305,19 @@ def test_what_shares_joints_with_a_damaged_skin_moves_with_the_whole_skeleton_al
     assert len(ways) == len(scene.motions) and all(abs(way - ways[0][0]).max() < 1e-3 < ways[0][0][0] for way in ways)
 
 
-@pytest.mark.parametrize("module, limit", [(gltf_nodes, "_MOVES_MAX"), (model_parts, "POSES_MAX")])
+@pytest.mark.parametrize("module, limit", [(gltf_nodes, "_MOVES_MAX"), (model_parts, "POSES_MAX"), (framing, "KEYS_MAX")])
 def test_of_an_animation_with_too_many_places_nothing_moves(tmp_path, monkeypatch, module, limit):
-    monkeypatch.setattr(module, limit, 100)
+    monkeypatch.setattr(module, limit, 40)
     scene, notes = compiled(biped().write(tmp_path / "m.glb"))
     assert not scene.motions and sorted(scene.names) == ["figure", "hat"]
-    assert sum("the limit of 100 places" in note and "stands still" in note for note in notes) == 1
+    assert sum("the limit of 40" in note and "stands still" in note for note in notes) == 1
+
+
+def test_a_figure_whose_image_is_too_large_without_textures_stands_still(tmp_path):
+    made, _ = compiled(biped().write(tmp_path / "m.glb"))
+    still, _ = compiled(tmp_path / "m.glb", animation="none")
+    wanted = look.smaller(look.Asked(), "rgb565", 16)
+    assert [each.animation for each in wanted] == [""] * (len(wanted) - 1) + ["none"] and wanted[-1].smooth == wanted[-1].texels == 0
+    assert look.after(wanted, made)[-1] == wanted[-1] and wanted[-1] not in look.after(wanted, still)
+    assert "no animation" in look.smaller_text("m.glb", wanted[-1])
+    assert all(each.animation == "walk" for each in look.smaller(look.Asked(animation="walk"), "rgb565", 16))

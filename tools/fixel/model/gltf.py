@@ -16,7 +16,7 @@ from fixel.base.notes import Usual
 from fixel.model.gltf_glow import srgb
 from fixel.model.gltf_material import Materials
 from fixel.model.gltf_nodes import Nodes
-from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh
+from fixel.model.mesh import FILE_FACES_MAX, Mesh
 from fixel.model.sources import Sources
 from fixel.model.stl import COORDINATE_LIMIT, exact
 from fixel.model.surface import MEAN_NOTE, TINT_NOTE, WHITE, Surfaces
