@@ -277,7 +277,7 @@ def test_a_level_at_its_border_may_be_either(build, tmp_path):
         rows.append("f -4/1 -1/4 -2/3 -3/2")
     (tmp_path / "squares.obj").write_text("\n".join(rows) + "\n")
     scene = tmp_path / "squares.toml"
-    scene.write_text(head(320, 240, ["fov = 60", "far = 2000"], [("t", "crate", 8, "levels = 4")]) + """
+    scene.write_text(head(320, 240, ["fov = 60", "far = 2000"], [("t", "crate", 8, "levels = 4", 'wrap = "clamp"')]) + """
 [[objects]]
 model = "squares.obj"
 position = [0, 0, 1000]
