@@ -14,7 +14,8 @@ import pytest
 from conftest import CHECKOUT, LAUNCHER, assert_one_sentence, environment, run_cli
 
 from fixel.base import kept
-from fixel.campaign import rates, runner, shards
+from fixel.base.errors import ToolError
+from fixel.campaign import rates, runner, sent, shards
 from fixel.report import report_shards
 
 CLAIMS = "orientation_axis matrix_entry depth_16"
@@ -195,3 +196,19 @@ def test_the_first_shards_of_a_plan_are_those_of_the_default():
 def test_jobs_are_a_number():
     assert runner.JOBS_MAX == 1024
     assert_one_sentence(run_cli("report", "--jobs=1025"), "--jobs", "1025")
+
+
+def test_no_link_out_of_the_checkout_is_sent_to_a_cluster(tmp_path):
+    root, secret = tmp_path / "checkout", tmp_path / "secret"
+    secret.write_text("mine")
+    root.mkdir()
+    subprocess.run(["git", "init", "-q", root], check=True)
+    (root / "file").write_text("x")
+    (root / "link").symlink_to("file")
+    (root / "folder").symlink_to(tmp_path)
+    assert sent.of_git(root) == ["file", "link"]
+    (root / "out").symlink_to("../secret")
+    with pytest.raises(ToolError, match="checkout/out: leads to .*secret, outside"):
+        sent.of_git(root)
+    (root / ".gitignore").write_text("out\n")
+    assert sent.of_git(root) == [".gitignore", "file", "link"]

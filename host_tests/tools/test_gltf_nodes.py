@@ -73,12 +73,13 @@ def test_a_name_is_the_nodes_the_meshs_or_a_number(tmp_path):
     assert list(mesh.groups) == ["box", "plate", "node_2", "box_2", "box_2_2"]
 
 
-@pytest.mark.parametrize("name", ["*/ int x; /*", 'a"b', "a\\b", "a\nb", "\u202eevil", "%s%n", "[x]", "-keep", "\ud800x", "\U0001f642"])
+@pytest.mark.parametrize("name", ["*/ int x; /*", 'a"b', "a\\b", "a\nb", "\u202eevil", "a\u2066b\u2069\u200f\x7f\x85", "%s%n", "[x]", "-keep", "\ud800x", "\U0001f642"])
 def test_any_name_may_be_written_and_read_again(tmp_path, name):
     made = File({"name": name, "mesh": 0}, {"name": "other", "mesh": 0, "translation": [3, 0, 0]}, roots=[0, 1])
     made.box()
     path = made.write(tmp_path / "m.glb")
     assert run_cli("build", path, "-o", tmp_path / "a.fxls", "--write", tmp_path / "s.toml").returncode == 0
+    assert all(letter.isprintable() for letter in (tmp_path / "s.toml").read_text(encoding="utf-8").replace("\n", "")), "marks of direction"
     assert run_cli("build", tmp_path / "s.toml", "-o", tmp_path / "b.fxls").returncode == 0
     assert (tmp_path / "a.fxls").read_bytes() == (tmp_path / "b.fxls").read_bytes()
     assert run_cli("export", "--c", path, "-o", tmp_path / "m.h").returncode == 0

@@ -3,6 +3,7 @@
 
 import os
 import re
+import resource
 import subprocess
 import sys
 
@@ -141,3 +142,26 @@ def test_set_up_makes_it():
     done = subprocess.run([CHECKOUT / ".venv" / "bin" / "fixel", "--help"], capture_output=True, text=True, check=True,
                           env=environment(), cwd="/")
     assert done.stdout == fixel("--help").stdout
+
+
+@pytest.mark.parametrize("optimize", ["1", "2"])
+def test_a_python_that_drops_docstrings_and_asserts_is_left(optimize):
+    """PYTHONOPTIMIZE, and python -O: the texts of help are docstrings."""
+    plain = fixel("build", "--help")
+    changed = subprocess.run([sys.executable, str(LAUNCHER), "build", "--help"], capture_output=True, text=True, check=False,
+                             env=environment(PYTHONOPTIMIZE=optimize))
+    option = fixel("build", "--help", options=["-" + int(optimize) * "O"])
+    assert plain.returncode == 0 and [(done.returncode, done.stdout, done.stderr) for done in (changed, option)] == [(0, plain.stdout, "")] * 2
+
+
+@pytest.mark.parametrize("words", [["build", CHECKOUT / "scenes/tiny.toml", "--frames", "1", "-o"], ["texture", CHECKOUT / "docs/looks/mean.png", "--size", "8x8", "-o"]],
+                         ids=lambda words: words[0])
+def test_few_open_files_are_enough_or_one_sentence(tmp_path, words):
+    """ulimit -n: from 5 on, with which Python itself can start."""
+    codes = []
+    for most in range(5, 16):
+        done = warm_start.cold([str(LAUNCHER), *map(str, words), str(tmp_path / "out")], CHECKOUT, environment(), limits=[(resource.RLIMIT_NOFILE, most)])
+        codes.append(done.returncode)
+        assert "Traceback" not in done.stderr and done.returncode in (0, 2), done.stderr
+        assert sum(line.startswith("error: ") for line in done.stderr.splitlines()) == bool(done.returncode), done.stderr
+    assert codes[0] == 2 and codes[-1] == 0

@@ -201,16 +201,16 @@ def test_no_tool_replaces_a_file_otherwise():
 # --- while a scene is compiled ------------------------------------------------------------
 
 @pytest.fixture
-def image(tmp_path):
+def skin(tmp_path):
     """A picture of as many texels as there are bytes that a file may have."""
     Image.new("RGB", (64, 64), (9, 99, 199)).save(tmp_path / "skin.png")
     return tmp_path / "skin.png"
 
 
 @pytest.mark.parametrize("words", [["build", CHECKOUT / "scenes/tiny.toml"], ["export", "--c", CHECKOUT / "scenes/tiny.toml"], ["texture"]], ids=lambda words: words[0])
-def test_a_file_that_a_limit_of_the_system_cuts_off_is_one_sentence(tmp_path, image, words):
+def test_a_file_that_a_limit_of_the_system_cuts_off_is_one_sentence(tmp_path, skin, words):
     """ulimit -f: the file that was there before stays."""
-    words = [*words, *([image] if words == ["texture"] else []), "-o", tmp_path / "out"]
+    words = [*words, *([skin] if words == ["texture"] else []), "-o", tmp_path / "out"]
     (tmp_path / "out").write_text("before")
     done = warm_start.run([str(LAUNCHER), *map(str, words)], CHECKOUT, environment(), limits=[(resource.RLIMIT_FSIZE, 1000)])
     assert_one_sentence(done, "out", "cannot be written", "too large")

@@ -19,7 +19,7 @@ import signal
 import sys
 import time
 
-from fixel.base import children, placing, scratch
+from fixel.base import children, interpreter, placing, scratch
 
 ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 ONCE_MORE = 0.01    # seconds
@@ -188,6 +188,11 @@ def run_main(main):
     except ToolError as error:
         print(f"error: {error.shown()}", file=sys.stderr)
         code = error.exit_code
+    except OSError as error:
+        if not interpreter.lacks_files(error):
+            raise
+        print(f"error: {interpreter.LACKING}", file=sys.stderr)
+        code = 2
     except KeyboardInterrupt as error:
         number = getattr(error, "number", signal.SIGINT)
         print("interrupted" if number == signal.SIGINT else f"ended by {signal.Signals(number).name}", file=sys.stderr)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A tool runs by the Python of .venv, which has the packages that it needs."""
 
+import errno
 import os
 import pathlib
 import signal
@@ -21,9 +22,10 @@ def choose():
     # Until fixel.base.errors takes over there is nothing to tidy up: Ctrl-C ends the tool without a traceback.
     if signal.getsignal(signal.SIGINT) == signal.default_int_handler:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
-    if INSTALLED.exists():
-        return
-    if pathlib.Path(sys.prefix).resolve() == VENV.resolve():
+    if sys.flags.optimize:      # Python drops docstrings, which the texts of help come from, and each assert
+        os.environ.pop("PYTHONOPTIMIZE", None)
+        os.execv(sys.executable, [sys.executable, *sys.argv])
+    if INSTALLED.exists() or pathlib.Path(sys.prefix).resolve() == VENV.resolve():
         sys.excepthook = explain
         return
     python = VENV / "bin" / "python"
@@ -39,9 +41,20 @@ def command(name):
     return [sys.executable, str(LAUNCHER), name]
 
 
+def lacks_files(error):
+    """Whether an error says that a process, or the system, may open no more files."""
+    return isinstance(error, OSError) and error.errno in (errno.EMFILE, errno.ENFILE)
+
+
+LACKING = "this process may open too few files: raise the limit, as by 'ulimit -n 256', and run the command again"
+
+
 def explain(kind, error, trace):
-    """A missing package as one sentence; any other error as Python shows it."""
-    if issubclass(kind, ModuleNotFoundError):
+    """A missing package, or too few files that may be open, as one sentence; any other error as Python shows it."""
+    if lacks_files(error):
+        print(f"error: {LACKING}", file=sys.stderr)
+        return
+    if issubclass(kind, ModuleNotFoundError) and not INSTALLED.exists():
         print(f"error: {VENV} has no {error.name}: run 'tools/setup.sh test' in {TOOLS.parent}, which "
               "installs the Python packages of every tool", file=sys.stderr)
         return

@@ -11,7 +11,7 @@ import sys
 import time
 import traceback
 
-from fixel.base import reading
+from fixel.base import interpreter, reading
 from fixel.base.errors import ToolError
 
 PAUSE = 0.1     # seconds between two words of one stage
@@ -89,6 +89,8 @@ def _answer(do, request, report):
     except Exception as error:  # one sentence for the caller, whatever it was
         if _is_of_memory(error):
             return [_MEMORY]
+        if interpreter.lacks_files(error):
+            return [json.dumps({"error": {"message": interpreter.LACKING, "exit_code": 2, "words": ""}}).encode() + b"\n"]
         line = json.dumps({"defect": _place(error)})
     return [line.encode() + b"\n"]
 

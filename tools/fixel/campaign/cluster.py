@@ -3,16 +3,15 @@
 
 import json
 import logging
-import os
 import pathlib
 import zlib
 
 import cloudpickle
 import distributed
 
-from fixel.base import children, kept
+from fixel.base import kept
 from fixel.base.errors import ToolError, one_line
-from fixel.campaign import shards, worker
+from fixel.campaign import sent, shards, worker
 from fixel.campaign.local import checked, describe
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
@@ -25,14 +24,8 @@ RETRIES = 3             # of a shard whose worker fails otherwise than by a sent
 
 
 def files(root=CHECKOUT):
-    """The paths of the checkout's files: those of git and new ones; without git, all but what is made."""
-    if not (root / ".git").exists():
-        return worker.files(root)
-    done = children.run(["git", "-C", root, "ls-files", "-z", "--cached", "--others", "--exclude-standard"])
-    if done.returncode:
-        raise ToolError(f"{root}: git does not list the files of the checkout: {one_line(done.stderr.decode(errors='replace').strip())}")
-    names = set(map(os.fsdecode, filter(None, done.stdout.split(b"\0"))))
-    return sorted(name for name in names if (root / name).is_file())
+    """The paths of the checkout's files, without git as a worker lists them."""
+    return sent.of_git(root) if (root / ".git").exists() else sent.inside(root, worker.files(root))
 
 
 def connect(address):

@@ -13,8 +13,9 @@ def _key(name):
 
 
 def _string(text):
-    """A basic string: JSON's escapes are TOML's, but for the pairs of surrogates."""
-    return "".join(json.dumps(c)[1:-1] if ord(c) < 128 else c for c in text).join('""').replace("\x7f", "\\u007f")
+    """A basic string: JSON's escapes are TOML's, but for the pairs of surrogates. A character without a picture is escaped too: a mark of
+    direction would change how a line is read."""
+    return "".join(json.dumps(c)[1:-1] if ord(c) < 127 else c if c.isprintable() else f"\\U{ord(c):08x}" for c in text).join('""')
 
 
 def _number(value):
