@@ -52,10 +52,11 @@ static void set_others(drawing *made, const fxl_scene *scene, bool triangles)
 static void choose(drawing *made, const fxl_target *target, uint32_t pieces)
 {
     fxl_renderer *renderer = &made->renderer;
-    const uint32_t least = (fxl_by_tree.memory_size(renderer->scene) + 7u) & ~7u;
+    const uint32_t least = fxl_by_tree.memory_size(renderer->scene);
+    const uint32_t size = pieces > 0 ? ((least + 7u) & ~7u) + pieces : least;
     fxl_config config = fxl_config_for(1, 1, target);
     config.order = &fxl_by_tree;
-    config.tree_size = least + pieces;
+    config.tree_size = size;
     config.depth_size =
         target->memory_size != NULL ? target->memory_size(&renderer->frame.view.lens) : 0;
     config.tree = made->tree = block(config.tree_size);
@@ -63,7 +64,7 @@ static void choose(drawing *made, const fxl_target *target, uint32_t pieces)
     if (least > 0) {
         config.tree_size = least - 1;
         DEMAND(fxl_renderer_choose(renderer, &config) == FXL_E_CAPACITY);
-        config.tree_size = least + pieces;
+        config.tree_size = size;
     }
     if (config.depth_size > 0) {
         config.depth_size -= 1;

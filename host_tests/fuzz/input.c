@@ -135,7 +135,7 @@ fxl_lens fuzz_lens(fuzz_input *in, uint32_t pixels)
         height = 1 + (height - 1) % (pixels / width);
     }
     uint32_t kind = fuzz_below(in, 4);
-    fxl_angle fov = kind < 3 ? fovs[kind] : (fxl_angle)fuzz_between(in, FXL_FOV_MIN, FXL_FOV_MAX);
+    fxl_angle fov = kind < 3 ? fovs[kind] : (fxl_angle)fuzz_between(in, FXL_FOV_MIN + 1, FXL_FOV_MAX - 1);
     /* near by its order of magnitude; far likewise, from near to the greatest. */
     fxl_q16_16 inset =
         fuzz_between(in, 0, 1) ? fuzz_between(in, 0, FXL_INSET_MAX) : fuzz_between(in, 0, 8);

@@ -80,7 +80,7 @@ fxl_lens stages_random_lens(stages_random *random)
             width = (uint16_t)(1 + stages_random_below(random, FXL_SCREEN_MAX));
             height = (uint16_t)(1 + stages_random_below(random, FXL_SCREEN_MAX));
         }
-        fxl_angle fov = FXL_FOV_MIN + stages_random_below(random, FXL_FOV_MAX - FXL_FOV_MIN + 1);
+        fxl_angle fov = FXL_FOV_MIN + 1 + stages_random_below(random, FXL_FOV_MAX - FXL_FOV_MIN - 1);
         fxl_q16_16 near = (fxl_q16_16)spread(random, FXL_NEAR_MIN, 8 * 65536.0);
         fxl_q16_16 far = (fxl_q16_16)spread(random, 16 * 65536.0, FXL_FAR_MAX);
         fxl_q16_16 inset = 4;

@@ -53,6 +53,8 @@ void test_the_ends_of_every_range_are_taken(void)
     TEST_ASSERT_EQUAL(FXL_OK, try_lens(FXL_SCREEN_MAX, FXL_SCREEN_MAX, FXL_FOV_MAX, FXL_NEAR_MIN,
                                        FXL_FAR_MAX, FXL_INSET_MAX));
     TEST_ASSERT_EQUAL(FXL_OK, try_lens(1, 1, FXL_FOV_MIN, 1000, 1021, 10));
+    TEST_ASSERT_EQUAL_HEX32(FXL_DEGREES(10), FXL_FOV_MIN);
+    TEST_ASSERT_EQUAL_HEX32(FXL_DEGREES(150), FXL_FOV_MAX);
 }
 
 /* SPEC 3.1 */

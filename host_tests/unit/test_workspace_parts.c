@@ -61,7 +61,7 @@ static uint32_t forty_bytes(const fxl_lens *lens)
     return 40;
 }
 
-/* The order's memory is rounded up to a multiple of 8, and is zeroed. */
+/* The order's memory is zeroed, and no byte after it, where its size is no multiple of 8. */
 void test_an_order_and_a_target_with_memory(void)
 {
     static fxl_target target;
@@ -86,8 +86,15 @@ void test_an_order_and_a_target_with_memory(void)
         TEST_ASSERT_EQUAL_PTR(rooms[0] + 16, renderer.workspace.target_memory);
         TEST_ASSERT_EQUAL_UINT32(size - 16, renderer.workspace.target_memory_size);
     }
-    TEST_ASSERT_EACH_EQUAL_HEX8(0, rooms[0], 16);
-    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, rooms[0] + 16, ROOM - 16);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0, rooms[0], 11);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, rooms[0] + 11, ROOM - 11);
+    fxl_config config = fxl_config_for(1, 1, &fxl_palette);
+    config.order = &eleven;
+    config.tree = rooms[0];
+    config.tree_size = 10;
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_choose(&renderer, &config));
+    config.tree_size = 11;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_choose(&renderer, &config));
     TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_sorted, NULL, 0));
     TEST_ASSERT_NULL(renderer.workspace.target_memory);
     TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.target_memory_size);

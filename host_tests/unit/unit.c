@@ -82,7 +82,7 @@ fxl_lens unit_any_lens(void)
 {
     fxl_lens lens;
     fxl_q16_16 near = unit_between(FXL_NEAR_MIN, unit_random() % 2 ? Q16(100) : Q16(0.5));
-    fxl_angle fov = (fxl_angle)unit_between((int32_t)FXL_FOV_MIN, (int32_t)FXL_FOV_MAX);
+    fxl_angle fov = (fxl_angle)unit_between((int32_t)FXL_FOV_MIN + 1, (int32_t)FXL_FOV_MAX - 1);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_from_fov((uint16_t)unit_between(1, FXL_SCREEN_MAX),
                                                 (uint16_t)unit_between(1, FXL_SCREEN_MAX), fov,
                                                 near, unit_between(Q16(200), FXL_FAR_MAX),

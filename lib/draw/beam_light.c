@@ -174,8 +174,9 @@ fxl_status fxl_attach_beams(fxl_renderer *renderer, const fxl_beam_set *set, voi
     if (set != NULL) {
         fxl_status status = FXL_E_ARGUMENT;
         if (set->beams != NULL && set->lit != NULL && memory != NULL) {
-            status = ((uintptr_t)memory & 7u) != 0 ? FXL_E_ALIGNMENT
-                                                   : check(renderer->scene, set->beams, set->count);
+            status = ((uintptr_t)memory & 7u) != 0 || ((uintptr_t)set->beams & 3u) != 0
+                         ? FXL_E_ALIGNMENT
+                         : check(renderer->scene, set->beams, set->count);
         }
         if (status == FXL_OK && size < fxl_beam_light_workspace_size(set->beams, set->count)) {
             status = FXL_E_CAPACITY;

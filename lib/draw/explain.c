@@ -70,7 +70,7 @@ static const char *explain_order(const fxl_config *config, const fxl_scene *scen
     if (config->tree == NULL || ((uintptr_t)config->tree & 7u) != 0) {
         return "config->tree must be memory aligned to 8 bytes: the order is by tree";
     }
-    return config->tree_size < fxl_aligned(needed)
+    return config->tree_size < needed
                ? "config->tree_size must be at least fxl_bsp_workspace_size of the scene"
                : NULL;
 }
@@ -258,6 +258,5 @@ FXL_COLD const char *fxl_frame_explain(const fxl_renderer *renderer, const fxl_b
         return "band->rows must be at least 1, and band->first_row + band->rows at most "
                "config.height";
     }
-    return renderer->palette != NULL && ((uintptr_t)band->pixels & 1u) != 0 ? NOT_ALIGNED_TO_2
-                                                                            : NULL;
+    return fxl_band_is_aligned(band) ? NULL : NOT_ALIGNED_TO_2;
 }

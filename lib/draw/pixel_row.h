@@ -54,10 +54,10 @@ static inline void fxl_fill_pixels(fxl_pixel *pixel, fxl_pixel *end, fxl_filling
 
 static inline bool fxl_is_aligned_band(const fxl_band *band)
 {
-    return ((uintptr_t)band->pixels & 1u) == 0;
+    return (((uintptr_t)band->pixels | (uintptr_t)band->palette) & 1u) == 0;
 }
 
-/* FXL_E_ALIGNMENT: pixels at an odd address. */
+/* FXL_E_ALIGNMENT: pixels or a palette at an odd address. */
 static inline fxl_status fxl_check_band(const fxl_band *band)
 {
     return fxl_is_aligned_band(band) ? FXL_OK : FXL_E_ALIGNMENT;

@@ -16,7 +16,7 @@ const char fxl_beams_reasons[] =
     "most FXL_FACE_VERTICES_MAX\0"
     ON_ORDER "renderer was never initialised: fxl_renderer_init must answer FXL_OK "
     "first\0"
-    ON_ALIGNMENT "memory must be aligned to 8 bytes: make it an array of uint64_t\0"
+    ON_ALIGNMENT "memory must be aligned to 8 bytes: make it an array of uint64_t; set->beams to 4\0"
     ON_COUNT "set->count must be 1..4, and plane_count of each beam 1..8\0"
     ON_NORMAL "the normals and the direction of each beam must be of unit length\0"
     ON_RESERVED "kind of each beam must be FXL_BEAM_POINT or FXL_BEAM_DIRECTION, and its "

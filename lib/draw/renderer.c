@@ -122,10 +122,10 @@ FXL_COLD fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_c
     return FXL_OK;
 }
 
-/* Bytes of memory that an order needs, rounded up. */
+/* Bytes of memory that an order needs. */
 static uint32_t order_size(const fxl_order *order, const fxl_scene *scene)
 {
-    return order->memory_size == NULL ? 0 : (uint32_t)fxl_aligned(order->memory_size(scene));
+    return order->memory_size == NULL ? 0 : order->memory_size(scene);
 }
 
 /* The target's shader in place of that of another target. Constant records are in no other place of

@@ -375,7 +375,7 @@ static fxl_status choose(fxl_renderer *renderer, const fxl_config *config)
     if (status == FXL_OK && least > 0) {
         fxl_bsp_workspace *workspace = (fxl_bsp_workspace *)config->tree;
         workspace->pieces = (uint8_t *)config->tree + least;
-        workspace->pieces_size = config->tree_size - least;
+        workspace->pieces_size = config->tree_size > least ? config->tree_size - least : 0;
     }
     return status;
 }

@@ -139,7 +139,7 @@ fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band)
     if (band->width != lens->width || !fxl_band_is_within(band, lens->width, lens->height)) {
         return FXL_E_RANGE;
     }
-    if (band->palette != NULL && ((uintptr_t)band->pixels & 1u) != 0) {
+    if (!fxl_band_is_aligned(band)) {
         return FXL_E_ALIGNMENT;
     }
     fxl_band from_0 = *band;

@@ -28,6 +28,14 @@ static inline bool fxl_band_is_within(const fxl_band *band, uint32_t width, uint
            band->rows >= 1 && (uint32_t)band->first_row + band->rows <= height;
 }
 
+/* Whether the pixels and the palette of a band of RGB565 begin at even addresses. A band of bytes has
+ * no palette, and may begin anywhere. */
+static inline bool fxl_band_is_aligned(const fxl_band *band)
+{
+    const uintptr_t places = (uintptr_t)band->pixels | (uintptr_t)band->palette;
+    return band->palette == NULL || (places & 1u) == 0;
+}
+
 /* Has the address of a band's pixels be that of column 0 of the frame. No pixel before the first
  * column is read or written: the address is that of none. */
 static inline void fxl_band_begin_at_column_0(fxl_band *band)

@@ -77,7 +77,7 @@ fxl_status fxl_overlay_check(const fxl_band *band)
     if (band == NULL || band->pixels == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if (band->palette != NULL && ((uintptr_t)band->pixels & 1u) != 0) {
+    if (!fxl_band_is_aligned(band)) {
         return FXL_E_ALIGNMENT;
     }
     return band->width >= 1 && band->width <= FXL_SCREEN_MAX &&

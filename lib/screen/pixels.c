@@ -37,8 +37,7 @@ fxl_status fxl_pixels_convert(const fxl_pixels *pixels, const fxl_band *band, vo
     if (pixels->format == NULL) {
         return FXL_E_ORDER;
     }
-    if (((uintptr_t)out & 3u) != 0 ||
-        (band->palette != NULL && ((uintptr_t)band->pixels & 1u) != 0)) {
+    if (((uintptr_t)out & 3u) != 0 || !fxl_band_is_aligned(band)) {
         return FXL_E_ALIGNMENT;
     }
     if (!fxl_band_is_within(band, band->width, UINT32_MAX) ||

@@ -48,7 +48,7 @@ fxl_status fxl_pump_init(fxl_pump *pump, const fxl_pump_config *config, const fx
         sink->wait == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if (((uintptr_t)memory & 7u) != 0) {
+    if (((uintptr_t)memory & 7u) != 0 || ((uintptr_t)config->palette & 1u) != 0) {
         return FXL_E_ALIGNMENT;
     }
     if (!is_in_range(config)) {

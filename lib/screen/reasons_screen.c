@@ -21,7 +21,7 @@ const char fxl_overlay_reasons[] =
     "+ columns at most width and stride; coordinates of a line within "
     "FXL_LINE_COORDINATE_MAX; bits of a sprite 1, 4 or 8; a font of 1..256 "
     "characters, `unknown` among them\0"
-    ON_ALIGNMENT "band->pixels must begin at an even address: a pixel of RGB565 takes 2 "
+    ON_ALIGNMENT "band->pixels and palette must begin at an even address: a colour of RGB565 takes 2 "
     "bytes\0";
 
 const char fxl_pixels_reasons[] =
@@ -31,7 +31,7 @@ const char fxl_pixels_reasons[] =
     "band->first_row must be a multiple of 8\0"
     ON_CAPACITY "size must be at least fxl_pixels_size(pixels->format, width, band->rows)\0"
     ON_ORDER "pixels was never prepared: fxl_pixels_init must answer FXL_OK first\0"
-    ON_ALIGNMENT "out must be aligned to 4 bytes, and pixels of RGB565 to 2\0";
+    ON_ALIGNMENT "out must be aligned to 4 bytes, pixels and palette of RGB565 to 2\0";
 
 const char fxl_pump_reasons[] =
     ON_ARGUMENT "pump, config, sink with its functions, memory, renderer, eye and rows must "

@@ -61,7 +61,7 @@ static int64_t field_of_view(oracle_random *random)
 {
     static const int64_t some[] = {FXL_FOV_MIN, FXL_FOV_MAX, 715827883, FXL_ANGLE_QUARTER};
     uint32_t which = oracle_below(random, 8);
-    return which < 4 ? some[which] : oracle_between(random, FXL_FOV_MIN, FXL_FOV_MAX);
+    return which < 4 ? some[which] : oracle_between(random, FXL_FOV_MIN + 1, FXL_FOV_MAX - 1);
 }
 
 static void generate_depths(oracle_random *random, oracle_input *input)

@@ -256,7 +256,7 @@ static bool read_lens(const uint8_t *bytes, ref_lens *lens)
            inset = ref_i32(bytes + 32) / REF_ONE;
     *lens = ref_lens_from_fov(width, height, fov, near_z, far_z, inset);
     return width >= 1 && width <= REF_SCREEN_MAX && height >= 1 && height <= REF_SCREEN_MAX &&
-           fov >= 119304648u && fov <= 1789569706u && near_z >= 1.0 / 256 && far_z <= 32767 &&
+           fov >= 119304647u && fov <= 1789569707u && near_z >= 1.0 / 256 && far_z <= 32767 &&
            inset >= 0 && inset <= 1 && near_z + 2 * inset < far_z && read_centre(bytes, lens);
 }
 

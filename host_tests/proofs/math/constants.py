@@ -41,8 +41,8 @@ def zeros_of_nibbles():
 
 
 def fields_of_view():
-    """10 and 150 degrees in units of 2^-32 turn, rounded inward."""
-    return [ceil(Real(10, 360) * 2 ** 32), floor(Real(150, 360) * 2 ** 32)]
+    """10 and 150 degrees in units of 2^-32 turn, to the nearest."""
+    return [floor(Real(degrees, 360) * 2 ** 32 + Real(1, 2)) for degrees in (10, 150)]
 
 
 def radius():

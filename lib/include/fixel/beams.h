@@ -34,7 +34,7 @@ typedef struct {
  * textures of the format FXL_TEXTURE_565 and surfaces FXL_SURFACE_COLOURS, whose colours `lit` does
  * not know.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ALIGNMENT: memory is not aligned to 8 bytes.
+ * FXL_E_ALIGNMENT: memory is not aligned to 8 bytes, or beams to 4.
  * FXL_E_ORDER: the renderer was never initialised.
  * FXL_E_COUNT: a count is out of its range.
  * The statuses of fxl_beam_check.

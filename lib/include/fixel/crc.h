@@ -29,7 +29,7 @@ uint32_t fxl_crc(uint32_t crc, const void *bytes, size_t count);
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_RANGE: the width is 0 or above FXL_SCREEN_MAX, the columns are beyond the width or the
  *     stride, or the band has no rows or rows beyond FXL_SCREEN_MAX.
- * FXL_E_ALIGNMENT: a band of RGB565 whose pixels are at an odd address.
+ * FXL_E_ALIGNMENT: a band of RGB565 with pixels or a palette at an odd address.
  * With each of these statuses: *crc unchanged. */
 fxl_status fxl_band_crc(uint32_t *crc, const fxl_band *band);
 

@@ -27,7 +27,7 @@ extern "C" {
  * height; a width or height of 0 or less covers nothing.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_RANGE: the band is wrong.
- * FXL_E_ALIGNMENT: a band of RGB565 whose pixels are at an odd address.
+ * FXL_E_ALIGNMENT: a band of RGB565 with pixels or a palette at an odd address.
  * With each of these statuses: band untouched. */
 fxl_status fxl_draw_rectangle(const fxl_band *band, int32_t x, int32_t y, int32_t width,
                               int32_t height, uint8_t colour);
@@ -36,7 +36,7 @@ fxl_status fxl_draw_rectangle(const fxl_band *band, int32_t x, int32_t y, int32_
  * height.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_RANGE: the band is wrong.
- * FXL_E_ALIGNMENT: a band of RGB565 whose pixels are at an odd address.
+ * FXL_E_ALIGNMENT: a band of RGB565 with pixels or a palette at an odd address.
  * With each of these statuses: band untouched. */
 fxl_status fxl_draw_border(const fxl_band *band, int32_t x, int32_t y, int32_t width,
                            int32_t height, uint8_t colour);
@@ -48,7 +48,7 @@ fxl_status fxl_draw_border(const fxl_band *band, int32_t x, int32_t y, int32_t w
  * line has the same pixels in either direction. Exact.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_RANGE: the band is wrong, or a coordinate is outside +-FXL_LINE_COORDINATE_MAX.
- * FXL_E_ALIGNMENT: a band of RGB565 whose pixels are at an odd address.
+ * FXL_E_ALIGNMENT: a band of RGB565 with pixels or a palette at an odd address.
  * With each of these statuses: band untouched. */
 fxl_status fxl_draw_line(const fxl_band *band, int32_t x0, int32_t y0, int32_t x1, int32_t y1,
                          uint8_t colour);
@@ -70,7 +70,7 @@ typedef struct {
  * and its tables, which are only read.
  * FXL_E_ARGUMENT: a null pointer, also in the sprite, but for its colours.
  * FXL_E_RANGE: the band is wrong, or the sprite's bits are other than 1, 4 and 8.
- * FXL_E_ALIGNMENT: a band of RGB565 whose pixels are at an odd address.
+ * FXL_E_ALIGNMENT: a band of RGB565 with pixels or a palette at an odd address.
  * With each of these statuses: band untouched. */
 fxl_status fxl_draw_sprite(const fxl_band *band, int32_t x, int32_t y, const fxl_sprite *sprite);
 
@@ -112,7 +112,7 @@ typedef struct {
  * FXL_E_ARGUMENT: a null pointer, also in the style or in the font.
  * FXL_E_RANGE: the band is wrong; or the font has a count of 0, a first + count above 256, or no
  * character `unknown`.
- * FXL_E_ALIGNMENT: a band of RGB565 whose pixels are at an odd address.
+ * FXL_E_ALIGNMENT: a band of RGB565 with pixels or a palette at an odd address.
  * With each of these statuses: band untouched. */
 fxl_status fxl_draw_text(const fxl_band *band, int32_t x, int32_t y, const char *text,
                          const fxl_text_style *style);

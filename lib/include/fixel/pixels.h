@@ -59,7 +59,7 @@ size_t fxl_pixels_size(const fxl_pixel_format *format, uint16_t width, uint16_t 
  * bands.
  * FXL_E_ARGUMENT: a null pointer, a band without rows or columns.
  * FXL_E_ORDER: fxl_pixels_init did not prepare the pixels: they are all zeros.
- * FXL_E_ALIGNMENT: out is not aligned, or a band of RGB565 is at an odd address.
+ * FXL_E_ALIGNMENT: out is not aligned, or pixels or palette of a band of RGB565.
  * FXL_E_RANGE: columns beyond the width or the stride; with pages, a first row that is no multiple
  * of 8.
  * FXL_E_CAPACITY: size is less than fxl_pixels_size.

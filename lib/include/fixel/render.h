@@ -320,7 +320,7 @@ fxl_status fxl_renderer_set_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 
 /* Sets every pixel of a band to a colour of the palette, in the format that the renderer draws.
- * What lies between width and stride is untouched. If pixels of RGB565 are at an odd address, it
+ * What lies between width and stride is untouched. If pixels or palette of RGB565 are at an odd address, it
  * sets none: fxl_frame_draw then answers FXL_E_ALIGNMENT. Exact.
  * Requires a renderer with a target and a band that fxl_frame_draw takes, neither of them null. */
 void fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour);
@@ -334,7 +334,7 @@ void fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t 
  * FXL_E_ORDER: no frame begun; or a band whose pixels are not the target's: without a palette where
  * that is RGB565, or with one where it is not.
  * FXL_E_RANGE: a band that is not of this screen.
- * FXL_E_ALIGNMENT: an RGB565 target, and pixels at an odd address.
+ * FXL_E_ALIGNMENT: an RGB565 target, and pixels or a palette at an odd address.
  * With each of these statuses: band untouched; counted in refused_calls. */
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
 
@@ -389,7 +389,7 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
  * for another scene, lens, clipper, order, target or attachment, or never: it is all zeros. Also
  * where the settings have changed 2^32 - 2 times since fxl_renderer_init.
  * FXL_E_RANGE: a band that is not of this screen.
- * FXL_E_ALIGNMENT: an RGB565 target, and pixels at an odd address.
+ * FXL_E_ALIGNMENT: an RGB565 target, and pixels or a palette at an odd address.
  * With each of these statuses: band untouched; counted in refused_calls of the workspace. */
 fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *workspace,
                                const fxl_band *band);

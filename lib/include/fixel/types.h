@@ -105,9 +105,9 @@ typedef uint32_t fxl_angle; /* binary angle; a full turn is 2^32, wraps */
 /* Screen width and height in pixels: 1..1024. */
 #define FXL_SCREEN_MAX 1024
 
-/* Horizontal field of view: 10..150 degrees. */
-#define FXL_FOV_MIN FXL_CAST(fxl_angle, 119304648u)
-#define FXL_FOV_MAX FXL_CAST(fxl_angle, 1789569706u)
+/* Horizontal field of view: 10..150 degrees, which are FXL_DEGREES(10) and FXL_DEGREES(150). */
+#define FXL_FOV_MIN FXL_CAST(fxl_angle, 119304647u)
+#define FXL_FOV_MAX FXL_CAST(fxl_angle, 1789569707u)
 
 /* In world units. Near plane: 1/256 at least. Far plane: 32767 at most. Inset: 0..1. */
 #define FXL_NEAR_MIN  FXL_CAST(fxl_q16_16, 256)

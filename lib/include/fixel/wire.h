@@ -62,7 +62,7 @@ fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose);
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: no frame begun.
  * FXL_E_RANGE: a band that is not of this screen.
- * FXL_E_ALIGNMENT: a band of RGB565 whose pixels are at an odd address.
+ * FXL_E_ALIGNMENT: a band of RGB565 with pixels or a palette at an odd address.
  * With each of these statuses: band untouched. */
 fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band);
 

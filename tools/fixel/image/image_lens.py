@@ -7,7 +7,7 @@ from fixel.image.fields import entry
 from fixel.image.image_tree import fail
 
 SCREEN_MAX = 1024
-FOV_MIN, FOV_MAX = 119304648, 1789569706
+FOV_MIN, FOV_MAX = 119304647, 1789569707
 NEAR_MIN, FAR_MAX, INSET_MAX = 256, 32767 << 16, 1 << 16
 CENTRE = entry("centre of the lens")
 
