@@ -45,20 +45,25 @@ static judge_range range_of_colour(uint16_t colour)
     return range;
 }
 
-/* What a texel, or a face's own colour, may become in the light that was found. */
-static judge_range range_shown(const judge_beneath *of, const judge_showing *found, uint16_t colour)
+/* What a texel, or a face's own colour, becomes in light that leaves from one part to another. */
+static judge_range range_in_light(const judge_beneath *of, uint16_t colour, double least,
+                                  double most)
 {
     judge_range range = {.cost = 0};
-    if (found->is_range) {
-        return found->range;
-    }
     for (int i = 0; i < REF_CHANNELS; i++) {
-        const double one = ref_rgb565_lit(of->rgb565, colour, i, found->part[0]);
-        const double other = ref_rgb565_lit(of->rgb565, colour, i, found->part[1]);
+        const double one = ref_rgb565_lit(of->rgb565, colour, i, least);
+        const double other = ref_rgb565_lit(of->rgb565, colour, i, most);
         range.low[i] = (int)floor(fmin(one, other) + 0.5);
         range.high[i] = (int)floor(fmax(one, other) + 0.5);
     }
     return range;
+}
+
+/* The same of all light that was found. */
+static judge_range range_shown(const judge_beneath *of, const judge_showing *found, uint16_t colour)
+{
+    return found->is_range ? found->range
+                           : range_in_light(of, colour, found->part[0], found->part[1]);
 }
 
 static bool overlap(const judge_range *a, const judge_range *b)
@@ -164,6 +169,23 @@ static double least_within(const judge_beneath *of, const judge_range *range)
     return least;
 }
 
+/* The least cost that a texel, or a face's own colour, explains the pixel in light that was found.
+ * Light is rounded to 256 parts, so all channels have the same one. */
+static double least_in_light(const judge_beneath *of, const judge_showing *found, uint16_t colour)
+{
+    judge_range range = range_shown(of, found, colour);
+    double least = INFINITY;
+    if (found->is_range || !(found->part[0] < found->part[1])) {
+        return least_within(of, &range);
+    }
+    const int last = (int)floor(256 * found->part[1]);
+    for (int part = (int)ceil(256 * found->part[0]); part <= last; part++) {
+        range = range_in_light(of, colour, part / 256.0, part / 256.0);
+        least = fmin(least, least_within(of, &range));
+    }
+    return least;
+}
+
 /* --- colours of a palette ------------------------------------------------------------------- */
 
 /* The colours beneath a polygon that blends which make one that costs little. */
@@ -222,8 +244,7 @@ double judge_beneath_shown(const judge_beneath *of, const judge_showing *found)
     double least = INFINITY;
     for (int c = 0; c < found->count; c++) {
         if (of->rgb565) {
-            const judge_range range = range_shown(of, found, found->colours[c]);
-            least = fmin(least, least_within(of, &range));
+            least = fmin(least, least_in_light(of, found, found->colours[c]));
         } else {
             least = fmin(least, of->costs[found->colours[c]]);
         }

@@ -40,7 +40,8 @@ static bool may_be_small(const ref_surface_view *view)
         return false;
     }
     find_box(view->points, sides);
-    return fmax(sides[0], sides[1]) < (has_coarse_light(view) ? 127.26 : 64.01);
+    const double most = view->surface->has_colours ? 1023.01 : has_coarse_light(view) ? 127.26 : 64.01;
+    return fmax(sides[0], sides[1]) < most;
 }
 
 /* By how much the function of the screen may be off that takes the place of the exact value. */
@@ -163,13 +164,9 @@ static double rounding_of(const ref_surface_view *view, const ref_lens *lens, in
     if (view->is_billboard) {
         return view->rounding[value];
     }
-    double rounding = 1.0 / 256 + steps_rounding(view, lens, value, x, y);
-    if (may_be_small(view)) {
-        rounding += linear_error(view, value, scale) + screen_rounding(view, value, scale);
-    } else if (view->is_affine) {
-        rounding += screen_rounding(view, value, scale);
-    }
-    return rounding;
+    const double rounding = 1.0 / 256 + steps_rounding(view, lens, value, x, y);
+    return may_be_small(view) || view->is_affine ? rounding + screen_rounding(view, value, scale)
+                                                 : rounding;
 }
 
 /* accuracy 4.2.1 */
@@ -177,10 +174,12 @@ void ref_surface_find_range(const ref_surface_view *view, const ref_lens *lens, 
                             const ref_place *place, ref_place *low, ref_place *high)
 {
     ref_place below, above;
+    const bool is_small = !view->is_billboard && may_be_small(view);
     find_bends(view, lens, x, y, place, &below, &above);
     for (int k = 0; k < REF_VALUES; k++) {
+        const double linear = is_small ? linear_error(view, k, scale_of(view, k)) : 0;
         const double rounding = rounding_of(view, lens, k, x, y);
-        low->values[k] = place->values[k] - below.values[k] - rounding;
-        high->values[k] = place->values[k] + above.values[k] + rounding;
+        low->values[k] = place->values[k] - fmax(below.values[k], linear) - rounding;
+        high->values[k] = place->values[k] + fmax(above.values[k], linear) + rounding;
     }
 }
