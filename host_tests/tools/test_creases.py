@@ -2,6 +2,7 @@
 """Which edges do not show in smooth light where a file has no normals: by the shape, and by the smoothing groups of OBJ."""
 
 import math
+import random
 
 import pytest
 
@@ -143,3 +144,35 @@ def test_a_scene_file_of_a_model_by_its_shape_gives_the_same_frames(tmp_path):
     assert 'smooth = "file"' in made.text
     again, _ = toml_scene.compile_file(str(tmp_path / "s.toml"))
     assert image.pack(again) == image.pack(made)
+
+
+def plate(count):
+    """A plate of so many sides with a chamfer, as triangles."""
+    points = [(radius * math.cos(2 * math.pi * i / count), radius * math.sin(2 * math.pi * i / count), z)
+              for radius, z in ((1, 0), (1.01, -0.005), (1.01, -1)) for i in range(count)] + [(0, 0, 0)]
+    faces = []
+    for i, j in ((i, (i + 1) % count) for i in range(count)):
+        faces += [[3 * count, i, j], [i, count + i, j], [j, count + i, count + j], [count + i, 2 * count + i, count + j],
+                  [count + j, 2 * count + i, 2 * count + j]]
+    return points, faces
+
+
+def fan(count):
+    """Faces that share one edge."""
+    chance = random.Random(count)
+    return [(0, 0, 0), (0, 1, 0), *([chance.random() for _ in range(3)] for _ in range(count))], [[0, 1, 2 + i] for i in range(count)]
+
+
+@pytest.mark.parametrize("shape", [plate, fan])
+def test_the_work_grows_little_faster_than_the_faces(monkeypatch, shape):
+    """Eight times the faces: less than 24 times the edges that are looked at, where each with each would be 64 times."""
+    made, real = [], creases._Bends.__init__
+
+    def init(self, *given):
+        real(self, *given)
+        made.append(self)
+    monkeypatch.setattr(creases._Bends, "__init__", init)
+    for count in (200, 1600):
+        edges(*shape(count))
+    few, many = (each.looked for each in made)
+    assert many < 24 * max(few, 200)

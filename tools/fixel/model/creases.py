@@ -4,6 +4,7 @@
 A cylinder of 12 sides and a part with a chamfer both have edges that bend by 30 degrees. On the cylinder the surface bends on
 by as much at the next edge; on the part a flat face ends there."""
 
+import bisect
 import math
 
 LIMIT = 40              # degrees: an edge that bends by more shows
@@ -37,6 +38,10 @@ def _pairs(outlines, sides):
                 yield one, other, edge
 
 
+def _bend_of(edge):
+    return edge[0]
+
+
 class _Bends:
     """The edges about flat faces, which may be several faces of a mesh."""
 
@@ -46,7 +51,7 @@ class _Bends:
         for one, other, _ in pairs:
             if _dot(units[one], units[other]) >= _FLAT:
                 self.parents[self._root(one)] = self._root(other)
-        self.sizes, self.about = {}, {}
+        self.sizes, self.about, self.ends, self.rounds, self.looked = {}, {}, {}, {}, 0     # looked: edges beside another one that were looked at
         for number, corners in enumerate(outlines):
             root = self._root(number)
             self.sizes[root] = self.sizes.get(root, 0) + len(corners) - 2
@@ -54,8 +59,11 @@ class _Bends:
             first, second = self._root(one), self._root(other)
             if first != second:
                 way, bend = self._way(edge), self.bend(one, other, edge)
-                self.about.setdefault(first, []).append((second, way, bend))
-                self.about.setdefault(second, []).append((first, way, bend))
+                self.about.setdefault(first, {}).setdefault(second, []).append((bend, way))
+                self.about.setdefault(second, {}).setdefault(first, []).append((bend, way))
+        for others in self.about.values():
+            for edges in others.values():
+                edges.sort(key=_bend_of)
 
     def _root(self, number):
         while self.parents[number] != number:
@@ -75,22 +83,49 @@ class _Bends:
         angle = math.degrees(math.acos(max(-1.0, min(1.0, _dot(self.units[one], self.units[other])))))
         return math.copysign(angle, -_dot(self.units[one], _minus(middle, self.points[edge[0]])))
 
-    def _along(self, root, beyond, way, bend):
-        """Of a flat face, its edges in the direction of another one that bend the same way by about as much, with what lies beyond them."""
-        return [(each, along, size) for each, along, size in self.about.get(root, ()) if each != beyond and size * bend > 0 and
-                abs(bend) / _ALIKE <= abs(size) <= min(abs(bend) * _ALIKE, LIMIT + _SLACK) and abs(_dot(way, along)) >= _ALONG]
+    def _goes_on(self, others, beyond, way, bend):
+        """Whether one of the edges of a flat face, {what lies beyond: its edges}, goes in the direction of another one and bends the same
+        way by about as much."""
+        least, most = abs(bend) / _ALIKE, min(abs(bend) * _ALIKE, LIMIT + _SLACK)
+        low, high = (least, most) if bend > 0 else (-most, -least)
+        for each, edges in others.items():
+            self.looked += 1
+            if each == beyond or bend == 0:
+                continue
+            for size, along in edges[bisect.bisect_left(edges, low, key=_bend_of):bisect.bisect_right(edges, high, key=_bend_of)]:
+                self.looked += 1
+                if abs(_dot(way, along)) >= _ALONG:
+                    return True
+        return False
+
+    def _all_bend_so(self, root, bend):
+        """Whether all edges of a flat face bend the same way as another one by at most LIMIT: of a face with many edges it is asked often."""
+        if root not in self.ends:
+            sides = self.about.get(root, {}).values()
+            self.ends[root] = (min(edges[0][0] for edges in sides), max(edges[-1][0] for edges in sides)) if sides else None
+        if self.ends[root] is None:
+            return True
+        least, most = self.ends[root]
+        return least * bend > 0 and most * bend > 0 and max(abs(least), abs(most)) <= LIMIT + _SLACK
 
     def _is_round(self, root, beyond, way, bend):
         """Whether a surface bends on over a flat face: it is a lone triangle, all its edges bend the same way by at most LIMIT, or one goes on."""
-        return self.sizes[root] == 1 or all(size * bend > 0 and abs(size) <= LIMIT + _SLACK for _, _, size in self.about.get(root, ())) or \
-            bool(self._along(root, beyond, way, bend))
+        return self.sizes[root] == 1 or self._all_bend_so(root, bend) or self._goes_on(self.about.get(root, {}), beyond, way, bend)
+
+    def _round_edges(self, root):
+        """{what lies beyond: the edges} of a flat face beyond which the surface bends on."""
+        if root not in self.rounds:
+            found = {each: [(size, along) for size, along in edges if self._is_round(each, root, along, size)]
+                     for each, edges in self.about.get(root, {}).items()}
+            self.rounds[root] = {each: edges for each, edges in found.items() if edges}
+        return self.rounds[root]
 
     def is_curve(self, one, other, edge):
         """Whether the surface bends on at both sides of an edge, or at one side over two faces."""
         first, second, way, bend = self._root(one), self._root(other), self._way(edge), self.bend(one, other, edge)
-        are_round = [self._is_round(root, beyond, way, bend) for root, beyond in ((first, second), (second, first))]
-        return all(are_round) or any(self._is_round(each, root, along, size) for root, beyond in ((first, second), (second, first))
-                                     for each, along, size in self._along(root, beyond, way, bend))
+        sides = (first, second), (second, first)
+        return all(self._is_round(root, beyond, way, bend) for root, beyond in sides) or \
+            any(self._goes_on(self._round_edges(root), beyond, way, bend) for root, beyond in sides)
 
 
 def smooth_pairs(points, outlines, units, sides, degrees=None, groups=None):
