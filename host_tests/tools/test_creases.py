@@ -146,7 +146,7 @@ def test_a_scene_file_of_a_model_by_its_shape_gives_the_same_frames(tmp_path):
     assert image.pack(again) == image.pack(made)
 
 
-def plate(count):
+def fine_plate(count):
     """A plate of so many sides with a chamfer, as triangles."""
     points = [(radius * math.cos(2 * math.pi * i / count), radius * math.sin(2 * math.pi * i / count), z)
               for radius, z in ((1, 0), (1.01, -0.005), (1.01, -1)) for i in range(count)] + [(0, 0, 0)]
@@ -163,7 +163,7 @@ def fan(count):
     return [(0, 0, 0), (0, 1, 0), *([chance.random() for _ in range(3)] for _ in range(count))], [[0, 1, 2 + i] for i in range(count)]
 
 
-@pytest.mark.parametrize("shape", [plate, fan])
+@pytest.mark.parametrize("shape", [fine_plate, fan])
 def test_the_work_grows_little_faster_than_the_faces(monkeypatch, shape):
     """Eight times the faces: less than 24 times the edges that are looked at, where each with each would be 64 times."""
     made, real = [], creases._Bends.__init__
