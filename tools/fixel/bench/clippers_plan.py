@@ -11,7 +11,6 @@ from fixel.bench import bench_plan
 from fixel.bench.clippers import CORES, PLAN, refuse_strange
 from fixel.board import dump, emulator
 from fixel.image import image
-from fixel.base.errors import ToolError
 
 UNIT = 65536            # of a pixel, and of a world unit
 

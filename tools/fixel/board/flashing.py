@@ -8,7 +8,7 @@ from fixel.scene import look, making
 from fixel.board import firmware, flash as flash_command, model_look, probe, uf2
 from fixel.model import suffixes
 from fixel.base import bounded, output, scratch
-from fixel.base.errors import ToolError, one_line
+from fixel.base.errors import one_line
 from fixel.board.flash_memory import flash
 from fixel.base.table import table
 from fixel.scene import scene_options

@@ -4,7 +4,6 @@
 import pathlib
 
 from fixel.base import output
-from fixel.base.errors import ToolError
 from fixel.base.version import version
 from fixel.image import image
 from fixel.package import one_text, packages, rust_bindings

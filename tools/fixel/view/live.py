@@ -9,7 +9,7 @@ import webbrowser
 
 from fixel.base import output, scratch
 from fixel.board import firmware, flash_memory, methods, model_look
-from fixel.base.errors import ENDINGS, ToolError, one_line
+from fixel.base.errors import ENDINGS, one_line
 from fixel.view.view import port_number
 from fixel.view.view_board import Board
 from fixel.view.view_pump import IDLE_RATE, Pump
