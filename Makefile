@@ -46,6 +46,12 @@ WORDS := $(filter HOSTCC HOSTAR CROSS CMOCK_DIR UNITY_DIR LIB_FLAGS,$(GIVEN)) $(
 $(foreach name,$(WORDS),$(foreach character,$(SHELL_CHARACTERS),\
     $(if $(findstring $(character),$(subst $(newline),;,$($(name)))),\
         $(error $(name) is "$($(name))"; it takes words on one line without any of $(SHELL_CHARACTERS)))))
+ifneq ($(filter-out -%,$(firstword $(LIB_FLAGS))),)
+$(error LIB_FLAGS is "$(LIB_FLAGS)"; it takes options of the compiler, such as -Os or -DFXL_POLYGON_CAPACITY=12)
+endif
+ifneq ($(filter-out 1,$(value SIZE)),)
+$(error SIZE is "$(SIZE)"; it must be 1, or be left out)
+endif
 ifneq ($(and $(filter BUILD,$(GIVEN_BY_TESTS)),$(or $(findstring $(space),$(BUILD)),$(findstring %,$(BUILD)),$(findstring :,$(BUILD)))),)
 $(error BUILD is "$(BUILD)"; it must be a folder without a blank, % or : in its name)
 endif
@@ -181,6 +187,17 @@ FLASH_SETUP := $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)$(SETUP_OF_BOARD:%= 
 # The record of a display's wires is what run reads.
 ifneq ($(and $(DRIVER),$(filter view flash boot gdb screen,$(MAKECMDGOALS))),)
 $(error DRIVER= is for make run alone, which reads what the driver of the display sends)
+endif
+
+# What a board cannot do, which the tools would say only after it is built.
+ifneq ($(and $(filter view gdb screen,$(MAKECMDGOALS)),$(filter emulator=rp2040js,$(BOARD_NOTE.$(BOARD_CHOSEN)))),)
+$(error BOARD=$(BOARD) is emulated by rp2040js, which only runs a program to its end: name a board of QEMU)
+endif
+ifneq ($(and $(filter gdb screen,$(MAKECMDGOALS)),$(BOARD_HOSTED.$(BOARD_CHOSEN))),)
+$(error BOARD=$(BOARD) is this machine, which has no emulator: name an emulated board)
+endif
+ifneq ($(and $(filter flash,$(MAKECMDGOALS)),$(filter openocd,$(value PROBE)),$(if $(BOARD_OPENOCD.$(BOARD_CHOSEN)),,none)),)
+$(error PROBE=openocd: BOARD=$(BOARD) has no configuration of OpenOCD; the boards that have one are: $(strip $(foreach board,$(BOARDS),$(if $(BOARD_OPENOCD.$(board)),$(board)))))
 endif
 
 # A program of the user's own chooses what it draws, and with what.

@@ -325,7 +325,10 @@ def test_too_many_faces_name_the_option(tmp_path):
 
 
 def test_refusals_of_large_models_name_the_option():
-    with pytest.raises(ToolError, match="9000 bytes, the scene partition of board b has 8000; a model may have fewer faces .--simplify."):
+    with pytest.raises(ToolError, match="9000 bytes, the scene partition of board b has 8000; a model may have fewer faces .--simplify., and the boards "
+                       "with the room are .*microbit"):
         flash_memory.check_scene_fits(types.SimpleNamespace(scene_size=8000, board="b"), bytes(9000), "x.fxls")
+    with pytest.raises(ToolError, match="with the room are mps2-an385, .*rv32$"):
+        flash_memory.check_scene_fits(types.SimpleNamespace(scene_size=8000, board="b"), bytes(1_700_000), "x.fxls")
     with pytest.raises(ToolError, match="at least 1,048,577 faces; the limit is 1,048,576 faces of a file, also for --simplify"):
         obj._refuse_many_faces("m.obj", (1 << 20) + 1)

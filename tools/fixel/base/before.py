@@ -21,7 +21,8 @@ from fixel import commands
 from fixel.base import bounded, make_variables, reading
 from fixel.base.errors import ToolError, run_main
 from fixel.campaign import runner
-from fixel.scene import scene_options
+from fixel.model import suffixes
+from fixel.scene import look, scene_options
 
 RESULTS = ("out", "keep", "json")   # options that name a result
 
@@ -50,9 +51,12 @@ def check_scene(options):
     """The scene of a command that draws one, and how it is to be drawn."""
     if options.scene is not None:
         reading.open_regular(options.scene)[0].close()
+        if pathlib.Path(options.scene).suffix != ".fxls":
+            suffixes.check_scene(options.scene)
     if hasattr(options, "has_targets"):
         given, options.scene = options.scene, options.scene or "scenes/plaza.toml"     # the recipe has another one
         scene_options.check(options)
+        look.check(options.look, options.scene, suffixes.is_model(options.scene))
         options.scene = given
 
 

@@ -8,10 +8,13 @@ command has stands in its line of help in the Makefile. NAME=value becomes --nam
 import pathlib
 import re
 
+from fixel.base.errors import ToolError
+from fixel.base.reading import shortened
+
 MAKEFILE = pathlib.Path(__file__).resolve().parents[3] / "Makefile"
 # By these make chooses what it builds. It compares them with the names that there are, and its recipes pass on what was chosen.
 OF_MAKE = {"BOARD", "PROGRAM", "VISIBILITY", "CLIPPER", "ROWS", "DRIVER", "SIZE", "LIB_FLAGS", "COSTS_CORES", "COSTS_BOARDS", "coverage ONLY"}
-# Options without a value: set by any value that is not empty.
+# Options without a value: set by 1, and by nothing else.
 FLAGS = {"OPEN", "DRY_RUN", "WHOLE", "FRESH", "ALLOW_OUTSIDE", "RENEW", "BREAK", "BUGS", "ACCEPT", "compare JSON"}
 # Passed on even if empty, for the tool to refuse. Any other empty variable counts as not given.
 EVEN_EMPTY = {"SCENE", "OUT", "PICTURE", "A", "B", "TOLERANCE"}
@@ -31,7 +34,11 @@ def option(command, name, value):
     if names_here & OF_MAKE or not value and name not in EVEN_EMPTY:
         return []
     word = OPTIONS.get(name, f"--{name.lower().replace('_', '-')}")
-    return [word] if names_here & FLAGS else [f"{word}={value}"]
+    if not names_here & FLAGS:
+        return [f"{word}={value}"]
+    if value != "1":
+        raise ToolError(f"{name} is '{shortened(value)}'; it must be 1, or be left out")
+    return [word]
 
 
 def options(command, environment):

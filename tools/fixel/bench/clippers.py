@@ -10,6 +10,7 @@ import pathlib
 import tomllib
 
 from fixel import commands
+from fixel.base.arguments import number
 from fixel.base.errors import ToolError
 from fixel.campaign import runner
 
@@ -22,7 +23,7 @@ def parser():
     """The options of the command."""
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     made.add_argument("--cores", nargs="*", help="cores to measure, whose programs are built; all without")
-    made.add_argument("--frames", type=int, help="number of frames of each scene, spread over its path (FRAMES=)")
+    made.add_argument("--frames", type=number("FRAMES", 1, 1_000_000), help="number of frames of each scene, spread over its path (FRAMES=)")
     made.add_argument("--only", default="", help="names of clippers, methods, scenes, cores (ONLY=)")
     made.add_argument("--out", default="build/clippers", help="folder for the results")
     made.add_argument("--build", default="build", help="folder that make builds in")

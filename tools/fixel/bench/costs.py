@@ -9,6 +9,7 @@ execute for them, with the memory of a large board down to that of a small one. 
 import argparse
 
 from fixel import commands
+from fixel.base.arguments import number
 
 
 def setting(text):
@@ -26,7 +27,7 @@ def parser():
                            "entries of the order than a scene needs")
     made.add_argument("--only-new", action="store_true", help="find the costs that the file lacks, by the scenes that have some; "
                                                                  "those that it has stay")
-    made.add_argument("--frames", type=int, default=30, help="of each scene, at most (30)")
+    made.add_argument("--frames", type=number("FRAMES", 1, 1_000_000), default=30, help="of each scene, at most (30)")
     made.add_argument("--boards", nargs="*", default=[], help="others stay as they are in the file")
     made.add_argument("--build", default="build", help="folder that make builds in")
     return made

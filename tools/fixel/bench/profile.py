@@ -7,6 +7,7 @@ Counts are exact. Cycles are an ESTIMATE from a table of costs (bench/cycles.tom
 import argparse
 
 from fixel import commands
+from fixel.base.arguments import number
 from fixel.base.errors import ToolError
 from fixel.bench import bench
 
@@ -17,7 +18,7 @@ def parser():
     made.add_argument("--workload", required=True)
     made.add_argument("--core", required=True)
     made.add_argument("--renderer", help="default: fixel, or fixel-native for what is drawn to RGB565")
-    made.add_argument("--frames", type=int, help="number of frames (default: the whole path)")
+    made.add_argument("--frames", type=number("FRAMES", 1, 1_000_000), help="number of frames (default: the whole path)")
     made.add_argument("--out", help="folder for the results")
     made.add_argument("--build", default="build", help="folder that make builds in")
     return made

@@ -12,7 +12,7 @@ import pathlib
 import zlib
 
 from fixel.base import output, reading
-from fixel.board import firmware, qemu
+from fixel.board import firmware, qemu, room
 from fixel.base.errors import ToolError
 from fixel.board.flash_image import ERASED, read_old, replace
 from fixel.image.fields import HEAD, IMAGE_MAX, MAGIC, VERSION
@@ -86,8 +86,10 @@ def check_partition(program):
 
 def check_scene_fits(program, scene, path):
     if len(scene) > program.scene_size:
+        larger = room.boards_for_scene(len(scene))
         raise ToolError(f"{path} does not fit: {len(scene)} bytes, the scene partition of board "
-                        f"{program.board} has {program.scene_size}; a model may have fewer faces (--simplify)")
+                        f"{program.board} has {program.scene_size}; a model may have fewer faces (--simplify)"
+                        f"{', and the boards with the room are ' if larger else ''}{', '.join(larger)}")
 
 
 def sector_starts(program):

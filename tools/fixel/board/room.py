@@ -18,14 +18,29 @@ OVERFLOW = re.compile(r"region [`'](FLASH|RAM)' overflowed by (\d+) bytes?")
 UNITS = {"": 1, "K": 1 << 10, "M": 1 << 20}
 
 
+def length_of(board, kind):
+    """What a board's memory.ld says of a region's length."""
+    return re.search(rf"^ *{kind} .*LENGTH = (.*)$", (BOARDS / board / "memory.ld").read_text(encoding="utf-8"), re.MULTILINE)[1]
+
+
+def lengths(board, kind):
+    """The bytes in it: one number, or more where the length depends on the program."""
+    return [int(number) * UNITS[unit] for number, unit in re.findall(r"\b(\d+)([KM]?)\b", length_of(board, kind))]
+
+
 def room(board):
     """{kind: bytes} that a board's memory.ld has for a program. Where that depends on the program, the least."""
-    text = (BOARDS / board / "memory.ld").read_text(encoding="utf-8")
-    found = {}
-    for kind in KINDS:
-        length = re.search(rf"^ *{kind} .*LENGTH = (.*)$", text, re.MULTILINE)[1]
-        found[kind] = min(int(number) * UNITS[unit] for number, unit in re.findall(r"\b(\d+)([KM]?)\b", length))
-    return found
+    return {kind: min(lengths(board, kind)) for kind in KINDS}
+
+
+def boards():
+    """The names of those that have a memory.ld."""
+    return sorted(folder.parent.name for folder in BOARDS.glob("*/memory.ld"))
+
+
+def boards_for_scene(size):
+    """The names of the boards whose scene partition has so many bytes. One that shares its memory with the program is none."""
+    return [each for each in boards() if "(" not in length_of(each, "SCENE") and lengths(each, "SCENE")[0] >= size]
 
 
 def used(map_file):
@@ -48,8 +63,7 @@ def sentence(board, program, said, has):
     if not over:
         return None
     needs = {kind: has[kind] + count for kind, count in over.items()}
-    boards = sorted(folder.parent.name for folder in BOARDS.glob("*/memory.ld"))
-    fitting = [each for each in boards if each != board and all(room(each)[kind] >= count for kind, count in needs.items())]
+    fitting = [each for each in boards() if each != board and all(room(each)[kind] >= count for kind, count in needs.items())]
     return (f"program {program} needs {' and '.join(f'{size(count)} of {KINDS[kind]}' for kind, count in needs.items())}, and BOARD={board} has "
             f"{' and '.join(size(has[kind]) for kind in needs)}; "
             + (f"the boards that have so much are: {' '.join(fitting)}" if fitting else "no board has so much: make its arrays smaller, or draw in bands"))

@@ -15,6 +15,7 @@ import pathlib
 import sys
 
 from fixel.base import output, spent
+from fixel.base.arguments import number
 from fixel.base.errors import ToolError
 from fixel.campaign import runner
 from fixel.campaign.shards import Shard
@@ -128,7 +129,7 @@ def parser():
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     made.add_argument("--part", choices=sorted(PARTS), help="only the library's or the tools' mutants")
     made.add_argument("--seed", type=int, required=True, help="of the choice of mutants")
-    made.add_argument("--count", type=int, default=100, help="so many mutants of each part")
+    made.add_argument("--count", type=number("COUNT", 1, 1_000_000), default=100, help="so many mutants of each part")
     made.add_argument("--only", default="", help="only of files with this in their path")
     made.add_argument("--least", type=float, default=0.0, help="per cent that must be killed")
     made.add_argument("--build", default="build", help="the build folder")

@@ -25,6 +25,13 @@ def holds_triangles(path):
     return suffix_of(path) in (".gltf", ".glb", ".stl", ".ply")
 
 
+def check_scene(path):
+    """Refuses what is neither a scene file nor a model by its name."""
+    if not is_model(path) and suffix_of(path) != ".toml":
+        refuse_other(path, path)
+        raise ToolError(f"{path}: a scene is a .toml file, or a model: {SUFFIXES}")
+
+
 def refuse_other(path, where):
     """Refuses a file by its name that is of a known format which is not read, with the way to one that is. where: what names the file."""
     found = foreign.by_ending(path)

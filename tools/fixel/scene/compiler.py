@@ -22,7 +22,7 @@ def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", r
     is_model = suffixes.is_model(scene)
     if not is_model and suffixes.suffix_of(scene) != ".toml":
         content.refuse_by_all(scene, scene)
-        raise ToolError(f"{scene}: a scene is a .toml file, or a model: {suffixes.SUFFIXES}")
+    suffixes.check_scene(scene)
     if frames is not None and not 1 <= frames <= toml_scene.FRAMES_MAX:
         raise ToolError(f"--frames {frames} is outside 1..{toml_scene.FRAMES_MAX}")
     report.stage("reading the file")
