@@ -287,6 +287,7 @@ def test_a_tool_runs_by_the_python_of_the_venv(words, tmp_path):
 
 # --- make -----------------------------------------------------------------------
 
+PICTURES = ["A=docs/cube.png", "B=docs/cube.png"]   # that make compare needs
 ALONE = {"help", "clean"}   # commands that need nothing
 
 
@@ -299,12 +300,12 @@ def commands():
 def test_each_command_begins_with_set_up(command, tmp_path):
     """Nothing is built or run before it, and reading the Makefile installs nothing. A build folder far away makes
     no command longer than Linux takes: 128 KiB."""
-    done = dry_run(command, f"BUILD={tmp_path / ('b' * 200)}")
+    done = dry_run(command, f"BUILD={tmp_path / ('b' * 200)}", *(PICTURES if command == "compare" else []))
     assert done.returncode == 0, done.stderr
-    assert re.match(r"tools/setup\.sh [a-z]+( [a-z]+)*\n", done.stdout), done.stdout[:500]
+    assert re.match(rf"(python3 tools/fixel/base/before\.py {command} && )?tools/setup\.sh [a-z]+( [a-z]+)*\n", done.stdout), done.stdout[:500]
 
 
-@pytest.mark.parametrize("goals", [["run"], ["lib"], ["wire", "lib"], ["compare"]])
+@pytest.mark.parametrize("goals", [["run"], ["lib"], ["wire", "lib"], ["compare", *PICTURES]])
 def test_set_up_is_over_before_anything_starts(goals, tmp_path):
     """In a fresh clone and with many jobs."""
     root, log, commands = tmp_path / "checkout", tmp_path / "log.txt", tmp_path / "bin"
