@@ -121,17 +121,17 @@ def command(options):
         write_picture(options)
         return 0
     if options.only:
-        report = measure_only(options)
-        output.write_json(pathlib.Path(options.out) / "claims.json", report)
-        print_claims(report)
-        print_verdict(report, report_claims.complaints(report), f"{options.out}/claims.json")
-        return 0 if all(claim["holds"] for claim in report["claims"]) else 1
+        told = measure_only(options)
+        output.write_json(pathlib.Path(options.out) / "claims.json", told)
+        print_claims(told)
+        print_verdict(told, report_claims.complaints(told), f"{options.out}/claims.json")
+        return 0 if all(claim["holds"] for claim in told["claims"]) else 1
     with output.replaced_folder(options.out, PATTERNS) as folder, \
             scratch.folder("report", options.build) as work:
-        report, shown = gather(options, work)
+        told, shown = gather(options, work)
         print("writing the page", file=sys.stderr)
-        output.write_json(folder / "report.json", report)
-        output.write_file(folder / "report.html", report_page.render(report, shown))
-    print_report(report, options.out)
+        output.write_json(folder / "report.json", told)
+        output.write_file(folder / "report.html", report_page.render(told, shown))
+    print_report(told, options.out)
     spent.tell()
-    return 1 if complaints(report) else 0
+    return 1 if complaints(told) else 0
