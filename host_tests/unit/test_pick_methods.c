@@ -311,7 +311,8 @@ void test_what_is_blended_is_picked_before_what_it_covers(void)
     const fxl_pose eye = {{0, 0, Q16(-3.5)}, 0, 0, 0};
     fxl_surface_set set = surface_set;
     for (uint32_t i = 0; i < sizeof blend; i++) {
-        blend[i] = (uint8_t)(100 + i % 256 / 4); /* 100 and more: all of what is beneath */
+        const uint32_t beneath = i % 256; /* 100 and more, but of the ends, which stay */
+        blend[i] = (uint8_t)(beneath == 0 || beneath == 255 ? beneath : 100 + beneath / 4);
     }
     set.surfaces = &glass;
     set.blend = blend;

@@ -41,10 +41,11 @@ static inline bool fxl_submit_convex(const fxl_traversal *traversal,
                                      const fxl_model_view *model_view, const fxl_model *model,
                                      fxl_facing_test *is_front)
 {
-    const fxl_face *faces = &traversal->renderer->scene->faces[model->first_face];
+    const fxl_face *faces = traversal->renderer->scene->faces;
     const bool reverse = traversal->renderer->near_first;
     const uint32_t first = traversal->resume->faces, step = reverse ? UINT32_MAX : 1;
     uint32_t at = reverse ? model->face_count - 1 - first : first;
+    at += model->first_face; /* not before: a scene without faces may have no table */
     uint32_t number, backfacing = 0;
     for (number = first; number < model->face_count; number++) {
         if (!is_front(model_view, &faces[at])) {

@@ -22,6 +22,11 @@ typedef struct {
     const fxl_clipper *real_clipper; /* what the renderer has beside */
     void *real_workspace;
     const fxl_billboards *real_billboards;
+    fxl_surfaces *surfaces; /* null: there are none */
+    const fxl_surface_set *real_set;
+    fxl_surface_set set; /* in which the surface of a blended face is opaque */
+    fxl_surface opaque;
+    uint8_t pass; /* of a depth buffer */
     fxl_renderer *renderer;
     fxl_band band;  /* a row of the screen, of which one pixel is in memory */
     uint32_t pixel; /* this one: 8 or 16 bits of it */
@@ -106,8 +111,8 @@ static fxl_clip_result next_by(const fxl_model_view *model_view, fxl_clipper_wor
 
 /* --- what is shown -------------------------------------------------------------------------- */
 
-/* A face, a piece or a billboard, drawn over two colours: what is the same as both was not drawn.
- */
+/* A face, a piece or a billboard, drawn over two colours: what is the same as both was not drawn. No
+ * pixel of it is blended with them (begin_opaque). */
 typedef struct {
     uint32_t over_0;
     uint32_t cell_before;
@@ -119,6 +124,52 @@ static void copy_cell(uint8_t *to, const uint8_t *from, uint32_t bytes)
 {
     for (uint32_t i = 0; i < bytes && i < sizeof(uint32_t); i++) {
         to[i] = from[i];
+    }
+}
+
+static fxl_depth_head *depth_head(const probe *of)
+{
+    return (fxl_depth_head *)of->renderer->workspace.target_memory;
+}
+
+/* Has a blended face, whose pixel may be that of any background, drawn as an opaque one; with a depth
+ * buffer in the pass in which it is blended. Of all surfaces the face reads only its own. */
+/* pick 2.4 */
+static bool begin_opaque(probe *of, const fxl_face *face)
+{
+    const fxl_surface_set *set = of->real_set;
+    const uint32_t number =
+        of->surfaces != NULL ? set->face_map[face - of->renderer->scene->faces] : 0;
+    if (number == 0) {
+        return false;
+    }
+    const uint32_t surface = set->faces[number - 1].surface;
+    of->opaque = set->surfaces[surface];
+    if ((of->opaque.flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) == 0) {
+        return false;
+    }
+    of->opaque.flags &= (uint8_t) ~(FXL_SURFACE_BLEND | FXL_SURFACE_ADD);
+    of->opaque.sixteenths = 0;
+    of->set = *set;
+    of->set.surfaces =
+        (const fxl_surface *)((uintptr_t)&of->opaque - surface * sizeof(fxl_surface));
+    of->surfaces->set = &of->set;
+    if (of->cell != NULL) {
+        of->pass = depth_head(of)->pass;
+        depth_head(of)->pass = of->pass == FXL_DEPTH_BLENDED  ? FXL_DEPTH_OPAQUE
+                               : of->pass == FXL_DEPTH_OPAQUE ? FXL_DEPTH_BLENDED
+                                                              : of->pass;
+    }
+    return true;
+}
+
+/* A blended face keeps no depth. */
+static void end_opaque(probe *of, const comparison *both)
+{
+    of->surfaces->set = of->real_set;
+    if (of->cell != NULL) {
+        depth_head(of)->pass = of->pass;
+        copy_cell(of->cell, (const uint8_t *)&both->cell_before, both->cell_bytes);
     }
 }
 
@@ -175,14 +226,17 @@ static bool take_face(const fxl_model_view *model_view, const fxl_face *face,
 {
     probe *of = (probe *)(uintptr_t)shader;
     comparison both;
+    const bool is_blended = begin_opaque(of, face);
     begin_first(of, &both);
     (void)draw_face(of, model_view, face, traversal);
-    if (!of->covers) {
-        return true;
-    }
     begin_second(of, &both);
-    (void)draw_face(of, model_view, face, traversal);
-    if (!is_shown(of, &both)) {
+    if (of->covers) {
+        (void)draw_face(of, model_view, face, traversal);
+    }
+    if (is_blended) {
+        end_opaque(of, &both);
+    }
+    if (!of->covers || !is_shown(of, &both)) {
         return true;
     }
     name_face(of, model_view->instance, face);
@@ -196,13 +250,19 @@ static bool take_piece(const fxl_shader *shader, fxl_pieces *pieces, const fxl_f
     probe *of = (probe *)(uintptr_t)shader;
     comparison both;
     (void)count;
+    const bool is_blended = begin_opaque(of, pieces->face);
     begin_first(of, &both);
     (void)fxl_submit_piece_by(pieces, shader->next, face, points);
+    begin_second(of, &both);
+    if (of->covers) {
+        (void)fxl_submit_piece_by(pieces, shader->next, face, points);
+    }
+    if (is_blended) {
+        end_opaque(of, &both);
+    }
     if (!of->covers) {
         return true;
     }
-    begin_second(of, &both);
-    (void)fxl_submit_piece_by(pieces, shader->next, face, points);
     if (is_shown(of, &both)) {
         name_face(of, pieces->instance, pieces->face);
         pieces->outcome |= of->stops ? FXL_OUTCOME_FULL : 0;
@@ -317,6 +377,8 @@ static void begin_probe(probe *of, fxl_renderer *renderer, uint16_t x, uint16_t 
     }
     of->stops = renderer->near_first && target->depth_bits == 0;
     of->found = none;
+    of->surfaces = (fxl_surfaces *)(uintptr_t)fxl_surfaces_of(renderer); /* of the caller */
+    of->real_set = of->surfaces != NULL ? of->surfaces->set : NULL;
     of->shader = shader;
     of->real_clipper = renderer->clipper;
     of->clipper = *renderer->clipper;
