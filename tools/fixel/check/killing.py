@@ -7,7 +7,8 @@ import sys
 
 from fixel.base import output, scratch
 from fixel.scene import making
-from fixel.check import kill_campaign, kills
+from fixel.check import kill_campaign
+from fixel.check import kills as kills_command
 from fixel.base.progress import Progress
 from fixel.base.table import coloured, table
 
@@ -53,7 +54,7 @@ def print_kills(kills, commands):
 
 def command(options):
     """The command; its exit code."""
-    options = kills.before(options)
+    options = kills_command.before(options)
     # A shell ignores it for what it starts in the background, and so would the commands.
     if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
