@@ -87,12 +87,12 @@ def look_at(name, environment):
         module.before(options)
 
 
-def main(argv):
-    """argv: the command. A command without a tool has nothing that is looked at."""
+def look_at_command(argv):
+    """The exit code. argv: the command. A command without a tool has nothing that is looked at."""
     if argv[0] in commands.COMMANDS and argv[0] in make_variables.commands():
         look_at(argv[0], os.environ)
     return 0
 
 
 if __name__ == "__main__":
-    run_main(main)
+    run_main(look_at_command)

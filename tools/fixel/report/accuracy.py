@@ -5,8 +5,9 @@ import pathlib
 import sys
 
 from fixel.base import bounded, kept, output, scratch, spent
-from fixel.report import (report, report_averages, report_claims, report_frames, report_page, report_plots, report_scale, report_shards,
+from fixel.report import (report_averages, report_claims, report_frames, report_page, report_plots, report_scale, report_shards,
                           report_stages)
+from fixel.report.report import before
 from fixel.base.errors import ToolError, one_line
 from fixel.board.programs import HostPrograms, read_json
 from fixel.base.table import coloured, table
@@ -116,7 +117,7 @@ def write_picture(options):
 
 def command(options):
     """The command; its exit code."""
-    options = report.before(options)
+    options = before(options)
     if options.picture:
         write_picture(options)
         return 0
