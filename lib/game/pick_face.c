@@ -156,8 +156,8 @@ static bool begin_opaque(probe *of, const fxl_face *face)
     of->surfaces->set = &of->set;
     if (of->cell != NULL) {
         of->pass = depth_head(of)->pass;
-        depth_head(of)->pass = of->pass == FXL_DEPTH_BLENDED  ? FXL_DEPTH_OPAQUE
-                               : of->pass == FXL_DEPTH_OPAQUE ? FXL_DEPTH_BLENDED
+        depth_head(of)->pass = of->pass == FXL_DEPTH_BLENDED  ? (uint8_t)FXL_DEPTH_OPAQUE
+                               : of->pass == FXL_DEPTH_OPAQUE ? (uint8_t)FXL_DEPTH_BLENDED
                                                               : of->pass;
     }
     return true;
