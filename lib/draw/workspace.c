@@ -5,6 +5,7 @@
 #include "renderer.h"
 #include "scratch.h"
 #include "submit.h"
+#include "surface_polygon.h"
 
 /* A workspace's block of memory: how many bytes each part takes, in the order of the parts. */
 typedef struct {
@@ -69,7 +70,7 @@ static void note_settings(fxl_workspace_setup *setup, const fxl_renderer *render
     setup->scene = renderer->scene;
     setup->clipper = renderer->clipper;
     setup->order = renderer->order;
-    setup->target = renderer->target;
+    setup->target = fxl_painted_target(renderer); /* outlines lay a copy of any over it */
     setup->billboards = renderer->billboards;
     for (uint32_t rank = 0; rank < FXL_SHADERS_MAX; rank++) {
         setup->shaders[rank] = fxl_renderer_shader(renderer, rank);
@@ -126,7 +127,7 @@ static bool is_current(const fxl_workspace *workspace, const fxl_renderer *rende
         }
     }
     return setup->scene == renderer->scene && setup->clipper == renderer->clipper &&
-           setup->order == renderer->order && setup->target == renderer->target &&
+           setup->order == renderer->order && setup->target == fxl_painted_target(renderer) &&
            setup->billboards == renderer->billboards &&
            setup->clipper_size == renderer->clipper->workspace_size &&
            setup->beam_size == fxl_beam_scratch_size(renderer) &&
