@@ -5,6 +5,7 @@
 #include "fixel/orientation.h"
 #include "fixel/pick.h"
 #include "fixel/player.h"
+#include "fixel/setup.h"
 #include "fixel/world.h"
 #include "../scene/reasons.h"
 
@@ -48,6 +49,17 @@ const char fxl_player_reasons[] =
     ON_RANGE "keys must be an OR of FXL_KEY_..., acceleration, friction, speed and "
     "factor 0..256, positions within FXL_UNITS(-8191)..FXL_UNITS(8191)\0"
     ON_DEGENERATE "target must not be the position of pose\0";
+
+const char fxl_setup_reasons[] =
+    ON_ARGUMENT "setup, plan, memory, plan->scene, plan->config and its target must not be "
+    "null\0"
+    ON_RANGE "rows must be 1..plan->config->height where the target has a depth buffer, "
+    "and width and height at most 1024\0"
+    ON_CAPACITY "memory_size must be at least the bytes that the scene needs: "
+    "setup->memory_missing bytes more; NAME_SETUP_MEMORY(rows) uint64_t are "
+    "enough\0"
+    ON_ORDER "plan->scene must be checked first: its draw_list_needed is 0\0"
+    ON_ALIGNMENT "memory must be aligned to 8 bytes: make it an array of uint64_t\0";
 
 const char fxl_world_reasons[] =
     ON_ARGUMENT "world, scene, memory and its tables, renderer, instance, centre and handle "

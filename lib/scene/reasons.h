@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Lists of sentences for fxl_explain: the files reasons*.c have one for each header. In a list
+/* Lists of sentences for fxl_explain: the files reasons*.c have one for each public header. In a list
  * each sentence stands after the number of its status and before a 0. A list is one array of
  * characters, so that a linker which drops sections keeps the lists that a program names and no
  * others. Internal. */

@@ -23,6 +23,7 @@
 #include "fixel/player.h"
 #include "fixel/pump.h"
 #include "fixel/records.h"
+#include "fixel/setup.h"
 #include "fixel/surfaces.h"
 #include "fixel/target.h"
 #include "fixel/wire.h"

@@ -6,7 +6,7 @@ scene links no check."""
 
 import itertools
 
-from fixel.image import (c_billboards, c_names, c_surfaces, c_text, image, image_beam, image_keys,
+from fixel.image import (c_billboards, c_names, c_setup, c_surfaces, c_text, image, image_beam, image_keys,
                          memory_needed)
 from fixel.image.c_text import braces, comment, record, split64, table
 from fixel.base.errors import ToolError
@@ -206,11 +206,11 @@ def _signed(value):
 def _view(scene, name, frames):
     """The lens, the first pose, and the path if it was asked for."""
     config = ", ".join(map(str, (scene.width, scene.height, f"{scene.fov}u", scene.near, scene.far, scene.inset,
-                                 scene.background, "&fxl_palette, NULL, NULL, NULL, 0, NULL, 0")))
+                                 scene.background, f"&{c_setup.target(scene)}, NULL, {c_setup.palette_565(scene, name)}, NULL, 0, NULL, 0")))
     first = scene.path[0] if scene.path_kind == image.POSES else scene.start
     made = [record("fxl_config", f"{name}_config", [config],
                    "The scene's own view, for fxl_renderer_init: width, height, field of view, near, far, inset, "
-                   "background, target; and neither order, palette, depth buffer nor tree."),
+                   "background, target, palette of RGB565; and neither order, depth buffer nor tree."),
             record("fxl_pose", f"{name}_start", [_pose(first)], "The scene's first pose: x, y, z in 16.16, yaw, pitch, roll.")]
     if scene.centre:
         made.append("\n".join([*comment("The scene's lens is off-centre. After fxl_renderer_init call "
@@ -218,10 +218,6 @@ def _view(scene, name, frames):
                                         f"{name.upper()}_CENTRE_Y)."),
                                f"#define {name.upper()}_CENTRE_X {_signed(scene.centre[0])}",
                                f"#define {name.upper()}_CENTRE_Y {_signed(scene.centre[1])}", ""]))
-    if scene.depth_bits or scene.pixel_bits == 16:
-        target = ("fxl_rgb565" if scene.pixel_bits == 16 else "fxl_palette") + (f"_depth_{scene.depth_bits}" if scene.depth_bits else "")
-        made.append("\n".join([*comment(f"The scene asks for the target {target} (fixel/target.h): name it in a copy of the configuration, "
-                                        "with its memory."), ""]))
     if frames:
         made += [f"#define {name.upper()}_FRAMES {len(scene.path)}\n",
                  table("fxl_pose", f"{name}_path", [braces(_pose(pose)) for pose in scene.path],
@@ -269,10 +265,11 @@ def header(scene, name, source, frames=False):
     holds = ", ".join([_count(len(tables.vertices), "vertex"), _count(len(tables.faces), "face"),
                        _count(len(tables.models), "model"), _count(len(scene.objects), "instance")])
     includes = ["fixel.h", *([c_surfaces.INCLUDE] if scene.surfaces else []),
-                *([c_billboards.INCLUDE] if scene.billboards else [])]
+                *([c_billboards.INCLUDE] if scene.billboards else []), c_setup.INCLUDE]
     return c_text.header(
         f"Written by tools/scene.py from {printable(source)}: {holds}. The tool has checked the scene, so no program need "
         "call fxl_scene_check.", f"{name.upper()}_SCENE_H", includes,
         [_memory(scene, name), _capacity(scene, name), *tables.text(), tables.record(),
          *c_names.text(scene, name), *_motions(scene, name), *_light(scene, name), *c_surfaces.text(scene, name),
-         *c_billboards.text(scene, name), *_view(scene, name, frames), _palette(scene, name), *_reserved(scene, name)])
+         *c_billboards.text(scene, name), *_view(scene, name, frames), _palette(scene, name), *_reserved(scene, name),
+         *c_setup.text(scene, name, frames)])
