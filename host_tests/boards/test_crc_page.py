@@ -47,7 +47,9 @@ int main(void)
 {
     const fxl_display_port port = counted();
     const fxl_display_config config = fxl_display_config_default(&fxl_st7789, 1);
-    if (fxl_renderer_init(&renderer, &cube_scene, &cube_config, memory, sizeof memory) ||
+    fxl_config view = cube_config;
+    view.target = &fxl_palette; /* a byte a pixel */
+    if (fxl_renderer_init(&renderer, &cube_scene, &view, memory, sizeof memory) ||
         fxl_display_open(&display, &config, &port, cube_palette[0])) { return 1; }
     const fxl_pump_config rows = {&display.pixels, 320, 240, 8, NULL};
     if (fxl_pump_init(&pump, &rows, &display.sink, bands, sizeof bands)) { return 1; }

@@ -112,7 +112,9 @@ static uint64_t memory[CUBE_MEMORY];
 static uint8_t pixels[240][320];
 int main(void)
 {
-    if (fxl_renderer_init(&renderer, &cube_scene, &cube_config, memory, sizeof memory)) { return 1; }
+    fxl_config view = cube_config;
+    view.target = &fxl_palette; /* a byte a pixel */
+    if (fxl_renderer_init(&renderer, &cube_scene, &view, memory, sizeof memory)) { return 1; }
     for (int i = 0; i < CUBE_FRAMES; i++) {
         if (fxl_render(&renderer, &cube_path[i], pixels[0], 320)) { return 1; }
         fwrite(pixels, 1, sizeof pixels, stdout);

@@ -24,7 +24,9 @@ static uint8_t pixels[240][320];
 int main(void)
 {
     const fxl_band whole = {.pixels = pixels[0], .width = 320, .stride = 320, .rows = 240};
-    if (fxl_renderer_init(&renderer, &cube_scene, &cube_config, memory, sizeof memory)) { return 1; }
+    fxl_config view = cube_config;
+    view.target = &fxl_palette; /* a byte a pixel */
+    if (fxl_renderer_init(&renderer, &cube_scene, &view, memory, sizeof memory)) { return 1; }
     for (int i = 0;; i++) {
         if (fxl_render(&renderer, &cube_path[i % CUBE_FRAMES], pixels[0], 320) ||
             fxl_draw_rectangle(&whole, 10 * i, 0, 10, 240, 1)) { return 1; }

@@ -28,7 +28,7 @@ ROOM_OF = {
     "draw": {"fixel", "order", "render", "target"},
     "order": {"wire"},
     "screen": {"display", "driver", "modules", "overlay", "pixels", "pump"},
-    "game": {"collide", "motion", "orientation", "pick", "player", "world"},
+    "game": {"collide", "motion", "orientation", "pick", "player", "setup", "world"},
 }
 # (room, what it includes): why it may, though it stands before it.
 EXCEPTIONS = {

@@ -241,7 +241,7 @@ def linked_places(folder, declare, *options):
         source.write_text(alone + PLACES.replace("_N(", f"_{number}("), encoding="utf-8")
         objects.append(source.with_suffix(".o"))
         subprocess.run([*command, *WARNINGS, *options, f"-I{ROOT / 'lib' / 'include'}", "-c", source, "-o", objects[-1]], check=True)
-    subprocess.run(["gcc", "main.c", *objects, *options, "-Wl,--gc-sections", "-o", "main"], cwd=folder, check=True)
+    subprocess.run(["gcc", "main.c", *objects, *options, "-Wl,--gc-sections", library(), "-o", "main"], cwd=folder, check=True)
     colours = b"".join(bytes(colour) for colour in scene.palette[:7])
     return folder / "main", (folder / "main").read_bytes().count(colours)
 

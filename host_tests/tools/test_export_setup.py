@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
 """An exported scene sets itself up: fxl_setup_init with NAME_setup draws what make run draws."""
 
+import re
 import subprocess
 
 import pytest
 
 from board_programs import ROOT, made
-from conftest import CHECKOUT
+from conftest import CHECKOUT, assert_one_sentence, run_cli
 from fixel.board import dump, frame_crc
 from fixel.check import frozen_frames
 from fixel.image import image
@@ -101,3 +102,76 @@ def test_the_setup_draws_the_frames_of_make_run(drawn, language):
     poses = [str(number) for frame in frames for number in (*frame.position, *frame.angles)]
     crcs = frame_crc.drawn(frames).each
     assert printed(program, *poses).split() == [crcs[frame % len(crcs)] for frame in range(FRAMES) for _ in range(2)]
+
+
+# Functions of the library that a plan names, by the part.
+PARTS = {"light": "fxl_attach_light", "lit": "fxl_attach_lit", "surfaces": "fxl_attach_surfaces", "billboards": "fxl_attach_billboards",
+         "beams": "fxl_attach_beams", "motions": "fxl_motion_play", "tree": "fxl_submit_by_bsp", "centre": "fxl_renderer_set_centre",
+         "depth": "fxl_palette_depth_16", "rgb565": "fxl_rgb565", "clusters": "fxl_clusters", "turned": "fxl_turned_instances"}
+HAVE = {"cube": set(), "knot": {"tree"}, "beam": {"beams"}, "lit": {"light", "motions", "turned"}, "window": {"centre"},
+        "grove": {"billboards", "surfaces", "motions", "turned"}, "room": {"surfaces", "motions", "turned"}}
+SECTIONS = ["-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections"]
+BY_HAND = """
+#include "scene.h"
+int main(void)
+{
+    static fxl_renderer renderer;
+    static uint64_t memory[SCENE_MEMORY];
+    fxl_config config = fxl_config_default(320, 240);
+    return fxl_renderer_init(&renderer, &scene_scene, &config, memory, sizeof memory);
+}
+"""
+BY_SETUP = """
+#include "scene.h"
+int main(void)
+{
+    static fxl_setup it;
+    static uint64_t memory[SCENE_SETUP_MEMORY(1)];
+    return fxl_setup_init(&it, &scene_setup, 1, memory, sizeof memory);
+}
+"""
+
+
+def linked(folder, text):
+    """The parts that a program links, and whether it links a setup."""
+    names = subprocess.run(["nm", compiled(folder, text, *SECTIONS)], check=True, text=True, capture_output=True).stdout.split()
+    return {part for part, name in PARTS.items() if name in names}, "fxl_setup_init" in names
+
+
+@pytest.mark.parametrize("name", HAVE)
+def test_a_program_links_what_the_setup_names_and_without_it_nothing(tmp_path, name):
+    making.export(str(CHECKOUT / "scenes" / f"{name}.toml"), str(tmp_path / "scene.h"), "scene")
+    assert linked(tmp_path, BY_SETUP) == (HAVE[name], True)
+    assert linked(tmp_path, BY_HAND) == (HAVE[name] & {"clusters", "turned"}, False)
+
+
+@pytest.mark.parametrize("name", ["gallery", "grove", "tiny"])
+def test_the_program_that_is_written_too_draws_the_frames_of_make_run(tmp_path, name):
+    """In bands, and whole."""
+    source, header, program = CHECKOUT / "scenes" / f"{name}.toml", tmp_path / "scene.h", tmp_path / "main.c"
+    made("build/host/frames")
+    making.build(str(source), str(tmp_path / "scene.fxls"))
+    done = run_cli("export", "--c", source, "-o", header, "--name", "scene", "--program", program)
+    assert done.returncode == 0 and str(program) in done.stdout
+    frames = frozen_frames.drawn_by_host(tmp_path / "scene.fxls", ROOT / "build", tmp_path).frames
+    text, shown = program.read_text(encoding="utf-8"), "(void)fxl_band_crc(&crc, &band);"
+    height, path = frames[0].pixels.shape[0], compiler.compile_scene(str(source), None, None, None, "program")[0].path_kind == image.POSES
+    for rows in (16, height):
+        drawn = re.sub(r"#define ROWS 16 .*", f"#include <stdio.h>\n#include <fixel/crc.h>\n#define ROWS {rows}\nstatic uint32_t crc;", text)
+        drawn = drawn.replace("/* Here band.rows rows", f"if (status == FXL_OK) {{ {shown} }} /* rows")
+        drawn = re.sub(r"return (fxl_render\(.*\));", r"const fxl_status status = \1;\n"
+                       r"    const fxl_band band = {.pixels = (uint8_t *)pixels[0], .width = WIDTH, .stride = WIDTH, .rows = ROWS, "
+                       f".palette = it.renderer.palette}};\n    {shown}\n    return status;", drawn)
+        drawn = drawn.replace("WIDTH", str(frames[0].pixels.shape[1])).replace("if (draw(", "crc = FXL_CRC_START;\n        if (draw(")
+        drawn = drawn.replace("{ return 2; }", '{ return 2; }\n        printf("%08x\\n", (unsigned)crc);')
+        crcs = printed(compiled(tmp_path, drawn, name="shown.c")).split()
+        assert crcs == frame_crc.drawn(frames).each[:len(crcs)] if path else len(crcs) == 1
+        assert len(crcs) == (len(frames) if path else 1)
+
+
+def test_a_program_of_the_users_own_is_not_written_over(tmp_path):
+    program = tmp_path / "main.c"
+    program.write_text("int main(void) { return 0; }\n", encoding="utf-8")
+    done = run_cli("export", "--c", CHECKOUT / "scenes" / "cube.toml", "-o", tmp_path / "cube.h", "--program", program)
+    assert_one_sentence(done, "main.c", "--program")
+    assert program.read_text(encoding="utf-8") == "int main(void) { return 0; }\n" and not (tmp_path / "cube.h").exists()

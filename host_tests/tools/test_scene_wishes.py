@@ -108,11 +108,12 @@ def test_a_tree_and_a_depth_buffer_exclude_each_other(tmp_path):
 
 def test_a_header_of_c_says_what_the_scene_asks_for(tmp_path):
     for text, said in (('visibility = "depth"', "fxl_palette_depth_16"), ('depth = 32\npixels = "rgb565"', "fxl_rgb565_depth_32"),
-                       ('pixels = "rgb565"', "fxl_rgb565"), ("", None)):
+                       ('pixels = "rgb565"', "fxl_rgb565"), ("", "fxl_palette")):
         out = tmp_path / "scene.h"
         done = run_cli("export", "--c", scene_of(tmp_path, SOLIDS % text), "-o", out)
         assert done.returncode == 0, done.stderr
-        assert re.findall(r"asks for the target (\w+) ", out.read_text()) == ([said] if said else [])
+        config = re.search(r"fxl_config \w+ = \{(.*?)\}", out.read_text(), re.DOTALL)[1]
+        assert re.findall(r"&(\w+), NULL, (\w+)", config) == [(said, "scene_palette_565" if "rgb565" in text else "NULL")]
 
 
 @pytest.mark.parametrize("name", ["gallery", "car"])

@@ -24,9 +24,11 @@ void cube_run(void)
     const fxl_display_config module = fxl_display_config_default(&fxl_ili9341, 1);
     const fxl_pump_config bands = {&display.pixels, WIDTH, HEIGHT, ROWS, NULL};
     uint32_t frame;
+    fxl_config view = cube_config;
 
+    view.target = &fxl_palette; /* a byte a pixel */
     fixel_stm32_open();
-    if (fxl_renderer_init(&renderer, &cube_scene, &cube_config, memory, sizeof memory) != FXL_OK ||
+    if (fxl_renderer_init(&renderer, &cube_scene, &view, memory, sizeof memory) != FXL_OK ||
         fxl_display_open(&display, &module, &fixel_stm32_port, cube_palette[0]) != FXL_OK ||
         fxl_pump_init(&pump, &bands, &display.sink, pump_memory, sizeof pump_memory) != FXL_OK) {
         return;

@@ -23,9 +23,11 @@ void setup()
 {
     fxl_pump_config bands = {&display.pixels, WIDTH, HEIGHT, ROWS, NULL};
     const fxl_display_config module = fxl_display_config_default(&fxl_ili9341, 1);
+    fxl_config view = cube_config;
 
+    view.target = &fxl_palette; /* a byte a pixel */
     fixel_arduino_open();
-    is_open = fxl_renderer_init(&renderer, &cube_scene, &cube_config, memory, sizeof memory) == FXL_OK &&
+    is_open = fxl_renderer_init(&renderer, &cube_scene, &view, memory, sizeof memory) == FXL_OK &&
               fxl_display_open(&display, &module, &fixel_arduino_port, cube_palette[0]) == FXL_OK &&
               fxl_pump_init(&pump, &bands, &display.sink, pump_memory, sizeof pump_memory) == FXL_OK;
 }

@@ -47,9 +47,11 @@ void app_main(void)
     esp_lcd_panel_handle_t panel = NULL;
     esp_lcd_panel_io_handle_t io = NULL;
     uint32_t frame;
+    fxl_config view = cube_config;
 
+    view.target = &fxl_palette; /* a byte a pixel */
     if (!open_panel(&panel, &io) || !fixel_esp_open(&esp, panel, io, WIDTH, HZ) ||
-        fxl_renderer_init(&renderer, &cube_scene, &cube_config, memory, sizeof memory) != FXL_OK ||
+        fxl_renderer_init(&renderer, &cube_scene, &view, memory, sizeof memory) != FXL_OK ||
         fxl_pixels_init(&colours, &fxl_pixels_rgb565, cube_palette[0]) != FXL_OK ||
         fxl_pump_init(&pump, &bands, &esp.sink, pump_memory, sizeof pump_memory) != FXL_OK) {
         return;

@@ -26,9 +26,11 @@ int main(void)
     const struct device *display = DEVICE_DT_GET(DT_CHOSEN(zephyr_display));
     const fxl_pump_config bands = {&colours, WIDTH, HEIGHT, ROWS, NULL};
     uint32_t frame;
+    fxl_config view = cube_config;
 
+    view.target = &fxl_palette; /* a byte a pixel */
     if (!fixel_zephyr_open(&zephyr, display, WIDTH) ||
-        fxl_renderer_init(&renderer, &cube_scene, &cube_config, memory, sizeof memory) != FXL_OK ||
+        fxl_renderer_init(&renderer, &cube_scene, &view, memory, sizeof memory) != FXL_OK ||
         fxl_pixels_init(&colours, &FIXEL_ZEPHYR_FORMAT, cube_palette[0]) != FXL_OK ||
         fxl_pump_init(&pump, &bands, &zephyr.sink, pump_memory, sizeof pump_memory) != FXL_OK) {
         return 1;

@@ -112,3 +112,50 @@ def text(scene, name, frames):
             record("fxl_setup_plan", f"{name}_setup", rows,
                    "For fxl_setup_init: scene, configuration, order, palette, first pose; path; memory for pieces; centre of "
                    "the lens; motions, beams, light, surfaces, light at corners, billboards, each with what sets it up.")]
+
+
+PROGRAM = """/* Written by tools/scene.py export --c --program: draws %(source)s. It is yours to change. */
+#include "%(header)s"
+#define ROWS 16 /* of a band, 1..%(height)d: more rows take more memory and fewer instructions; all of them: fxl_render */
+static fxl_setup it;
+static uint64_t memory[%(capital)s_SETUP_MEMORY(ROWS)];
+static %(pixel)s pixels[ROWS][%(width)d]; /* %(about)s */
+/* Draws what the eye sees. */
+static fxl_status draw(const fxl_pose *eye)
+{
+#if ROWS == %(height)d
+    return fxl_render(&it.renderer, eye, pixels[0], %(width)d);
+#else
+    fxl_status status = fxl_frame_begin(&it.renderer, eye);
+    for (uint16_t row = 0; status == FXL_OK && row < %(height)d; row += ROWS) {
+        const fxl_band band = {.pixels = (uint8_t *)pixels[0],
+                               .width = %(width)d,
+                               .stride = %(width)d,
+                               .first_row = row,
+                               .rows = ROWS < %(height)d - row ? ROWS : (uint16_t)(%(height)d - row),
+                               .palette = it.renderer.palette};
+        fxl_frame_fill(&it.renderer, &band, %(name)s_config.background);
+        status = fxl_frame_draw(&it.renderer, &band);
+        /* Here band.rows rows of pixels go to your display: docs/displays.md, docs/extras/pixels.md. */
+    }
+    return status;
+#endif
+}
+int main(void)
+{
+    if (fxl_setup_init(&it, &%(name)s_setup, ROWS, memory, sizeof memory)) { return 1; } /* fxl_setup_explain says why */
+    for (uint32_t frame = 0; frame < %(frames)s; frame++) {
+        if (draw(fxl_setup_frame(&it, frame))) { return 2; }
+    }
+    return 0;
+}
+"""
+
+
+def program(scene, name, header, source, frames):
+    """The text of a program that draws an exported scene. header: the file's name; source: that of the scene, for a comment."""
+    is_565 = scene.pixel_bits == 16
+    return PROGRAM % {
+        "source": source, "header": header, "name": name, "capital": name.upper(), "width": scene.width, "height": scene.height,
+        "pixel": "uint16_t" if is_565 else "uint8_t", "about": "RGB565" if is_565 else f"entries of {name}_palette",
+        "frames": f"{name.upper()}_FRAMES" if frames else "1"}

@@ -7,7 +7,7 @@
         or none; without --tree, what the scene's key "tree" says;
         --pixels, --order and --depth stand in the place of what its [view] says;
         LOOK, of a model: [--palette] [--flat | --smooth DEGREES] [--no-textures] [--sorted] [--write SCENE.toml]
-    fixel export --c SCENE -o OUT.h [--name NAME] [--frames N] [--screen WxH] [--tree LAYERS]
+    fixel export --c SCENE -o OUT.h [--program FILE.c] [--name NAME] [--frames N] [--screen WxH] [--tree LAYERS]
                 [--pixels palette|rgb565] [--order distance|tree] [--depth 0|16|32] [LOOK]
         SCENE is a .toml, a model or a .fxls; --frames N exports the path too, as N poses
     fixel texture IMAGE -o OUT.h [--name NAME] [--size WxH] [--levels N] [--clamp]
@@ -67,6 +67,7 @@ def _parsers():
     building = commands.add_parser("build", help="compile a .toml or a model into a scene image")
     exporting = commands.add_parser("export", help="write a .toml, a model or a .fxls as a C header")
     exporting.add_argument("--c", action="store_true", required=True, help="as C, the only language there is")
+    exporting.add_argument("--program", metavar="FILE.c", help="write a program too that draws the scene in bands, with its path")
     exporting.add_argument("--name", help="what the header's names begin with; without, the file's name")
     for command in (building, exporting):
         command.add_argument("scene")
@@ -134,11 +135,15 @@ def main(argv):
     how = {"looks": look.smaller(wanted, *look.targets(wanted, asked, has_tree)[0]), "write": wanted.write, "writes": True} if is_model else {}
     common = arguments.frames, screen, arguments.tree, limits, asked
     if arguments.command == "export":
-        made = making.export(arguments.scene, arguments.out, arguments.name, *common, verbose=wanted.verbose, **how)
+        if arguments.program and wanted.write:
+            raise ToolError("--program and --write are for one command each: leave out one of them")
+        made = making.export(arguments.scene, arguments.out, arguments.name, *common, verbose=wanted.verbose, program=arguments.program, **how)
     else:
         made = making.build(arguments.scene, arguments.out, *common, verbose=wanted.verbose, **how)
-    has_path = arguments.command == "build" or arguments.frames is not None
+    has_path = arguments.command == "build" or arguments.frames is not None or (arguments.program and made.frames > 0)
     making.tell(arguments.out, made, None if has_path else "no path" + (" (--frames adds one)" if takes_frames(arguments.scene) else ""))
+    if arguments.command == "export" and arguments.program:
+        print(f"a program that draws it: {one_line(arguments.program)}")
     if wanted.write:
         print(f"the same as a scene file: {one_line(wanted.write)}")
     return 0

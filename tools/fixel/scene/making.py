@@ -24,12 +24,16 @@ class Made:
     frames: int
     notes: list
     text: str       # the scene file of a model, where one is asked for
+    program: str = None     # the program that draws an exported scene, where one is asked for
 
 
-def _make(out, request, subject, limits, writes=False):
-    """Has a job done and puts its result in place, with the scene file of a model if writes; answers what the job answers."""
+def _make(out, request, subject, limits, writes=False, program=None):
+    """Has a job done and puts its result in place, with the scene file of a model if writes, or with a program, whose file this
+    is; answers what the job answers."""
     answer, made = bounded.run(WORKER, request, subject, limits)
-    if writes and request["write"]:
+    if program:
+        output.write_both(out, made, program, answer["program"], "--program")
+    elif writes and request["write"]:
         output.write_both(out, made, request["write"], answer["text"], "--write")
     else:
         output.write_file(out, made)
@@ -47,12 +51,14 @@ def build(scene, out, frames=None, screen=None, layers=None, limits=None, asked=
     return Made(**_make(out, request, scene, limits, writes))
 
 
-def export(scene, out, name=None, frames=None, screen=None, layers=None, limits=None, asked=None, looks=(PLAIN,), write=None, verbose=False, writes=False):
-    """Writes a scene, a model or a scene image as a C header; answers a Made. frames: with so many poses of the path."""
+def export(scene, out, name=None, frames=None, screen=None, layers=None, limits=None, asked=None, looks=(PLAIN,), write=None, verbose=False, writes=False, program=None):
+    """Writes a scene, a model or a scene image as a C header; answers a Made. frames: with so many poses of the path. program: where
+    a program that draws it is to stand; then the header has the path."""
     own = c_names.name_of_file(scene)
+    beside = os.path.relpath(out, os.path.dirname(program) or ".") if program else None
     request = {"job": "export", "scene": os.fspath(scene), "name": own if name is None else name, "frames": frames,
-               "screen": screen, "layers": layers, "framed": "program", "target": vars(asked) if asked else {}, "looks": [vars(look) for look in looks], "write": write, "verbose": verbose}
-    return Made(**_make(out, request, scene, limits, writes))
+               "screen": screen, "layers": layers, "framed": "program", "target": vars(asked) if asked else {}, "looks": [vars(look) for look in looks], "write": write, "verbose": verbose, "program": beside}
+    return Made(**_make(out, request, scene, limits, writes, program))
 
 
 def texture(image, out, name, size=None, levels=1, clamp=False, limits=None):

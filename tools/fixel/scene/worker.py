@@ -12,7 +12,7 @@ if __name__ == "__main__":
     from fixel.base import interpreter
     sys.excepthook = interpreter.explain    # of a missing package
 
-from fixel.image import c_names, c_scene, image, image_ranges
+from fixel.image import c_names, c_scene, c_setup, image, image_ranges
 from fixel.model import suffixes
 from fixel.scene import c_texture
 from fixel.base import job
@@ -65,8 +65,11 @@ def export(request, report):
     else:
         _, compiled, notes = _build(request, report)
     report.stage("writing the header")
-    text = c_scene.header(compiled, request["name"], os.path.basename(scene), request["frames"] is not None)
-    return _given(request, report, text.encode(), compiled, notes)
+    frames = request["frames"] is not None or (bool(request["program"]) and compiled.path_kind == image.POSES)
+    text = c_scene.header(compiled, request["name"], os.path.basename(scene), frames)
+    program = c_setup.program(compiled, request["name"], request["program"], c_scene.printable(os.path.basename(scene)),
+                              frames) if request["program"] else None
+    return {**_given(request, report, text.encode(), compiled, notes), "program": program}
 
 
 def texture(request, report):
