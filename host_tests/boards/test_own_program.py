@@ -6,11 +6,12 @@ import re
 
 import numpy
 import pytest
-from conftest import CHECKOUT, run_make
+from conftest import CHECKOUT, run_cli, run_make
 from PIL import Image
 
-from fixel.board import dump, room
-from fixel.scene import making
+from fixel.board import dump, frame_crc, room
+from fixel.check import frozen_frames
+from fixel.scene import making, target
 
 HELLO = (CHECKOUT / "docs" / "hello.md").read_text(encoding="utf-8")
 BLOCKS = dict(re.findall(r"```c\n/\* ([a-z]+\.[ch])\b[^\n]*\n(.*?)```", HELLO, re.DOTALL))
@@ -135,6 +136,22 @@ def test_a_folder_is_a_program(folder):
     _, summary, _ = run(folder, "several/")
     _, bands, _ = run(folder, "bands.c")
     assert summary["frame_crc"] == bands["frame_crc"], "with a display_rows of its own, too"
+
+
+# Flat, a tree, beams, motions, textures with a depth buffer, billboards.
+EXPORTED = {"cube": None, "knot": None, "beam": None, "spin": None, "room": "16", "grove": None}
+
+
+@pytest.mark.parametrize("name", EXPORTED)
+def test_the_program_of_an_exported_scene_draws_the_frames_of_make_run(build, tmp_path, name):
+    source, own, depth = CHECKOUT / "scenes" / f"{name}.toml", tmp_path / "own", EXPORTED[name]
+    own.mkdir()
+    done = run_cli("export", "--c", source, "-o", own / "scene.h", "--name", "scene", "--program", own / "main.c", *(["--depth", depth] if depth else []))
+    assert done.returncode == 0, done.stderr
+    making.build(str(source), str(tmp_path / "scene.fxls"), asked=target.Target(depth=depth))
+    frames = frozen_frames.drawn_by_host(tmp_path / "scene.fxls", build, tmp_path).frames[:2]
+    _, summary, _ = run(tmp_path, "own/", "BOARD=mps3-an547", "FRAMES=2")
+    assert summary["frame_crc"] == frame_crc.drawn(frames).each and summary["host_frames_equal"]
 
 
 def test_pictures_have_the_colours_of_the_exported_scene(folder):

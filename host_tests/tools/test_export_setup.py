@@ -175,3 +175,24 @@ def test_a_program_of_the_users_own_is_not_written_over(tmp_path):
     done = run_cli("export", "--c", CHECKOUT / "scenes" / "cube.toml", "-o", tmp_path / "cube.h", "--program", program)
     assert_one_sentence(done, "main.c", "--program")
     assert program.read_text(encoding="utf-8") == "int main(void) { return 0; }\n" and not (tmp_path / "cube.h").exists()
+
+
+# Two tetrahedra, of which one hides the other: a depth buffer is wanted.
+PAIR = "".join(f"v {x + at} {y} {z}\n" for at in (0, 1.5) for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))) + \
+    "".join(f"f {a + n} {b + n} {c + n}\n" for n in (0, 4) for a, b, c in ((1, 3, 2), (1, 2, 4), (1, 4, 3), (2, 3, 4)))
+
+
+@pytest.mark.parametrize("board, target", [("microbit", "fxl_palette"), ("mps2-an385", "fxl_rgb565_depth_16"), (None, "fxl_rgb565_depth_16")])
+def test_a_model_is_exported_as_a_board_draws_it(tmp_path, board, target):
+    (tmp_path / "pair.obj").write_text(PAIR, encoding="utf-8")
+    done = run_cli("export", "--c", tmp_path / "pair.obj", "-o", tmp_path / "pair.h", *(["--board", board] if board else []))
+    assert done.returncode == 0, done.stderr
+    config = re.search(r"fxl_config pair_config = \{(.*?)\}", (tmp_path / "pair.h").read_text(encoding="utf-8"), re.DOTALL)[1]
+    assert f"&{target}," in config
+
+
+@pytest.mark.parametrize("scene, board, said", [("examples/cube/cube.obj", "nothere", "microbit"), ("scenes/cube.toml", "microbit", "--board")])
+def test_a_board_that_says_nothing_of_a_scene_is_refused(tmp_path, scene, board, said):
+    done = run_cli("export", "--c", CHECKOUT / scene, "-o", tmp_path / "cube.h", "--board", board)
+    assert_one_sentence(done, board if said != "--board" else "cube.toml", said)
+    assert not (tmp_path / "cube.h").exists()

@@ -121,6 +121,18 @@ def room_of(options):
                            "surfaces" not in without, frozenset(targets), core, board["ram_size"])
 
 
+def look_of(board, words, asked, wanted):
+    """The Look in which make run draws a bare model on a board. words: the options of the command about the model; asked: a
+    target.Target, wanted: a look.Asked."""
+    options = predict_command.parser().parse_args(["--board", board, *words])
+    options.target, options.look = asked, wanted
+    elf = pathlib.Path(options.build) / "boards" / board / "walk.elf"
+    if not elf.is_file():   # of a board that nothing was built for, make and bench/costs.json know the room
+        predict_command.complete(options)
+    with scratch.folder("look") as folder:
+        return model_look.look_for(options, model_look.room_of(elf) if elf.is_file() else room_of(options), options.build, folder)
+
+
 def image_of(options, folder):
     """The scene image of --scene: of a bare model as the board draws it."""
     is_model = suffixes.is_model(options.scene)

@@ -269,8 +269,8 @@ def _line(drawn, cheaper, order, ram=0):
     return text + (f"; {order}" if order else "")
 
 
-def choose(options, room, build, folder):
-    """The scene image of a bare model where there is so much room, with a line about what was chosen."""
+def _chosen(options, room, build, folder):
+    """(_Chooser, the Drawn that it chose, why it is not a better one)."""
     chooser = _Chooser(options, room, build, folder)
     drawn, why = chooser.choose()
     if drawn.image is None:
@@ -279,14 +279,27 @@ def choose(options, room, build, folder):
     if too_many:
         most = _faces_that_fit(room, drawn.scene)
         raise ToolError(f"{one_line(options.scene)}: {too_many}; LOOK='--simplify {most}' keeps {most} faces")
+    for each in why:
+        print(f"  {one_line(options.scene)}: not {each}", file=sys.stderr)
+    return chooser, drawn
+
+
+def look_for(options, room, build, folder):
+    """The Look in which make run draws a bare model where there is so much room."""
+    drawn = _chosen(options, room, build, folder)[1]
+    print(f"  {one_line(options.scene)}: {_line(drawn, None, '', room.ram)}", file=sys.stderr)
+    return drawn.look
+
+
+def choose(options, room, build, folder):
+    """The scene image of a bare model where there is so much room, with a line about what was chosen."""
+    chooser, drawn = _chosen(options, room, build, folder)
     for note in drawn.made.notes:
         print(f"  {one_line(note)}", file=sys.stderr)
     cheaper = None
     is_small = _faces(drawn.scene) <= CHEAPER_FACES_MAX
     if drawn.cost and drawn.scene.pixel_bits == 16 and is_small and not options.target.pixels:
         cheaper = chooser.draw(replace(drawn.look, pixels="palette"))
-    for each in why:
-        print(f"  {one_line(options.scene)}: not {each}", file=sys.stderr)
     print(f"  {one_line(options.scene)}: {_line(drawn, cheaper, order_check.text(build, drawn.image), room.ram)}", file=sys.stderr)
     if options.look.write:
         output.write_new(options.look.write, drawn.made.text, "--write")

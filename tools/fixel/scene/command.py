@@ -7,7 +7,7 @@
         or none; without --tree, what the scene's key "tree" says;
         --pixels, --order and --depth stand in the place of what its [view] says;
         LOOK, of a model: [--palette] [--flat | --smooth DEGREES] [--no-textures] [--sorted] [--write SCENE.toml]
-    fixel export --c SCENE -o OUT.h [--program FILE.c] [--name NAME] [--frames N] [--screen WxH] [--tree LAYERS]
+    fixel export --c SCENE -o OUT.h [--program FILE.c] [--board NAME] [--name NAME] [--frames N] [--screen WxH] [--tree LAYERS]
                 [--pixels palette|rgb565] [--order distance|tree] [--depth 0|16|32] [LOOK]
         SCENE is a .toml, a model or a .fxls; --frames N exports the path too, as N poses
     fixel texture IMAGE -o OUT.h [--name NAME] [--size WxH] [--levels N] [--clamp]
@@ -68,6 +68,7 @@ def _parsers():
     exporting = commands.add_parser("export", help="write a .toml, a model or a .fxls as a C header")
     exporting.add_argument("--c", action="store_true", required=True, help="as C, the only language there is")
     exporting.add_argument("--program", metavar="FILE.c", help="write a program too that draws the scene in bands, with its path")
+    exporting.add_argument("--board", help="a model as make run BOARD= draws it there (default: the best look, as on the host)")
     exporting.add_argument("--name", help="what the header's names begin with; without, the file's name")
     for command in (building, exporting):
         command.add_argument("scene")
@@ -133,6 +134,14 @@ def main(argv):
     look.check(wanted, arguments.scene, is_model)
     has_tree = arguments.tree not in (None, "none")
     how = {"looks": look.smaller(wanted, *look.targets(wanted, asked, has_tree)[0]), "write": wanted.write, "writes": True} if is_model else {}
+    board = getattr(arguments, "board", None)
+    if board and not is_model:
+        raise ToolError(f"--board is for a model without a scene file; {arguments.scene} says itself how it is drawn")
+    if board and board != "host":
+        from fixel.bench import prediction
+        given = {"--scene": arguments.scene, "--frames": arguments.frames, "--screen": arguments.screen}
+        words = [word for option, value in given.items() if value is not None for word in (option, str(value))]
+        how["looks"] = [prediction.look_of(board, words, asked, wanted)]
     common = arguments.frames, screen, arguments.tree, limits, asked
     if arguments.command == "export":
         if arguments.program and wanted.write:
