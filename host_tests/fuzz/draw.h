@@ -83,6 +83,9 @@ void draw_in_another(const fxl_renderer *renderer, const uint8_t *whole, uint8_t
 /* A frame into each target, with whatever may be attached, or a refusal that names two things. */
 void draw_attached(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose);
 
+/* Setups of a scene, in exactly the memory that they ask for. */
+void draw_setup(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose);
+
 /* Any sequence of set-up calls of a renderer and of two workspaces of other cores. */
 void draw_sequences(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
                     fuzz_input *in);
