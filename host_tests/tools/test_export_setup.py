@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: MIT
 """An exported scene sets itself up: fxl_setup_init with NAME_setup draws what make run draws."""
 
+import math
 import re
 import subprocess
 
+import numpy
 import pytest
+from PIL import Image
 
 from board_programs import ROOT, made
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 from fixel.board import dump, frame_crc
 from fixel.check import frozen_frames
-from fixel.image import image
+from fixel.image import image as images
 from fixel.scene import compiler, making
 from test_export import compiled, printed
 
@@ -81,14 +84,74 @@ int main(int count, char **arguments)
 """
 
 
-@pytest.fixture(scope="module", params=SCENES, name="drawn")
+# All at once: RGB565 with a depth buffer, texels of 16 bits, smooth light, billboards.
+PLANET = """background = "#02030c"
+[view]
+near = "1/2"
+far = 64
+pixels = "rgb565"
+depth = 16
+[light]
+levels = 8
+ambient = 0.12
+direction = [0.8, -0.3, 0.6]
+[[billboards]]
+name = "star"
+file = "star.png"
+size = [0.5, 0.5]
+anchor = [0.25, 0.25]
+[[objects]]
+name = "stars"
+billboard = "star"
+positions = [[20, 3, -9], [-14, 8, 20], [5, -6, 24], [-20, -2, -4]]
+[[objects]]
+name = "planet"
+model = "planet.obj"
+fit = 4
+images = { size = 32, bits = 16 }
+smooth = true
+turn = 0
+[[objects]]
+name = "ring"
+solid = "torus"
+sides = 12
+rings = 4
+scale = [7, 0.3, 7]
+colour = "#c8b080"
+smooth = true
+rotation = [0, 0, 18]
+[path]
+orbit = { radius = 9, height = 2.5, frames = 2 }
+"""
+
+
+def write_planet(folder):
+    """The scene file of a planet, with its model and images."""
+    across, down = 10, 5
+    points = [(math.sin(a) * math.sin(b), math.cos(a), math.sin(a) * math.cos(b)) for j in range(down + 1) for i in range(across + 1)
+              for a, b in [(math.pi * j / down, 2 * math.pi * i / across)]]
+    corners = [(j * (across + 1) + i + 1, (j + 1) * (across + 1) + i + 1) for j in range(down) for i in range(across)]
+    faces = [face for n, (a, c) in enumerate(corners) for face in [(a, c, a + 1)] * (n >= across) + [(a + 1, c, c + 1)] * (n < across * (down - 1))]
+    lines = ["mtllib planet.mtl", "usemtl earth", *(f"v {x:.6f} {y:.6f} {z:.6f}" for x, y, z in points),
+             *(f"vt {i / across:.6f} {1 - j / down:.6f}" for j in range(down + 1) for i in range(across + 1)),
+             *("f " + " ".join(f"{corner}/{corner}" for corner in face) for face in faces)]
+    (folder / "planet.obj").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    (folder / "planet.mtl").write_text("newmtl earth\nKd 1 1 1\nmap_Kd earth.png\n", encoding="utf-8")
+    Image.fromarray((numpy.indices((32, 64)).sum(0)[..., None] * (5, 3, 2)).astype(numpy.uint8)).save(folder / "earth.png")
+    Image.fromarray(numpy.array([[(255, 255, 220, 255 * (i > 0)) for i in (0, 1)] for _ in (0, 1)], numpy.uint8)).save(folder / "star.png")
+    (folder / "planet.toml").write_text(PLANET, encoding="utf-8")
+    return folder / "planet.toml"
+
+
+@pytest.fixture(scope="module", params=[*SCENES, "planet"], name="drawn")
 def fixture_drawn(request, tmp_path_factory):
     """A scene: the folder with its header, the frames that the host draws of its image."""
-    folder, source = tmp_path_factory.mktemp("setup"), CHECKOUT / "scenes" / f"{request.param}.toml"
+    folder = tmp_path_factory.mktemp("setup")
+    source = write_planet(folder) if request.param == "planet" else CHECKOUT / "scenes" / f"{request.param}.toml"
     made("build/host/frames")
     making.build(str(source), str(folder / "scene.fxls"))
     scene, _ = compiler.compile_scene(str(source), None, None, None, "program")
-    frames = len(scene.path) if scene.path_kind == image.POSES else None
+    frames = len(scene.path) if scene.path_kind == images.POSES else None
     making.export(str(source), str(folder / "scene.h"), "scene", frames)
     return folder, frozen_frames.drawn_by_host(folder / "scene.fxls", ROOT / "build", folder).frames[:FRAMES]
 
@@ -155,7 +218,7 @@ def test_the_program_that_is_written_too_draws_the_frames_of_make_run(tmp_path, 
     assert done.returncode == 0 and str(program) in done.stdout
     frames = frozen_frames.drawn_by_host(tmp_path / "scene.fxls", ROOT / "build", tmp_path).frames
     text, shown = program.read_text(encoding="utf-8"), "(void)fxl_band_crc(&crc, &band);"
-    height, path = frames[0].pixels.shape[0], compiler.compile_scene(str(source), None, None, None, "program")[0].path_kind == image.POSES
+    height, path = frames[0].pixels.shape[0], compiler.compile_scene(str(source), None, None, None, "program")[0].path_kind == images.POSES
     for rows in (16, height):
         drawn = re.sub(r"#define ROWS 16 .*", f"#include <stdio.h>\n#include <fixel/crc.h>\n#define ROWS {rows}\nstatic uint32_t crc;", text)
         drawn = drawn.replace("/* Here band.rows rows", f"if (status == FXL_OK) {{ {shown} }} /* rows")
