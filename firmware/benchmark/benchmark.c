@@ -120,6 +120,7 @@ static bool measure(const benchmark_port *port, const benchmark_scene *scene)
     line told = {.length = 0};
     uint32_t i;
 
+    config.target = &fxl_palette; /* a byte a pixel, whatever a scene asks for */
     config.width = WIDTH;
     config.height = HEIGHT;
     if (fxl_renderer_init(&renderer, scene->scene, &config, memory, sizeof memory) != FXL_OK) {
