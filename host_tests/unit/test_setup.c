@@ -247,9 +247,22 @@ void test_steps_that_are_refused(void)
     plan.set_centre = fxl_renderer_set_centre;
     plan.centre_x = FXL_UNITS(1000);
     refuse_step(FXL_SETUP_CENTRE, FXL_E_RANGE, "centre", "focal lengths");
+    config.fov = 60;
+    refuse_step(FXL_SETUP_RENDERER, FXL_E_RANGE, "config->fov", "FXL_DEGREES(10)");
+    config = fxl_config_default(WIDTH, HEIGHT);
     plan.set_centre = NULL;
-    TEST_ASSERT_EQUAL(FXL_OK, init(LARGE));
+    plan.attach_beams = fxl_attach_beams; /* what comes after a refused step is not tried */
+    plan.attach_surfaces = fxl_attach_surfaces;
+    plan.attach_lit = fxl_attach_lit;
+    plan.attach_billboards = fxl_attach_billboards;
+    refuse_step(FXL_SETUP_BEAMS, FXL_E_ARGUMENT, "set->beams", "not be null");
+    plan.attach_beams = NULL;
+    plan.attach_surfaces = NULL;
+    plan.attach_billboards = NULL;
+    TEST_ASSERT_EQUAL(FXL_OK, init(LARGE)); /* with light, and light at corners of no surface */
     TEST_ASSERT_EQUAL(FXL_SETUP_DONE, setup.step);
+    plan.path = poses;
+    TEST_ASSERT_EQUAL_PTR(plan.start, fxl_setup_frame(&setup, 1)); /* a path of no poses */
     TEST_ASSERT_NULL(fxl_setup_frame(NULL, 0));
 }
 
