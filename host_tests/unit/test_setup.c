@@ -132,6 +132,7 @@ void test_it_draws_what_the_calls_by_hand_draw(void)
 {
     static fxl_light light;
     config.background = 3;
+    plan.order = &fxl_by_distance;
     plan.path = poses;
     plan.path_count = 2;
     plan.light = &lamp;
