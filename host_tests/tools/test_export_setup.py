@@ -14,7 +14,7 @@ from conftest import CHECKOUT, assert_one_sentence, run_cli
 from fixel.board import dump, frame_crc
 from fixel.check import frozen_frames
 from fixel.image import image as images
-from fixel.scene import compiler, making
+from fixel.scene import compiler, look, making, target
 from test_export import compiled, printed
 
 SCENES = sorted(file.stem for file in (CHECKOUT / "scenes").glob("*.toml"))
@@ -208,17 +208,20 @@ def test_a_program_links_what_the_setup_names_and_without_it_nothing(tmp_path, n
     assert linked(tmp_path, BY_HAND) == (HAVE[name] & {"clusters", "turned"}, False)
 
 
-@pytest.mark.parametrize("name", ["gallery", "grove", "tiny"])
+@pytest.mark.parametrize("name", ["gallery", "grove", "tiny", "planet.obj"])
 def test_the_program_that_is_written_too_draws_the_frames_of_make_run(tmp_path, name):
-    """In bands, and whole."""
+    """In bands, and whole; of a model in the best look."""
     source, header, program = CHECKOUT / "scenes" / f"{name}.toml", tmp_path / "scene.h", tmp_path / "main.c"
+    looks = (look.PLAIN,)
+    if name == "planet.obj":
+        source, looks = write_planet(tmp_path).with_suffix(".obj"), (look.best(look.Asked(), target.Target(), False),)
     made("build/host/frames")
-    making.build(str(source), str(tmp_path / "scene.fxls"))
+    making.build(str(source), str(tmp_path / "scene.fxls"), looks=looks)
     done = run_cli("export", "--c", source, "-o", header, "--name", "scene", "--program", program)
     assert done.returncode == 0 and str(program) in done.stdout
     frames = frozen_frames.drawn_by_host(tmp_path / "scene.fxls", ROOT / "build", tmp_path).frames
     text, shown = program.read_text(encoding="utf-8"), "(void)fxl_band_crc(&crc, &band);"
-    height, path = frames[0].pixels.shape[0], compiler.compile_scene(str(source), None, None, None, "program")[0].path_kind == images.POSES
+    height, path = frames[0].pixels.shape[0], images.load(tmp_path / "scene.fxls").path_kind == images.POSES
     for rows in (16, height):
         drawn = re.sub(r"#define ROWS 16 .*", f"#include <stdio.h>\n#include <fixel/crc.h>\n#define ROWS {rows}\nstatic uint32_t crc;", text)
         drawn = drawn.replace("/* Here band.rows rows", f"if (status == FXL_OK) {{ {shown} }} /* rows")
@@ -245,13 +248,13 @@ PAIR = "".join(f"v {x + at} {y} {z}\n" for at in (0, 1.5) for x, y, z in ((0, 0,
     "".join(f"f {a + n} {b + n} {c + n}\n" for n in (0, 4) for a, b, c in ((1, 3, 2), (1, 2, 4), (1, 4, 3), (2, 3, 4)))
 
 
-@pytest.mark.parametrize("board, target", [("microbit", "fxl_palette"), ("mps2-an385", "fxl_rgb565_depth_16"), (None, "fxl_rgb565_depth_16")])
-def test_a_model_is_exported_as_a_board_draws_it(tmp_path, board, target):
+@pytest.mark.parametrize("board, shown", [("microbit", "fxl_palette"), ("mps2-an385", "fxl_rgb565_depth_16"), (None, "fxl_rgb565_depth_16")])
+def test_a_model_is_exported_as_a_board_draws_it(tmp_path, board, shown):
     (tmp_path / "pair.obj").write_text(PAIR, encoding="utf-8")
     done = run_cli("export", "--c", tmp_path / "pair.obj", "-o", tmp_path / "pair.h", *(["--board", board] if board else []))
     assert done.returncode == 0, done.stderr
     config = re.search(r"fxl_config pair_config = \{(.*?)\}", (tmp_path / "pair.h").read_text(encoding="utf-8"), re.DOTALL)[1]
-    assert f"&{target}," in config
+    assert f"&{shown}," in config
 
 
 @pytest.mark.parametrize("scene, board, said", [("examples/cube/cube.obj", "nothere", "microbit"), ("scenes/cube.toml", "microbit", "--board")])

@@ -57,7 +57,7 @@ def export(scene, out, name=None, frames=None, screen=None, layers=None, limits=
     own = c_names.name_of_file(scene)
     beside = os.path.relpath(out, os.path.dirname(program) or ".") if program else None
     request = {"job": "export", "scene": os.fspath(scene), "name": own if name is None else name, "frames": frames,
-               "screen": screen, "layers": layers, "framed": "program", "target": vars(asked) if asked else {}, "looks": [vars(look) for look in looks], "write": write, "verbose": verbose, "program": beside}
+               "screen": screen, "layers": layers, "framed": "walk" if program else "program", "target": vars(asked) if asked else {}, "looks": [vars(look) for look in looks], "write": write, "verbose": verbose, "program": beside}
     return Made(**_make(out, request, scene, limits, writes, program))
 
 
