@@ -208,13 +208,14 @@ def test_a_program_links_what_the_setup_names_and_without_it_nothing(tmp_path, n
     assert linked(tmp_path, BY_HAND) == (HAVE[name] & {"clusters", "turned"}, False)
 
 
-@pytest.mark.parametrize("name", ["gallery", "grove", "tiny", "planet.obj"])
+@pytest.mark.parametrize("name", ["gallery", "grove", "tiny", "planet.obj", "animated.glb", "emissive.glb", "mirrored.glb", "vertex_colours.obj"])
 def test_the_program_that_is_written_too_draws_the_frames_of_make_run(tmp_path, name):
     """In bands, and whole; of a model in the best look."""
     source, header, program = CHECKOUT / "scenes" / f"{name}.toml", tmp_path / "scene.h", tmp_path / "main.c"
     looks = (look.PLAIN,)
-    if name == "planet.obj":
-        source, looks = write_planet(tmp_path).with_suffix(".obj"), (look.best(look.Asked(), target.Target(), False),)
+    if "." in name:
+        source = write_planet(tmp_path).with_suffix(".obj") if name == "planet.obj" else CHECKOUT / "host_tests" / "tools" / "models" / name
+        looks = (look.best(look.Asked(), target.Target(), False),)
     made("build/host/frames")
     making.build(str(source), str(tmp_path / "scene.fxls"), looks=looks)
     done = run_cli("export", "--c", source, "-o", header, "--name", "scene", "--program", program)
