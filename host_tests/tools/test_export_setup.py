@@ -11,10 +11,11 @@ from PIL import Image
 
 from board_programs import ROOT, made
 from conftest import CHECKOUT, assert_one_sentence, run_cli
+from fixel.base.errors import ToolError
 from fixel.board import dump, frame_crc
 from fixel.check import frozen_frames
 from fixel.image import image as images
-from fixel.scene import compiler, look, making, target
+from fixel.scene import command as scene_command, compiler, look, making, target
 from test_export import compiled, printed
 
 SCENES = sorted(file.stem for file in (CHECKOUT / "scenes").glob("*.toml"))
@@ -249,17 +250,28 @@ PAIR = "".join(f"v {x + at} {y} {z}\n" for at in (0, 1.5) for x, y, z in ((0, 0,
     "".join(f"f {a + n} {b + n} {c + n}\n" for n in (0, 4) for a, b, c in ((1, 3, 2), (1, 2, 4), (1, 4, 3), (2, 3, 4)))
 
 
-@pytest.mark.parametrize("board, shown", [("microbit", "fxl_palette"), ("mps2-an385", "fxl_rgb565_depth_16"), (None, "fxl_rgb565_depth_16")])
-def test_a_model_is_exported_as_a_board_draws_it(tmp_path, board, shown):
+@pytest.mark.parametrize("board, options, shown", [
+    ("microbit", [], "fxl_palette"), ("microbit", ["--frames", "24"], "fxl_palette"), ("microbit", ["--screen", "64x48"], "fxl_rgb565_depth_16"),
+    ("mps2-an385", [], "fxl_rgb565_depth_16"), (None, ["--frames", "24"], "fxl_rgb565_depth_16")])
+def test_a_model_is_exported_as_a_board_draws_it(tmp_path, board, options, shown):
     (tmp_path / "pair.obj").write_text(PAIR, encoding="utf-8")
-    done = run_cli("export", "--c", tmp_path / "pair.obj", "-o", tmp_path / "pair.h", *(["--board", board] if board else []))
+    done = run_cli("export", "--c", tmp_path / "pair.obj", "-o", tmp_path / "pair.h", *(["--board", board] if board else []), *options)
     assert done.returncode == 0, done.stderr
     config = re.search(r"fxl_config pair_config = \{(.*?)\}", (tmp_path / "pair.h").read_text(encoding="utf-8"), re.DOTALL)[1]
     assert f"&{shown}," in config
 
 
-@pytest.mark.parametrize("scene, board, said", [("examples/cube/cube.obj", "nothere", "microbit"), ("scenes/cube.toml", "microbit", "--board")])
+@pytest.mark.parametrize("scene, board, said", [
+    ("examples/cube/cube.obj", "nothere", ["nothere", "microbit", "pico"]), ("scenes/cube.toml", "microbit", ["cube.toml", "--board"])])
 def test_a_board_that_says_nothing_of_a_scene_is_refused(tmp_path, scene, board, said):
     done = run_cli("export", "--c", CHECKOUT / scene, "-o", tmp_path / "cube.h", "--board", board)
-    assert_one_sentence(done, board if said != "--board" else "cube.toml", said)
+    assert_one_sentence(done, *said)
+    assert not (tmp_path / "cube.h").exists()
+
+
+def test_a_board_whose_program_alone_knows_its_room_is_refused_where_that_is_not_built(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ToolError) as error:
+        scene_command.main(["export", "--c", str(CHECKOUT / "examples/cube/cube.obj"), "-o", str(tmp_path / "cube.h"), "--board", "pico"])
+    assert "--board" in str(error.value) and "make run BOARD=pico SCENE=" in str(error.value)
     assert not (tmp_path / "cube.h").exists()

@@ -3,10 +3,11 @@
 
 import json
 import pathlib
+import shlex
 import sys
 
 from fixel.base import output, scratch
-from fixel.board import model_look
+from fixel.board import model_look, room as rooms
 from fixel.model import suffixes
 from fixel.scene import look, scene_options
 from fixel.scene.scene_image import make_scene_image
@@ -14,6 +15,7 @@ from fixel.bench import frame_costs, predict as predict_command
 from fixel.image import image, memory_needed
 from fixel.base import bounded
 from fixel.base.errors import ToolError, one_line
+from fixel.base.reading import quoted
 from fixel.base.table import coloured, table
 
 
@@ -121,16 +123,29 @@ def room_of(options):
                            "surfaces" not in without, frozenset(targets), core, board["ram_size"])
 
 
-def look_of(board, words, asked, wanted):
-    """The Look in which make run draws a bare model on a board. words: the options of the command about the model; asked: a
-    target.Target, wanted: a look.Asked."""
-    options = predict_command.parser().parse_args(["--board", board, *words])
-    options.target, options.look = asked, wanted
+def look_of(board, arguments, screen, asked, wanted):
+    """The Look in which make run draws a bare model on a board. arguments: those of the command that names the model, its frames and
+    the limits; screen: width and height or None, asked: a target.Target, wanted: a look.Asked."""
+    options = predict_command.parser().parse_args([f"--board={board}"])
+    for name in ("scene", "frames", "cpu_limit", "memory_limit", "allow_outside"):
+        setattr(options, name, getattr(arguments, name))
+    options.screen, options.target, options.look = screen, asked, wanted
     elf = pathlib.Path(options.build) / "boards" / board / "walk.elf"
     if not elf.is_file():   # of a board that nothing was built for, make and bench/costs.json know the room
+        _refuse_unknown(board, arguments.scene)
         predict_command.complete(options)
     with scratch.folder("look") as folder:
         return model_look.look_for(options, model_look.room_of(elf) if elf.is_file() else room_of(options), options.build, folder)
+
+
+def _refuse_unknown(board, scene):
+    """Refuses a board of which neither a program nor costs are there."""
+    boards = rooms.boards()
+    if boards and board not in boards:
+        raise ToolError(f"--board: there is no board {quoted(board)}; the boards are: {', '.join(boards)}")
+    if boards and board not in frame_costs.load()["boards"]:
+        raise ToolError(f"--board {board}: its room is that of its program, which is not built: make run BOARD={board} SCENE={shlex.quote(str(scene))} "
+                        "builds it, and shows the model there")
 
 
 def image_of(options, folder):

@@ -139,9 +139,7 @@ def main(argv):
         raise ToolError(f"--board is for a model without a scene file; {arguments.scene} says itself how it is drawn")
     if board and board != "host":
         from fixel.bench import prediction
-        given = {"--scene": arguments.scene, "--frames": arguments.frames, "--screen": arguments.screen}
-        words = [word for option, value in given.items() if value is not None for word in (option, str(value))]
-        how["looks"] = [prediction.look_of(board, words, asked, wanted)]
+        how["looks"] = [prediction.look_of(board, arguments, screen, asked, wanted)]
     common = arguments.frames, screen, arguments.tree, limits, asked
     if arguments.command == "export":
         if arguments.program and wanted.write:
