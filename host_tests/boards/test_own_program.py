@@ -179,7 +179,7 @@ def test_a_program_that_is_too_large_is_told_which_boards_have_the_room(folder):
     assert done.returncode == 2 and len(errors) == 1 and "ld:" not in done.stderr, done.stderr
     needs, has = map(int, re.search(r"needs (\d+) KB of RAM, and BOARD=microbit has (\d+) KB;", errors[0]).groups())
     assert has == 16 and 98 < needs < 120
-    named = errors[0].split("are: ")[1].split()
+    named = errors[0].split("are: ")[1].split(";")[0].split()
     assert set(named) == {board.parent.name for board in (CHECKOUT / "boards").glob("*/memory.ld") if room.room(board.parent.name)["RAM"] >= 100_000}
 
 
@@ -188,6 +188,7 @@ def test_lines_of_the_linker_are_judged():
     assert has == {"FLASH": 178 * 1024, "RAM": 16 * 1024}
     both = room.sentence("microbit", "x", "ld: region `FLASH' overflowed by 1000 bytes\nld: region `RAM' overflowed by 5000000 bytes", has)
     assert "179 KB of flash and 4,899 KB of RAM" in both and "no board has so much" in both
+    assert "docs/hello.md" in both and "docs/hello.md" not in room.sentence("microbit", "x", "ld: region `FLASH' overflowed by 1000 bytes\n", has)
     assert room.sentence("microbit", "x", "ld: undefined reference to `f'", has) is None
 
 

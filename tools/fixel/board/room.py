@@ -66,7 +66,8 @@ def sentence(board, program, said, has):
     fitting = [each for each in boards() if each != board and all(room(each)[kind] >= count for kind, count in needs.items())]
     return (f"program {program} needs {' and '.join(f'{size(count)} of {KINDS[kind]}' for kind, count in needs.items())}, and BOARD={board} has "
             f"{' and '.join(size(has[kind]) for kind in needs)}; "
-            + (f"the boards that have so much are: {' '.join(fitting)}" if fitting else "no board has so much: make its arrays smaller, or draw in bands"))
+            + (f"the boards that have so much are: {' '.join(fitting)}" if fitting else "no board has so much: make its arrays smaller")
+            + ("; bands of rows take less than a whole frame: docs/hello.md, section 4" if "RAM" in needs else ""))
 
 
 def main(board, program, said):
