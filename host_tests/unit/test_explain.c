@@ -107,6 +107,8 @@ void test_the_target_and_the_order_of_a_configuration(void)
     config.target = &fxl_palette_depth_16;
     refuse_config("depth", "8 bytes");
     config.target = &fxl_palette_depth_16;
+    refuse_config("depth", "FXL_DEPTH_BYTES(width, rows, bits)");
+    config.target = &fxl_palette_depth_16;
     config.depth = cells;
     config.depth_size = 8;
     refuse_config("depth_size", "FXL_DEPTH_BYTES");
@@ -297,6 +299,8 @@ void test_the_placement_that_is_wrong(void)
     begin(&fxl_palette);
     placements[1].scale = FXL_SCALE_MIN - 1;
     refuse_placement(&placements[1], 2, "1/256..256");
+    placements[1].scale = 0; /* of a record that is all zeros */
+    refuse_placement(&placements[1], 2, "FXL_PLACEMENT_NONE");
     placements[0].scale = FXL_SCALE_MAX + 1;
     refuse_placement(&placements[0], 1, "1/256..256");
     *z = FXL_UNITS(8191);

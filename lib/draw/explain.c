@@ -53,7 +53,8 @@ static const char *explain_target(const fxl_config *config, const fxl_lens *lens
         return NULL;
     }
     if (config->depth == NULL || ((uintptr_t)config->depth & 7u) != 0) {
-        return "config->depth must be memory aligned to 8 bytes: the target has a depth buffer";
+        return "config->depth must be memory aligned to 8 bytes, of FXL_DEPTH_BYTES(width, rows, "
+               "bits): the target has a depth buffer";
     }
     return config->depth_size < target->memory_size(lens)
                ? "config->depth_size must be at least FXL_DEPTH_BYTES(width, 1, bits) of the target"
@@ -68,7 +69,8 @@ static const char *explain_order(const fxl_config *config, const fxl_scene *scen
         return NULL;
     }
     if (config->tree == NULL || ((uintptr_t)config->tree & 7u) != 0) {
-        return "config->tree must be memory aligned to 8 bytes: the order is by tree";
+        return "config->tree must be memory aligned to 8 bytes, of fxl_bsp_workspace_size of the "
+               "scene: the order is by tree";
     }
     return config->tree_size < needed
                ? "config->tree_size must be at least fxl_bsp_workspace_size of the scene"
@@ -152,7 +154,8 @@ static const char *explain_place(const fxl_scene *scene, uint32_t *number)
     }
     const fxl_q16_16 scale = fxl_placement_of(scene, *number)->scale;
     return scale < FXL_SCALE_MIN || scale > FXL_SCALE_MAX
-               ? "the scale in the placement of instance *number must be 1/256..256"
+               ? "the scale in the placement of instance *number must be 1/256..256, as "
+                 "FXL_RATIO(1, 256)..FXL_UNITS(256): a placement begins as FXL_PLACEMENT_NONE"
                : "the sphere of instance *number, with the scale of its placement, must lie within "
                  "FXL_UNITS(-8191)..FXL_UNITS(8191)";
 }
