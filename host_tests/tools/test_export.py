@@ -433,7 +433,7 @@ def test_what_was_written_says_whether_a_path_is_in_it(tmp_path):
     assert done.stderr.endswith("no path\n") and "--frames" not in done.stderr     # it takes none
     for words, told in (([], "no path (--frames adds one)"), (["--frames", 12], "12 frames")):
         done = run_cli("export", "--c", CUBE, "-o", tmp_path / "x.h", *words)
-        assert done.stderr.endswith(f"1 objects, {told}\n") and ("_path" in (tmp_path / "x.h").read_text(encoding="utf-8")) == bool(words)
+        assert done.stderr.endswith(f"1 object, {told}\n") and ("_path" in (tmp_path / "x.h").read_text(encoding="utf-8")) == bool(words)
 
 
 @pytest.mark.parametrize("name, words", [

@@ -236,7 +236,7 @@ def test_a_prediction_names_the_file_of_the_user(tmp_path, scene):
     (tmp_path / "mine.toml").write_text((ROOT / scene).read_text(encoding="utf-8"), encoding="utf-8")
     out = tmp_path / "mine.json"
     done = run_make("predict", "BOARD=mps2-an385", f"SCENE={tmp_path / 'mine.toml'}", "FRAMES=1", f"JSON={out}")
-    assert done.returncode == 0 and f"{tmp_path / 'mine.toml'}, 1 frames" in done.stdout and ".fxls" not in done.stdout
+    assert done.returncode == 0 and f"{tmp_path / 'mine.toml'}, 1 frame\n" in done.stdout and ".fxls" not in done.stdout
     said = json.loads(out.read_text(encoding="utf-8"))
     assert said["scene"] == str(tmp_path / "mine.toml") and said["instructions_per_frame"]["mean"] > 0
 

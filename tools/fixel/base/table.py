@@ -5,6 +5,12 @@ import os
 import sys
 
 
+def count_of(number, one):
+    """3, "face" -> "3 faces"."""
+    plural = {"vertex": "vertices"}.get(one, one + "s")
+    return f"{number:,} {one if number == 1 else plural}"
+
+
 def table(rows, header=None):
     """Lines of a table; numbers go right, the rest left. rows are sequences of str or numbers."""
     shown = [[_cell(cell) for cell in row] for row in rows]

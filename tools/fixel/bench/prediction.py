@@ -16,7 +16,7 @@ from fixel.image import image, memory_needed
 from fixel.base import bounded
 from fixel.base.errors import ToolError, one_line
 from fixel.base.reading import quoted
-from fixel.base.table import coloured, table
+from fixel.base.table import coloured, count_of, table
 
 
 # What a board's program may leave out: WALK_WITHOUT_... of its settings.
@@ -94,7 +94,7 @@ def print_prediction(result):
     """For people."""
     flash, ram, stack, taken = (result[key] for key in ("flash", "ram", "stack", "instructions_per_frame"))
     rows = [["board", f"{result['board']}, costs of core {result['core']}"],
-            ["scene", f"{one_line(result['scene'])}, {result['frames']} frames"],
+            ["scene", f"{one_line(result['scene'])}, {count_of(result['frames'], 'frame')}"],
             ["flash", f"{flash['program']:,} program + {flash['scene']:,} scene = {flash['program'] + flash['scene']:,} of "
                       f"{flash['of']:,} bytes; the scene's part has {flash['scene_room']:,}"],
             ["RAM of the walk", f"{ram['program']:,} of {ram['of']:,} bytes, with stacks"],

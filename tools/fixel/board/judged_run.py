@@ -14,7 +14,7 @@ from fixel.base.errors import ToolError, one_line
 from fixel.board.programs import HostPrograms
 from fixel.base.progress import Progress, steps
 from fixel.scene import scene_options
-from fixel.base.table import coloured, table
+from fixel.base.table import coloured, count_of, table
 
 # The files of a result; the last one comes last and goes first, so that a folder with it is whole.
 PATTERNS = [*output.numbered("frame_", ".png"), *output.numbered("diff_", ".png"), "walk.gif", "board.fxld", "double.fxld",
@@ -143,7 +143,7 @@ def print_summary(summary, out):
     polygons = summary["polygons"]
     rows = [["board", f"{summary['board']} ({summary['cpu']})"],
             ["scene", f"{one_line(summary['scene'])}, {summary['width']}x{summary['height']}, "
-                      f"{summary['frames']} frames"],
+                      f"{count_of(summary['frames'], 'frame')}"],
             *judged_rows(summary),
             ["polygons", ", ".join(f"{polygons[name]:,} {name}" for name in polygons)],
             counted.row(summary),

@@ -10,7 +10,7 @@ from elftools.elf.elffile import ELFFile
 from fixel.base import output, picture, reading, scratch
 from fixel.base.errors import one_line
 from fixel.base.progress import Progress, steps
-from fixel.base.table import coloured, table
+from fixel.base.table import coloured, count_of, table
 from fixel.board import counted, dump, emulator, firmware, flash_memory, frame_crc, methods, model_look
 
 PREFIX = "own-"     # of the programs' names: firmware/firmware.mk
@@ -73,7 +73,7 @@ def print_summary(summary, options):
     """A short table for people."""
     print(table([["board", f"{summary['board']} ({summary['cpu']})"],
                  ["program", summary["program"]],
-                 ["pictures", f"{summary['width']}x{summary['height']}, {summary['frames']} frames"
+                 ["pictures", f"{summary['width']}x{summary['height']}, {count_of(summary['frames'], 'frame')}"
                               + ("" if options.frames or summary["frames"] < FRAMES else f", then it was ended: FRAMES= takes more than {FRAMES}")],
                  counted.row(summary),
                  ["equal to host", summary["host_frames_equal"]],

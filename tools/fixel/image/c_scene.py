@@ -10,16 +10,11 @@ from fixel.image import (c_billboards, c_names, c_setup, c_surfaces, c_text, ima
                          memory_needed)
 from fixel.image.c_text import braces, comment, record, split64, table
 from fixel.base.errors import ToolError
+from fixel.base.table import count_of
 from fixel.image.image_tree import SORTED
 
 KINDS = {image.CONVEX: "FXL_MODEL_CONVEX", SORTED: "FXL_MODEL_SORTED"}
 BEAM_KINDS = {image_beam.POINT: "FXL_BEAM_POINT", image_beam.DIRECTION: "FXL_BEAM_DIRECTION"}
-
-
-def _count(number, one):
-    """3, "face" -> "3 faces"."""
-    plural = {"vertex": "vertices"}.get(one, one + "s")
-    return f"{number:,} {one if number == 1 else plural}"
 
 
 class _Tables:
@@ -262,8 +257,8 @@ def header(scene, name, source, frames=False):
         raise ToolError(f"{source}: the path is keys that a player holds down, not poses, and only poses "
                         "can be exported: leave out --frames")
     tables = _Tables(scene, name)
-    holds = ", ".join([_count(len(tables.vertices), "vertex"), _count(len(tables.faces), "face"),
-                       _count(len(tables.models), "model"), _count(len(scene.objects), "instance")])
+    holds = ", ".join([count_of(len(tables.vertices), "vertex"), count_of(len(tables.faces), "face"),
+                       count_of(len(tables.models), "model"), count_of(len(scene.objects), "instance")])
     includes = ["fixel.h", *([c_surfaces.INCLUDE] if scene.surfaces else []),
                 *([c_billboards.INCLUDE] if scene.billboards else []), c_setup.INCLUDE]
     return c_text.header(

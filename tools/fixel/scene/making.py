@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from fixel.base import bounded, output
 from fixel.base.errors import ToolError, one_line
 from fixel.base.reading import quoted
+from fixel.base.table import count_of
 from fixel.image import c_names, image_lens
 from fixel.scene.look import PLAIN
 
@@ -85,6 +86,6 @@ def tell_notes(notes):
 
 def tell(out, made, path=None):
     """What was written, for people. path: what there is to say of it where not all its frames are in it."""
-    path = path or f"{made.frames} frames"
+    path = path or count_of(made.frames, "frame")
     tell_notes(made.notes)
-    print(f"{one_line(out)}: {made.size:,} bytes, {made.objects} objects, {path}", file=sys.stderr)
+    print(f"{one_line(out)}: {made.size:,} bytes, {count_of(made.objects, 'object')}, {path}", file=sys.stderr)
