@@ -67,6 +67,8 @@ colour = "#b04838"
 keys = [{ position = [1.6, 1.2, -5.5], look_at = [0, 0, 0] }, { position = [-2.5, 0.8, -5], look_at = [0, 0, 0], frames = 1 }]
 """
 TEXTURE = '[[textures]]\nname = "t"\npattern = "%s"\nsize = [16, 16]\n%s\n'
+# Of a grille, 18 texels of 16: it ends with a bar, as it begins with one, of which the edge of the texture hides a third of a texel.
+FRAMED = 'texture = "t"\ntiles = [1.125, 1.125]'
 LIGHT = '[light]\nlevels = 16\ndirection = [0.3, -1, 0.8]\nambient = 0.35\ndark = "#203040"\n'
 
 COLOURED_BOX = "".join(f"v {x} {y} {z} {x + 0.5} {y + 0.5} {0.5 - z}\n" for z in (-0.5, 0.5) for y in (-0.5, 0.5) for x in (-0.5, 0.5)) + \
@@ -77,9 +79,9 @@ ATTRIBUTES = {
     "flat": ("", ""),
     "texture of 8 bits": (TEXTURE % ("stones", ""), 'texture = "t"'),
     "texture of 4 bits": (TEXTURE % ("bricks", "bits = 4"), 'texture = "t"'),
-    "texture with holes": (TEXTURE % ("grille", ""), 'texture = "t"'),
+    "texture with holes": (TEXTURE % ("grille", ""), FRAMED),
     "texture of RGB565": (TEXTURE % ("stones", "bits = 16\nlevels = 5"), 'texture = "t"'),
-    "texture of RGB565 with holes": (TEXTURE % ("grille", "bits = 16"), 'texture = "t"'),
+    "texture of RGB565 with holes": (TEXTURE % ("grille", "bits = 16"), FRAMED),
     "stipple": ("", "opacity = 7"),
     "blend": ("", "blend = true"),
     "added": ("", 'blend = "add"'),
