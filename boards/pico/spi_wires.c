@@ -16,6 +16,7 @@
 #define SPI_DMA      RP2040_REGISTER(RP2040_SPI0 + 0x24u)
 #define SPI_HAS_ROOM (1u << 1)
 #define SPI_IS_BUSY  (1u << 4)
+#define SPI_QUEUE    9u /* bytes that have not left: 8 in the queue, one on the wire */
 
 #define DMA_READ    RP2040_REGISTER(RP2040_DMA)
 #define DMA_WRITE   RP2040_REGISTER(RP2040_DMA + 4u)
@@ -36,21 +37,39 @@ enum {
 };
 
 static bool is_sending;
+static uint32_t begun, patience; /* microseconds: when what is waited for began; how long it may take */
 
-static void finish_spi(void)
+/* Bytes begin: they may take twice their time, 128 ns each, and 2 microseconds more for what the clock rounds. */
+static void begin(size_t size)
 {
-    while ((SPI_STATUS & SPI_IS_BUSY) != 0) {
-    }
-    rp2040_set_pin(SELECT, 1);
+    patience = (uint32_t)size * 32u / 125u + 2u;
+    begun = rp2040_microseconds();
 }
 
+/* Waits until bits of a register are clear or set; false where that takes too long. The time is read first, so an interrupt behind
+ * it makes nothing late that has ended. */
+static bool wait_for(const volatile uint32_t *status, uint32_t bits, uint32_t value)
+{
+    uint32_t now = rp2040_microseconds();
+
+    while ((*status & bits) != value) {
+        if (now - begun > patience) {
+            return false;
+        }
+        now = rp2040_microseconds();
+    }
+    return true;
+}
+
+/* False: the bytes may still be read. */
 static bool wait(void *user)
 {
     (void)user;
     if (is_sending) {
-        while ((DMA_CONTROL & DMA_IS_BUSY) != 0) {
+        if (!wait_for(&DMA_CONTROL, DMA_IS_BUSY, 0) || !wait_for(&SPI_STATUS, SPI_IS_BUSY, 0)) {
+            return false;
         }
-        finish_spi();
+        rp2040_set_pin(SELECT, 1);
         is_sending = false;
     }
     return true;
@@ -58,29 +77,37 @@ static bool wait(void *user)
 
 static bool send(void *user, bool is_data, const uint8_t *bytes, size_t size)
 {
+    bool is_sent = true;
     size_t i;
 
-    (void)wait(user);
+    if (!wait(user)) {
+        return false;
+    }
     rp2040_set_pin(DATA_COMMAND, is_data);
     rp2040_set_pin(SELECT, 0);
-    for (i = 0; i < size; i++) {
-        while ((SPI_STATUS & SPI_HAS_ROOM) == 0) {
-        }
-        SPI_DATA = bytes[i];
+    for (i = 0; i < size && is_sent; i++) {
+        begin(1);
+        is_sent = wait_for(&SPI_STATUS, SPI_HAS_ROOM, SPI_HAS_ROOM);
+        SPI_DATA = bytes[i]; /* ignored where there is no room */
     }
-    finish_spi();
-    return true;
+    begin(SPI_QUEUE);
+    is_sent = wait_for(&SPI_STATUS, SPI_IS_BUSY, 0) && is_sent;
+    rp2040_set_pin(SELECT, 1);
+    return is_sent;
 }
 
 static bool start(void *user, const uint8_t *bytes, size_t size)
 {
-    (void)wait(user);
+    if (!wait(user)) {
+        return false;
+    }
     rp2040_set_pin(DATA_COMMAND, 1);
     rp2040_set_pin(SELECT, 0);
     is_sending = true;
     DMA_READ = (uint32_t)(uintptr_t)bytes;
     DMA_WRITE = RP2040_SPI0 + 8u;
     DMA_COUNT = (uint32_t)size;
+    begin(size);
     __asm__ volatile("" : : : "memory"); /* the bytes are written before they are sent */
     DMA_CONTROL = DMA_TO_SPI;
     return true;
@@ -88,10 +115,10 @@ static bool start(void *user, const uint8_t *bytes, size_t size)
 
 static void pause(void *user, uint32_t milliseconds)
 {
-    const uint32_t begun = rp2040_microseconds();
+    const uint32_t since = rp2040_microseconds();
 
     (void)user;
-    while (rp2040_microseconds() - begun < milliseconds * 1000u) {
+    while (rp2040_microseconds() - since < milliseconds * 1000u) {
     }
 }
 
