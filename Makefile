@@ -24,9 +24,10 @@ COMMANDS := all run view flash boot gdb compare report screen showcase pictures 
     clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs trace prove coverage rules mutants breaks size size-of-tree \
     predict costs one-file packages docs release api-check format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
-# The variables of the commands: those in the brackets at the end of a command's line of help. Other settings.
-VARIABLES := $(sort $(shell awk '/^[a-z-]*:.* \[[A-Z].*\]$$/ {sub(/.* \[/, ""); gsub(/[^A-Z_=]+/, " "); \
-    for (i = 1; i <= NF; i++) if (sub(/=.*/, "", $$i)) print $$i}' Makefile))
+# The variables of the commands, as COMMAND/NAME: those in the brackets at the end of a command's line of help. Other settings.
+TAKEN := $(shell awk '/^[a-z-]*:.* \[[A-Z].*\]$$/ {command = $$0; sub(/:.*/, "", command); sub(/.* \[/, ""); gsub(/[^A-Z_=]+/, " "); \
+    for (i = 1; i <= NF; i++) if (sub(/=.*/, "", $$i)) print command "/" $$i}' Makefile)
+VARIABLES := $(sort $(notdir $(TAKEN)))
 SETTINGS := V HOSTCC HOSTAR CROSS CMOCK_DIR UNITY_DIR
 SETTINGS_OF_TESTS := BUILD PY MAKE
 
@@ -34,6 +35,7 @@ SETTINGS_OF_TESTS := BUILD PY MAKE
 # variable; a recipe would hand its quotes to the shell. So each variable that the user gives is taken literally and
 # exported, and no recipe names one: tools/fixel/base/make_variables.py makes a tool's options of them. What the tests
 # set is not exported, nor read from the environment.
+OF_COMMAND_LINE := $(foreach name,$(VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
 GIVEN := $(foreach name,$(VARIABLES) $(SETTINGS),$(if $(filter command environment,$(firstword $(origin $(name)))),$(name)))
 $(foreach name,$(GIVEN),$(eval override $(name) := $$(value $(name)))$(eval export $(name)))
 GIVEN_BY_TESTS := $(foreach name,BUILD PY MAKE,$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
@@ -66,6 +68,14 @@ endif
 UNKNOWN := $(firstword $(foreach goal,$(filter-out $(TARGETS),$(MAKECMDGOALS)),$(if $(findstring /,$(goal)),,$(goal))))
 ifneq ($(UNKNOWN),)
 $(error there is no command "$(UNKNOWN)"$(call DID_YOU_MEAN,$(UNKNOWN),,help $(COMMANDS)) (see make help))
+endif
+# A variable of the command line must belong to one of its commands. What the environment has may be meant for others, and a
+# make that is called has the variables of the one that called it, which has looked.
+ASKED := $(or $(MAKECMDGOALS),help)
+STRAY := $(if $(filter-out 0,$(MAKELEVEL))$(filter-out help $(COMMANDS),$(ASKED)),,$(firstword \
+    $(foreach name,$(OF_COMMAND_LINE),$(if $(filter $(ASKED:%=%/$(name)),$(TAKEN)),,$(name)))))
+ifneq ($(STRAY),)
+$(error $(STRAY)= is no variable of make $(ASKED); the commands that have it are: $(patsubst %/$(STRAY),%,$(filter %/$(STRAY),$(TAKEN))))
 endif
 
 # --- settings ----------------------------------------------------------------
@@ -217,7 +227,7 @@ help: ## print this list
 	    while IFS=@ read -r name what; do printf '  %-20s %s\n' "$$name" "$$what"; done
 	@echo "Boards: $(ALL_BOARDS)"
 
-all: ## build everything, run nothing
+all: ## build everything, run nothing [BOARD= PROGRAM=walk VISIBILITY= CLIPPER= ROWS= DRIVER=]
 	@$(SET_UP) report
 	@$(MAKE) $(WALK) $(HOST_WALK) $(HOST_TOOLS)
 
@@ -259,7 +269,7 @@ report: ## measure every claim about accuracy, beside plain 16.16 and float32: a
 	@$(MAKE) $(REPORT_PROGRAMS)
 	@$(TOOL) report --out $(BUILD)/report --build $(BUILD) --board $(BOARD_CHOSEN)
 
-wire: ## draw a scene's path as wireframes on this machine, compare it with double [SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= OUT= FRESH=1]
+wire: ## draw a scene's path as wireframes on this machine, compare it with double [PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= OUT= FRESH=1]
 	@$(SET_UP) run
 	@$(MAKE) $(BUILD)/host/wire
 	@$(TOOL) wire --scene $(SCENE_OF_PROGRAM) --build $(BUILD) --out $(BUILD)/wire
@@ -345,7 +355,7 @@ endif
 # A Cortex-M7's library is that of a Cortex-M4, instruction for instruction (CORE_SHARED): it is compiled once.
 SIZE_LIBRARIES := $(foreach core,$(SIZE_CORES),--library $(core)=$(BUILD)/lib/$(call CORE_SHARED,$(core))/libfixel.a)
 
-size: ## print flash, RAM and stack; check that the library of a core, or of all, has no float and no heap [CORE=cortex-m3 BOARD= PROGRAM=walk]
+size: ## print flash, RAM and stack; check that the library of a core, or of all, has no float and no heap [CORE=cortex-m3 SIZE=1 LIB_FLAGS= BOARD= PROGRAM=walk VISIBILITY= CLIPPER= ROWS= DRIVER=]
 	@$(SET_UP) run$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(WALK)
 	@for core in $(sort $(call CORE_SHARED,$(SIZE_CORES))); do echo "  LIB  $$core" && \

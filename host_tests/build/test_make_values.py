@@ -20,6 +20,8 @@ COMMANDS = make_variables.commands()
 CHECKED = {"SIZE", "BOARD", "PROGRAM", "VISIBILITY", "CLIPPER", "ROWS", "DRIVER", "PIXELS", "ORDER", "DEPTH", "COSTS_CORES", "COSTS_BOARDS", "LIB_FLAGS"}
 # Read by make in the commands that are named here, and by a tool in the others.
 CHECKED_IN = {"CORE": ["lib", "bench", "size"], "ONLY": ["coverage"], "RENDERER": ["profile"]}
+# For each variable the first command that has it.
+TAKEN_BY = {name: next(command for command in COMMANDS if name in COMMANDS[command]) for name in make_variables.names()}
 # Commands that call none of the tools.
 WITHOUT_TOOL = {"help", "lib", "all", "format", "clean", "test-campaigns"}
 
@@ -79,7 +81,7 @@ def test_no_value_runs_and_each_reaches_the_tool(stand_in, tmp_path, command):
 @pytest.mark.parametrize("name", sorted(CHECKED | set(CHECKED_IN)))
 def test_a_checked_variable_refuses_such_values(tmp_path, name):
     marker = tmp_path / "marker"
-    for command in CHECKED_IN.get(name, ["lib"]):
+    for command in CHECKED_IN.get(name, [TAKEN_BY[name]]):
         for value in hostile(marker):
             done = run_make(command, f"{name}={value}")
             assert done.returncode == 2 and name in done.stderr.upper() and not marker.exists(), (value, done.stderr)
@@ -246,8 +248,8 @@ def test_a_board_is_exactly_one(value):
                                      "VISIBILITY=box spans", "PIXELS=%", "PIXELS=palette rgb565", "ORDER=%", "ORDER=distance tree", "DEPTH=%", "DEPTH=0 16", "ROWS=%", "ROWS=8 16", "DRIVER=%", "DRIVER=ssd1306 sh1106",
                                      "CORE=%", "CORE=cortex-m0 cortex-m3", "COSTS_CORES=%", "COSTS_BOARDS=%"])
 def test_patterns_and_lists_are_refused(setting):
-    done = run_make("lib", setting)
     name, value = setting.split("=")
+    done = run_make(CHECKED_IN.get(name, [TAKEN_BY[name]])[0], setting)
     assert done.returncode == 2 and name in done.stderr and (f'"{value.split()[0]}' in done.stderr or setting in done.stderr)
     assert done.stdout == ""
 
@@ -263,6 +265,24 @@ def test_an_unknown_name_is_answered_by_the_one_that_was_meant(arguments, senten
     done = run_make(*arguments)
     assert done.returncode == 2 and sentence in done.stderr
     assert done.stdout == "" and len(done.stderr.splitlines()) == 1
+
+
+@pytest.mark.parametrize("name", sorted(TAKEN_BY))
+def test_a_variable_of_another_command_is_refused(name):
+    """Before set-up, by a sentence with the commands that have it; with one of them on the command line, it is theirs."""
+    others = [command for command in COMMANDS if name not in COMMANDS[command]]
+    for goals in (others[:1], others[-2:]):
+        done = run_make(*goals, f"{name}={'-g' if name == 'LIB_FLAGS' else 1}")
+        assert done.returncode == 2 and done.stdout == "" and len(done.stderr.splitlines()) == 1, done.stderr
+        assert f"{name}=" in done.stderr and set(goals) <= set(done.stderr.split(";")[0].split())
+        assert set(re.findall("[a-z-]+", done.stderr.rpartition(":")[2].removesuffix("  Stop.\n"))) == set(COMMANDS) - set(others)
+
+
+def test_a_variable_belongs_to_one_of_the_commands_or_to_the_environment():
+    assert run_make("-n", "clean", "equality", "JOBS=1").returncode == 0
+    assert run_make("-n", "clean", JOBS="1").returncode == 0
+    assert run_make("-n", "clean", "V=1").returncode == 0
+    assert run_make("-n", "build/host/judge", "JOBS=1").returncode == 0     # what a command calls has its variables
 
 
 def test_unknown_names_do_not_run(tmp_path):

@@ -20,10 +20,10 @@ def parser():
 
 
 def before(options):
-    """Refuses a board without a flash image, and a file of commands that is not there."""
-    boot.before(options)
+    """Refuses a file of commands that is not there, and a board without a flash image."""
     if options.commands:
         reading.open_regular(options.commands)[0].close()
+    boot.before(options)
 
 
 def main(argv):
