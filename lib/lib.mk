@@ -111,8 +111,8 @@ $(LIB_OUT)/flags: FORCE | set-up-lib
 
 # Whether the library is compact (fixel/config.h), by the last -O of the flags: C and assembly are told alike.
 LIB_COMPACT = -DFXL_COMPACT=$(if $(filter -Os -Oz,$(lastword $(filter -O%,$(1)))),1,0)
-LIB_COMPILE = $(LIB_CC) $(LIB_CFLAGS) $(LIB_OPTIMISE) $(LIB_CORE_FLAGS) \
-    $(call LIB_COMPACT,$(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS)) $(LIB_FLAGS) $(call LIB_TUNE,$(LIB_CORE_FLAGS)) \
+LIB_COMPILE = $(LIB_CC) $(LIB_CFLAGS) $(call LIB_COMPACT,$(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS)) $(LIB_OPTIMISE) \
+    $(LIB_CORE_FLAGS) $(LIB_FLAGS) $(call LIB_TUNE,$(LIB_CORE_FLAGS)) \
     -ffunction-sections -fdata-sections -fstack-usage -c
 
 $(eval $(call LIB_RULES,$(LIB_OUT)/objects,$$(LIB_COMPILE) $$< -o $$@,$(LIB_OUT)/flags,$$(SAY)))
