@@ -183,12 +183,21 @@ def test_a_program_that_is_too_large_is_told_which_boards_have_the_room(folder):
     assert set(named) == {board.parent.name for board in (CHECKOUT / "boards").glob("*/memory.ld") if room.room(board.parent.name)["RAM"] >= 100_000}
 
 
+def test_a_function_that_a_board_lacks_is_named_with_what_there_is_instead(folder):
+    (folder / "prints.c").write_text('#include <stdio.h>\nint main(void) { return printf("%d", 7) < 0; }', encoding="utf-8")
+    done = run_make("run", f"PROGRAM={folder / 'prints.c'}", "BOARD=microbit")
+    (error,) = [line for line in done.stderr.splitlines() if line.startswith("error: ")]
+    assert done.returncode == 2 and "prints.c:2" in done.stderr
+    assert all(word in error for word in ("printf", "system_text", "contract/system.h", "BOARD=host")), error
+
+
 def test_lines_of_the_linker_are_judged():
     has = room.room("microbit")
     assert has == {"FLASH": 178 * 1024, "RAM": 16 * 1024}
     both = room.sentence("microbit", "x", "ld: region `FLASH' overflowed by 1000 bytes\nld: region `RAM' overflowed by 5000000 bytes", has)
     assert "179 KB of flash and 4,899 KB of RAM" in both and "no board has so much" in both
     assert "docs/hello.md" in both and "docs/hello.md" not in room.sentence("microbit", "x", "ld: region `FLASH' overflowed by 1000 bytes\n", has)
+    assert room.undefined("ld: `x' is in another section") == "" and room.undefined(2 * "undefined reference to `f'\n").count(" f,") == 1
     assert room.sentence("microbit", "x", "ld: undefined reference to `f'", has) is None
 
 

@@ -5,7 +5,7 @@ boards have so much.
     python3 tools/fixel/board/room.py BOARD PROGRAM FILE-WITH-THE-LINKER'S-LINES
 
 The makefile of the boards calls it where the linker failed; it runs by any Python, without a package. Lines that say something
-else are printed as they are.
+else are printed as they are, with a sentence about functions that nothing defines.
 """
 
 import pathlib
@@ -14,6 +14,7 @@ import sys
 
 BOARDS = pathlib.Path(__file__).resolve().parents[3] / "boards"
 KINDS = {"FLASH": "flash", "RAM": "RAM"}
+UNDEFINED = re.compile(r"undefined reference to [`']([A-Za-z_]\w*)'")
 OVERFLOW = re.compile(r"region [`'](FLASH|RAM)' overflowed by (\d+) bytes?")
 UNITS = {"": 1, "K": 1 << 10, "M": 1 << 20}
 
@@ -70,11 +71,19 @@ def sentence(board, program, said, has):
             + ("; bands of rows take less than a whole frame: docs/hello.md, section 4" if "RAM" in needs else ""))
 
 
+def undefined(said):
+    """What there is to say of functions that a program calls and nothing defines, or ""."""
+    names = list(dict.fromkeys(UNDEFINED.findall(said)))
+    return "" if not names else \
+        f"error: no file of the program defines {', '.join(names[:5])}{' and others' if names[5:] else ''}, and a board has no C library: " \
+        "it has memcpy and its like, and system_text() of contract/system.h, which prints; BOARD=host has the others: docs/hello.md, section 3\n"
+
+
 def main(board, program, said):
     text = pathlib.Path(said).read_text(encoding="utf-8", errors="replace")
     file = pathlib.Path(program)
     found = sentence(board, file.stem.removeprefix("own-"), text, room(board) | used(file.with_suffix(".map")))
-    print(f"error: {found}" if found else text, end="\n" if found else "", file=sys.stderr)
+    print(f"error: {found}\n" if found else text + undefined(text), end="", file=sys.stderr)
 
 
 if __name__ == "__main__":
