@@ -118,7 +118,7 @@ PROGRAM = """/* Written by tools/scene.py export --c --program: draws %(source)s
 #include "%(header)s"
 #define ROWS 16 /* of a band, 1..%(height)d: more rows take more memory and fewer instructions; all of them: fxl_render */
 static fxl_setup it;
-static uint64_t memory[%(capital)s_SETUP_MEMORY(ROWS)];
+static uint64_t memory[%(capital)s_SETUP_MEMORY(ROWS)]; /* in bands more of it takes fewer instructions: docs/setup.md */
 static %(pixel)s pixels[ROWS][%(width)d]; /* %(about)s */
 /* Draws what the eye sees. */
 static fxl_status draw(const fxl_pose *eye)
