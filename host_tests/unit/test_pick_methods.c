@@ -342,6 +342,43 @@ void test_what_is_blended_is_picked_before_what_it_covers(void)
     }
 }
 
+/* Black that is added changes no pixel, and nothing changes a white one: the face is picked wherever
+ * it would be if it were opaque. */
+/* pick 2.4 */
+void test_an_added_face_is_picked_whatever_it_adds(void)
+{
+    static const fxl_surface kinds[2] = {{.opacity = 16},
+                                         {.opacity = 16, .flags = FXL_SURFACE_ADD}};
+    const fxl_pose eye = {{0, 0, Q16(-3.5)}, 0, 0, 0};
+    fxl_surface_set set = surface_set;
+    tiny->instances[1].centre = (fxl_point){Q16(0.5), Q16(0.25), Q16(3)};
+    for (uint32_t i = 0; i < 8; i++) {
+        const bool is_added = i % 2 == 1, has_depth = i % 4 >= 2;
+        uint32_t picks = 0;
+        for (uint32_t colour = 0; colour < 256; colour++) {
+            palette[colour] = i < 4 ? 0 : UINT16_MAX;
+        }
+        choose_565(has_depth ? &fxl_rgb565_depth_16 : &fxl_rgb565);
+        set.surfaces = &kinds[is_added];
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_attach_surfaces(&renderer, &surfaces, &set,
+                                              has_depth ? FXL_SURFACES_OF(fxl_rgb565_depth_16)
+                                                        : FXL_SURFACES_OF(fxl_rgb565)));
+        draw_565(&eye);
+        for (uint16_t y = 0; y < HEIGHT; y++) {
+            for (uint16_t x = 0; x < WIDTH; x++) {
+                fxl_picked picked, *const opaque = &by_order[y][x];
+                pick(x, y, &picked);
+                *opaque = is_added ? *opaque : picked;
+                TEST_ASSERT_TRUE(picked.instance == opaque->instance &&
+                                 picked.face == opaque->face);
+                picks += picked.face == 4 && picked.instance != 1;
+            }
+        }
+        TEST_ASSERT_GREATER_THAN(10, picks);
+    }
+}
+
 /* --- trees and billboards -----------------------------------------------------------------------
  */
 
