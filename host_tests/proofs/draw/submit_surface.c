@@ -18,3 +18,36 @@ void prove_has_few_texels(void)
     ASSERT("128 texels from the first corner's", has_few_texels(values) == (most < 1 << 23 && least >= -(1 << 23)));
     PROOF_ENDS();
 }
+
+/* Of the corners, and of a vertex that is none. */
+static fxl_q18_46 depths[4];
+
+void fxl_find_corner(const fxl_model_view *model_view, uint32_t number, const fxl_traversal *traversal, fxl_view_point *corner)
+{
+    (void)model_view, (void)traversal;
+    ASSERT("a vertex of the face", number < 4);
+    corner->z = depths[number];
+}
+
+/* Vertices 0, 1, 2 are the corners. A face has up to 5, and so has the whole one, of which it is a part. */
+void prove_nearest_depth(void)
+{
+    fxl_model_view model_view;
+    fxl_face face;
+    fxl_traversal traversal;
+    uint16_t indices[10];
+    const uint16_t corners[3] = {0, 1, 2};
+    const bool has_others = nondet_bool();
+    ANY_CONTENT(depths);
+    fxl_q18_46 nearest = depths[0] < depths[1] ? depths[0] : depths[1];
+    nearest = nearest < depths[2] ? nearest : depths[2];
+    model_view.indices = indices;
+    ASSUME(face.first_index == 0 && face.count <= 5 && face.whole_count <= 5);
+    for (uint32_t i = 0; i < 10; i++) {
+        const bool is_read = face.whole_count == 0 ? i < face.count : (i >= face.count && i < (uint32_t)face.count + face.whole_count);
+        ASSUME(indices[i] < 4);
+        nearest = has_others && is_read && depths[indices[i]] < nearest ? depths[indices[i]] : nearest;
+    }
+    ASSERT("the least of all, or of the corners", nearest_depth(&model_view, &face, corners, &traversal, depths, has_others) == nearest);
+    PROOF_ENDS();
+}

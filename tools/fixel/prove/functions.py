@@ -21,6 +21,11 @@ LINE = re.compile(r"/\* (lib/\S+?):(\d+):.F \*/ (.*)")
 NAME = re.compile(r"(?:\(\*\s*)?\b([A-Za-z_]\w*) \(")
 
 
+def rooms_of(rows):
+    """ROOMS, and the other rooms of which a row proves some function: of these no list says what is measured."""
+    return (*ROOMS, *sorted({row.function.split("/")[1] for row in rows if row.is_whole} - set(ROOMS)))
+
+
 def name_in(declaration):
     """The name of the function that a line of -aux-info declares: the first word before a bracket, for no type of the
     library has brackets before it."""

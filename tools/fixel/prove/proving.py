@@ -152,6 +152,8 @@ def state_of_all(all_functions, results, measured):
     own = {key: some for key, some in own.items() if any(each["whole"] for each in some)}
     shown = []
     for key, external in all_functions.items():
+        if key.split("/")[1] not in functions.ROOMS and key not in own:
+            continue    # of another room only what has a row
         state, by, why = "no row", "", ""
         if key in own:
             state = "proved" if all(each["state"] in ("proved", "no record") for each in own[key]) else "not proved"
@@ -207,7 +209,7 @@ def command(options):
     shown, wrong = [], records.circles(rows) + records.lemmas(root, rows)
     if not options.only:
         measured, more = records.measured(root)
-        shown, most = state_of_all(functions.find(root), results, measured)
+        shown, most = state_of_all(functions.find(root, functions.rooms_of(rows)), results, measured)
         wrong += more + most
         every = {each["function"] for each in shown}
         gone = {key for key in measured if key not in every}
