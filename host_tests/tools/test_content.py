@@ -62,7 +62,8 @@ BEGINNINGS = {
     "bbmodel": (b'{"meta":{"format_version":"4.9","model_format":"free"}}', "Blockbench"), "md2": (b"IDP2\x08\0\0\0", "Quake"), "md3": (b"IDP3", "Quake"),
     "mdl": (b"IDST\x0a\0\0\0", "Half-Life"), "iqm": (b"INTERQUAKEMODEL\0", "Inter-Quake"), "md5mesh": (b"MD5Version 10\n", "Doom 3"),
     "bsp": (b"IBSP\x2e\0\0\0", "level"), "old bsp": (b"\x1d\0\0\0" + bytes(40), "level"), "map": (b'// Game: Quake\n// Format: Valve\n{\n"classname" "worldspawn"\n}', "TrenchBroom"),
-    "tmx": (b'<?xml version="1.0" encoding="UTF-8"?>\n<map version="1.10">', "Tiled"), "ldtk": (b'{\n\t"__header__": {\n\t\t"fileType": "LDtk Project JSON"', "LDtk"),
+    "tmx": (b'<?xml version="1.0" encoding="UTF-8"?>\n<map version="1.10">', "Tiled"), "tmj": (b'{ "compressionlevel":-1,\n "height":8,', "Tiled"),
+    "ldtk": (b'{\n\t"__header__": {\n\t\t"fileType": "LDtk Project JSON"', "LDtk"),
     "aseprite": (b"\x40\0\0\0\xe0\xa5" + bytes(40), "Aseprite"), "ttf": (b"\0\1\0\0\0\x0c" + bytes(40), "TrueType"), "otf": (b"OTTO\0", "OpenType"), "woff2": (b"wOF2", "font"),
     "bdf": (b"STARTFONT 2.1\n", "fixel font"), "qoi": (b"qoif\0\0\0\x08", "QOI"), "svg": (b'<?xml version="1.0"?>\n<svg xmlns="x">', "SVG"), "dds": (b"DDS ", "DDS"),
     "tif": (b"II*\0", "TIFF"), "psd": (b"8BPS", "PSD"), "3ds": (b"MM\x10\0\0\0\x02\0\x0a\0\0\0", "3D Studio"), "step": (b"ISO-10303-21;\nHEADER;", "STEP"),
@@ -107,11 +108,12 @@ def test_no_ending_is_of_two_formats_or_of_one_that_is_read():
     assert len(endings) == len(set(endings)) and not set(endings) & set(suffixes.READ)
 
 
-def test_an_archive_is_known_by_its_name_where_that_says_more(tmp_path):
-    for name, word in (("level.litematic", "Minecraft"), ("part.f3d", "Fusion"), ("thing.zip", "unpack")):
-        (tmp_path / name).write_bytes(DATA["zip"])
-        with pytest.raises(ToolError, match=word):
-            compiler.compile_scene(str(tmp_path / name))
+@pytest.mark.parametrize("kind, name, word", [("zip", "level.litematic", "Minecraft"), ("zip", "part.f3d", "Fusion"), ("zip", "thing.zip", "unpack"),
+                                              ("gltf", "level.tmj", "Tiled"), ("gltf", "cow.bbmodel", "Blockbench"), ("gltf", "thing.json", "rename")])
+def test_an_archive_or_a_json_text_is_known_by_its_name_where_that_says_more(tmp_path, kind, name, word):
+    (tmp_path / name).write_bytes(DATA[kind])
+    with pytest.raises(ToolError, match=word):
+        compiler.compile_scene(str(tmp_path / name))
 
 
 @pytest.mark.parametrize("kind, word", [("ttf", "otf2bdf"), ("jpg", "no font"), ("blend", "no font")])

@@ -11,8 +11,9 @@ from fixel.model import model_text, stl, suffixes
 # How files of formats that are read begin, what they are, and the endings of their names. Texts come behind foreign.py's formats, some of
 # which are texts that begin alike.
 _BINARY = ((rb"glTF", "a GLB file", ".glb"), (rb"ply[ \t]*[\r\n]", "a PLY file", ".ply"))
+_JSON = "a JSON text, as glTF is", ".gltf"
 _TEXTS = (
-    (rb"\s*\{\s*\"", "a JSON text, as glTF is", ".gltf"),
+    (rb"\s*\{\s*\"", *_JSON),
     (rb"(?i)\s*solid\b[^\0]*\n\s*(?:facet|endsolid)\b", "an STL file", ".stl"),
     (rb"(?:\s|#[^\r\n]*[\r\n])*(?:mtllib|usemtl|v|vn|vt|o|g)[ \t]+[^\r\n]", "an OBJ file", ".obj"),
 )
@@ -53,7 +54,8 @@ def refuse_other(path, name):
 def refuse_by_all(path, name):
     """Refuses a file of a known format whose name's ending is of no model: by what it holds, or by its name where that says more."""
     if os.path.isfile(path):
-        _, other = _kind(path)
-        if other is None or other.sort != foreign.CONTAINER or not foreign.by_ending(path):
+        known, other = _kind(path)
+        is_vague = known == _JSON or other is not None and other.sort == foreign.CONTAINER
+        if not (is_vague and foreign.by_ending(path)):
             refuse_other(path, name)
     suffixes.refuse_other(path, name)
