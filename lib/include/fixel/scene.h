@@ -432,8 +432,8 @@ fxl_status fxl_motion_check(const fxl_motion_set *set, const fxl_scene *scene,
 fxl_status fxl_light_check(const fxl_light_settings *settings, fxl_scene_fault *fault);
 
 /* Makes the settings of an image's light, for fxl_attach_light. The ramp is that of the
- * image. Requires a light whose base is not null, with at most FXL_LIGHT_POINTS_MAX point lights: so
- * has an image that fxl_scene_open opened, unless it has no light. */
+ * image. Requires a light whose base is not null, with at most FXL_LIGHT_POINTS_MAX point lights:
+ * so has an image that fxl_scene_open opened, unless it has no light. */
 void fxl_light_settings_of(const fxl_scene_light *light, fxl_light_settings *settings);
 
 /* Opens a scene image of size bytes, in place. It checks everything before it uses anything: magic,
