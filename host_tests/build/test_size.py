@@ -7,8 +7,11 @@ import subprocess
 import sys
 
 import pytest
+from conftest import CHECKOUT
 
 from fixel.bench import linked_size, sizes, stack
+from fixel.board import fleet
+from fixel.scene import making, target
 
 CROSS = "arm-none-eabi-"
 PURE = """
@@ -189,6 +192,21 @@ def test_the_firmwares_figure_is_not_below_what_a_run_shows(build):
     assert found["stack_measured"] > 500 and len(found["stack_path"]) > 4
     figure = sizes.stack_text(found)
     assert int(figure.removeprefix("at least ").replace(",", "")) >= found["stack_measured"]
+
+
+@pytest.mark.parametrize("row, beams", [("surfaces, lit ones or with holes", False), ("surfaces and light beams", True)])
+def test_the_stack_with_a_depth_buffer_is_what_its_page_says(build, tmp_path, row, beams):
+    """The scene that is deepest by a tree, with a depth buffer instead, and in RGB565 with holes, which is deeper."""
+    text = (CHECKOUT / "bench/costs_deepest_tree.toml").read_text(encoding="utf-8").replace('tree = "all"\n', "")
+    text = text.replace('pattern = "planks"', 'pattern = "grille"')
+    scene = tmp_path / "scene.toml"
+    scene.write_text(text if beams else re.sub(r"\[\[beams\]\]\n(.+ = .+\n)+", "", text), encoding="utf-8")
+    made = tmp_path / "scene.fxls"
+    making.build(scene, made, frames=sizes.SCENE_FRAMES, asked=target.Target("rgb565", depth="16"))
+    seen = fleet.stack_seen("mps2-an385", build / "boards/mps2-an385/walk.elf", made, tmp_path)
+    page = (CHECKOUT / "docs/extras/depth.md").read_text(encoding="utf-8")
+    stated = float(re.search(rf"^\| {row} \| [\d.]+ KB \| ([\d.]+) KB \|$", page, re.M)[1])
+    assert seen / 1000 <= stated < seen / 1000 + 0.15
 
 
 @pytest.mark.parametrize("core", ["cortex-m0", "cortex-m3"])
