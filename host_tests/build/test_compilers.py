@@ -158,7 +158,7 @@ def test_sources_run_on_a_cortex_m(tmp_path, compiler, board, flags):
         program, own = [clang_named("clang"), "--target=arm-none-eabi"], ["-ffreestanding"]
     # What is asked for by name has no kernels, so one core will do.
     sources = SOURCES if board == "mps2-an385" else [path for path in SOURCES if path.parent.name in ROOMS_WITH_KERNELS]
-    options = [*program[1:], *flags, "-std=c11", "-O0", "-ffunction-sections", *WARNINGS, *own]
+    options = [*program[1:], *flags, "-std=c11", "-O0", "-DFXL_COMPACT=0", "-ffunction-sections", *WARNINGS, *own]
     objects = compiled(tmp_path / "objects", program[0], options, [*sources, PROGRAM / "cube.c"])
     layout = "--section-start=.vectors=0,-Ttext=0x100,-Tdata=0x20000000"
     elf = linked(tmp_path / "cube.elf", "arm-none-eabi-gcc", *flags, "-nostdlib",
@@ -171,7 +171,7 @@ def test_sources_run_on_a_cortex_m(tmp_path, compiler, board, flags):
 def test_cpp_links_with_the_kernels_of_a_core(tmp_path):
     """Functions that assembly calls, or that are assembly, have C's names in C++ too."""
     flags = ["-mcpu=cortex-m3", "-mthumb"]
-    options = [*flags, "-O0", "-fno-exceptions", "-ffreestanding", *WARNINGS, *CPP]
+    options = [*flags, "-O0", "-DFXL_COMPACT=0", "-fno-exceptions", "-ffreestanding", *WARNINGS, *CPP]
     objects = compiled(tmp_path / "objects", "arm-none-eabi-g++", options, [*SOURCES, PROGRAM / "cube.c"])
     linked(tmp_path / "cube.elf", "arm-none-eabi-gcc", *flags, "-nostdlib", "-Wl,-e,start", *objects,
            *small_parts(tmp_path / "parts", *flags), "-lgcc")

@@ -10,7 +10,7 @@ import sys
 import pytest
 from conftest import CHECKOUT, LAUNCHER, environment, write_files
 
-ROOM = """#include "room.h"
+ROOM = """#include "attic.h"
 int positive(int value)
 {
     if (value > 0) {
@@ -32,7 +32,7 @@ HEADER = """static inline int half(int value)
 int positive(int value);
 int forgotten(int value);
 """
-UNIT = """#include "room/room.h"
+UNIT = """#include "attic/attic.h"
 int main(void)
 {
     return positive(2) != 2 || positive(-2) != 0 || positive(1) != 1;
@@ -49,15 +49,15 @@ def forgotten(value):
     return value or 3
 """
 TESTS = """
-from fixel import room
+from fixel import attic
 
 
 def test_positive():
-    assert room.positive(1) == 1 and room.positive(-2) == 0
+    assert attic.positive(1) == 1 and attic.positive(-2) == 0
 
 
 def test_forgotten_runs():
-    room.forgotten(1)
+    attic.forgotten(1)
 """
 CONFTEST = """
 import pathlib
@@ -76,26 +76,26 @@ class Project:
     def __init__(self, root):
         self.root, self.units = root, root / "build/host/unit"
         shutil.copytree(CHECKOUT / "tools", root / "tools", ignore=shutil.ignore_patterns("__pycache__"))
-        write_files(root, {"lib/room/room.c": ROOM, "lib/room/room.h": HEADER, "boards/none": "", "host_tests/unit/test_room.c": UNIT,
-                           "tools/fixel/room.py": TOOL, "host_tests/tools/test_room.py": TESTS, "host_tests/conftest.py": CONFTEST,
+        write_files(root, {"lib/attic/attic.c": ROOM, "lib/attic/attic.h": HEADER, "boards/none": "", "host_tests/unit/test_attic.c": UNIT,
+                           "tools/fixel/attic.py": TOOL, "host_tests/tools/test_attic.py": TESTS, "host_tests/conftest.py": CONFTEST,
                            "host_tests/pytest.ini": "[pytest]\n", "host_tests/build/survivors.toml": "", "empty.c": ""})
         (root / ".venv").symlink_to(sys.prefix)
         (root / "Makefile").symlink_to(CHECKOUT / "Makefile")
         self.units.mkdir(parents=True)
-        self.compile("host_tests/unit/test_room.c", "test_room.o")
-        for name in ("test_room_main.o", "unity.o", "assert.o"):
+        self.compile("host_tests/unit/test_attic.c", "test_attic.o")
+        for name in ("test_attic_main.o", "unity.o", "assert.o"):
             self.compile("empty.c", name)
         for name in ("libhelpers.a", "libparts.a"):
             subprocess.run(["ar", "rc", self.units / name], check=True)
-        self.compile("lib/room/room.c", "room.o")
-        subprocess.run(["gcc", self.units / "test_room.o", self.units / "room.o", "-o", self.units / "test_room"], check=True)
+        self.compile("lib/attic/attic.c", "attic.o")
+        subprocess.run(["gcc", self.units / "test_attic.o", self.units / "attic.o", "-o", self.units / "test_attic"], check=True)
 
     def compile(self, source, to):
         subprocess.run([*COMPILER.split(), "-c", source, "-o", self.units / to], cwd=self.root, check=True)
 
     def __call__(self, *options, **changes):
         """(the bytes of both reports, what the command said)."""
-        words = ["--seed", "1", "--count", MUTANTS, "--only", "room", "--build", "build", "--cc", COMPILER, "--units", "build/host/unit"]
+        words = ["--seed", "1", "--count", MUTANTS, "--only", "attic", "--build", "build", "--cc", COMPILER, "--units", "build/host/unit"]
         done = subprocess.run([sys.executable, self.root / LAUNCHER.relative_to(CHECKOUT), "mutants", *map(str, [*words, *options])],
                               cwd=self.root, env=environment(**changes), capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stdout + done.stderr
@@ -125,11 +125,11 @@ def test_one_process_and_eight_give_the_same_bytes_and_shards_that_are_done_are_
 
 def test_other_tests_are_other_shards(project):
     before, _ = project(**ALLOWED)
-    unit, tests = project.root / "host_tests/unit/test_room.c", project.root / "host_tests/tools/test_room.py"
+    unit, tests = project.root / "host_tests/unit/test_attic.c", project.root / "host_tests/tools/test_attic.py"
     unit.write_text(UNIT.replace("positive(1) != 1", "forgotten(6) != 9 || forgotten(0) != 0"))
-    tests.write_text(TESTS + "    assert room.forgotten(0) == 3\n")
-    project.compile("host_tests/unit/test_room.c", "test_room.o")
-    subprocess.run(["gcc", project.units / "test_room.o", project.units / "room.o", "-o", project.units / "test_room"], check=True)
+    tests.write_text(TESTS + "    assert attic.forgotten(0) == 3\n")
+    project.compile("host_tests/unit/test_attic.c", "test_attic.o")
+    subprocess.run(["gcc", project.units / "test_attic.o", project.units / "attic.o", "-o", project.units / "test_attic"], check=True)
     after, said = project(**ALLOWED)
     assert said.count(", 0 of them by earlier commands") == 2
     assert [json.loads(new)["percent"] > json.loads(old)["percent"] for old, new in zip(before, after, strict=True)] == [True, True]
