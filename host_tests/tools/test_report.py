@@ -192,7 +192,7 @@ def test_a_scene_of_another_scale_has_other_lengths_and_the_same_angles():
 
 
 def test_a_board_that_does_not_count_is_no_division_by_zero(monkeypatch, tmp_path):
-    frame = types.SimpleNamespace(instructions=0, pixels=None)
+    frame = types.SimpleNamespace(instructions=0, pixels=None, number=0)
     monkeypatch.setattr(report_scale, "_draw", lambda *_: types.SimpleNamespace(frames=[frame], width=1, height=1))
     with pytest.raises(ToolError, match="did not count the instructions"):
         report_scale.measure(None, "mps2-an385", types.SimpleNamespace(frames=1), tmp_path)

@@ -104,7 +104,8 @@ def test_the_option_gives_the_most_and_no_more_is_tried(tmp_path):
         assert done.returncode == 0, done.stderr
         assert sides(image.load(out)) == [(side, side)]
     wanted = look.smaller(look.Asked(texture=64), "rgb565", 16)
-    assert [(each.texels, each.is_fixed) for each in wanted] == [(64, True), (32, False), (16, False), (0, False), (0, False)]
+    assert [(each.texels, each.is_fixed) for each in wanted] == [(64, True), (32, False), (16, False), (0, False), (0, False), (0, False)]
+    assert [each.animation for each in wanted] == [""] * 5 + ["none"], "what moves is left out last"
     assert look.best(look.Asked(texture=64), Target(), False).texels == 64
 
 
