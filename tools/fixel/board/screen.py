@@ -5,9 +5,9 @@ import argparse
 import pathlib
 import re
 import shutil
-import subprocess
 
 from fixel import commands
+from fixel.base import children
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
 from fixel.board import methods
@@ -39,7 +39,7 @@ def before(options):
     if not DEVICE.fullmatch(options.device):
         raise ToolError(f"DEVICE is {quoted(options.device)}; it must be like ssd0303 or name,property=value")
     qemu = shutil.which("qemu-system-arm")
-    known = subprocess.run([qemu, "-device", "help"], check=False, capture_output=True, text=True).stdout if qemu else ""
+    known = children.run([qemu, "-device", "help"], text=True).stdout if qemu else ""
     if known and f'name "{options.device.partition(",")[0]}"' not in known:
         raise ToolError(f"DEVICE is {quoted(options.device)}; QEMU has no such device: qemu-system-arm -device help lists them")
 
