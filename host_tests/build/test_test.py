@@ -15,7 +15,9 @@ import pytest
 from board_programs import EVERY_BOARD, ROOT, built
 from conftest import TOOLS, dry_run, environment, run_cli, run_make, write_files
 
+from fixel.base.errors import ToolError
 from fixel.check import all_tests, pytest_client, pytest_server
+from fixel.check import test as check_test
 
 GOOD = "a.c:1:test_one:PASS\na.c:2:test_two:PASS\n\n-----------------------\n2 Tests 0 Failures 0 Ignored \nOK"
 BAD = "a.c:1:test_one:PASS\na.c:2:test_two:FAIL: Expected 1 Was 2\n\n2 Tests 1 Failures 0 Ignored \nFAIL"
@@ -134,6 +136,16 @@ def test_several_words_choose(tmp_path):
     done = run_cli("test", "--only", "b/test_a b/test_c", "--units", "b", only)
     assert "b/test_a" in done.stdout and "b/test_c" in done.stdout and "b/test_b" not in done.stdout
     assert "on b: BOARD= names another" in done.stdout.splitlines()[-2]
+
+
+@pytest.mark.parametrize("only, unknown", [("test_scan host/test_walk tools/test_stl", None), ("test_scan nothing", "nothing")])
+def test_each_word_must_choose_something(only, unknown):
+    options = types.SimpleNamespace(only=only)
+    if unknown is None:
+        check_test.before(options)
+    else:
+        with pytest.raises(ToolError, match=f"'{unknown}'"):
+            check_test.before(options)
 
 
 def compiled(tmp_path, only, *settings):

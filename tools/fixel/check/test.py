@@ -36,11 +36,12 @@ def parser():
 
 def before(options):
     """Refuses a word that no suite has in its name: a suite of the host or of a board for a unit test, one for each file of pytest."""
-    units_of = [file.stem for file in TESTS.glob("unit/test_*.c")] + [file.stem for file in TESTS.glob("judges/oracle/unit/test_*.c")]
+    units_of = [file.stem for file in TESTS.rglob("test_*.c")]
     boards = [folder.name for folder in (TESTS.parent / "boards").iterdir() if (folder / "board.mk").exists()]
     names = {f"{file.parent.name}/{file.stem}" for file in TESTS.glob("*/test_*.py")} | {f"{board}/{unit}" for board in boards for unit in units_of}
-    if options.only and not any(options.only in name for name in names):
-        raise ToolError(f"no suite has '{options.only}' in its name; names are such as host/test_scan, mps2-an385/test_scan, tools/test_stl")
+    unknown = [word for word in options.only.split() if not any(word in name for name in names)]
+    if unknown:
+        raise ToolError(f"no suite has '{unknown[0]}' in its name; names are such as host/test_scan, mps2-an385/test_scan, tools/test_stl")
 
 
 main = commands.main_of(parser, "fixel.check.all_tests")
