@@ -52,6 +52,7 @@ $(CORE_OUT)/$(1)/unit/libhelpers.a: $(BOARD_TEST_HELPERS:%.c=$(CORE_OUT)/$(1)/un
 $(CORE_OUT)/$(1)/unit/libfixel.a: $(patsubst %,$(BOARD_TEST_LIB)/%.o,$(call LIB_NAMES_FOR,$(subst cpu-,-mcpu=,$(subst _, ,$(1)))))
 $(CORE_OUT)/$(1)/unit/libtests.a: $(BOARD_TESTS:%=$(CORE_OUT)/$(1)/unit/%.o)
 $(addprefix $(CORE_OUT)/$(1)/unit/,libtests.a libhelpers.a libfixel.a):
+	$$(MAKE_FOLDER)
 	$(FIRMWARE_QUIET)rm -f $$@
 	$(FIRMWARE_QUIET)$(CORE_CROSS.$(1))ar rcs $$@ $$^
 	$(FIRMWARE_QUIET)$$(if $$(UNIT_OBJCOPY.$$(@F)),$(CORE_CROSS.$(1))objcopy $$(UNIT_OBJCOPY.$$(@F)) $$@)

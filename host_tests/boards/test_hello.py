@@ -11,7 +11,7 @@ import numpy
 from PIL import Image
 import pytest
 
-from board_programs import BOARD, ROOT, built
+from board_programs import BOARD, ROOT, built, made
 from conftest import run_make
 from fixel.scene import making
 from fixel.board import emulator
@@ -424,7 +424,7 @@ def objects_for(core):
     parts = sorted(built(f"{BOARD}/walk.elf").parent.glob("boards/**/*.o"))
     if core == "cortex-m0":
         return [*parts, library(core) / "libfixel.a"]
-    return [*parts, ROOT / "build/core/cpu-cortex-m3_float-abi-soft_no-unaligned-access/unit/libfixel.a"]
+    return [*parts, made("build/core/cpu-cortex-m3_float-abi-soft_no-unaligned-access/unit/libfixel.a")]
 
 
 # The board has an M3, which runs what is compiled for an M0 too (bench/bench.mk).
