@@ -18,8 +18,10 @@ TEXELS = [("host_tests/fuzz/scenes/texels", ("--depth", depth)) for depth in ("0
 MATRIX = [*((board, scene, pixels, words) for board in BOARDS for scene, words in SCENES for pixels in ("palette", "rgb565")),
           *((board, scene, "rgb565", words) for board in BOARDS for scene, words in TEXELS)]
 FRAMES_OF = {"host_tests/fuzz/scenes/texels": 3}
-# What moves among the tree is cut to its leaves, for which the smallest board has too little memory.
+# What moves among the tree is cut to its leaves, for which the smallest board has too little memory. Its partition for scenes
+# holds no gallery.
 NO_ROOM = ("microbit", "scenes/knot", ("--order", "tree"))
+NO_PARTITION = ("microbit", "scenes/gallery")
 
 
 def test_the_matrix_has_all_that_it_should():
@@ -35,6 +37,9 @@ def test_a_scene_is_drawn_as_asked(build, tmp_path, board, scene, pixels, words)
                    "--pixels", pixels, *words)
     if (board, scene, words) == NO_ROOM:
         assert done.returncode == 13 and "too small to cut what moves among the tree" in done.stderr
+        return
+    if (board, scene) == NO_PARTITION:
+        assert done.returncode == 2 and "scene partition of board microbit" in done.stderr
         return
     assert done.returncode == 0, done.stdout + done.stderr
     summary = json.loads((tmp_path / "out" / "summary.json").read_text(encoding="utf-8"))
