@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Setups of a scene in exactly the memory that they ask for: each draws what the calls by hand draw,
- * or is refused with a sentence. Takes no input and records nothing. */
+/* Setups of a scene in exactly the memory that they ask for: each draws what the calls by hand
+ * draw, or is refused with a sentence; a step that refuses ends a setup. Takes no input and records
+ * nothing. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -87,20 +88,191 @@ static void draw(const fxl_setup_plan *plan, const fxl_pose *pose)
     free(other);
 }
 
+/* Steps of a plan that do nothing: the status that each of them answers. */
+static fxl_status refusal;
+
+static fxl_status step_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16_16 y)
+{
+    (void)renderer;
+    (void)x;
+    (void)y;
+    return refusal;
+}
+
+static fxl_status step_motions(fxl_motion_player *player, const fxl_motion_set *set,
+                               fxl_scene *scene, const fxl_motion_memory *memory)
+{
+    (void)player;
+    (void)set;
+    (void)scene;
+    (void)memory;
+    return refusal;
+}
+
+static void play(const fxl_motion_player *player, uint32_t frame)
+{
+    (void)player;
+    (void)frame;
+}
+
+static uint32_t beam_memory_size(const fxl_beam *beams, uint32_t beam_count)
+{
+    (void)beams;
+    return 8u * beam_count;
+}
+
+static fxl_status step_beams(fxl_renderer *renderer, const fxl_beam_set *set, void *memory,
+                             uint32_t size)
+{
+    (void)renderer;
+    (void)set;
+    (void)memory;
+    (void)size;
+    return refusal;
+}
+
+static fxl_status step_light(fxl_renderer *renderer, fxl_light *of,
+                             const fxl_light_settings *settings)
+{
+    (void)renderer;
+    (void)of;
+    (void)settings;
+    return refusal;
+}
+
+static fxl_status step_surfaces(fxl_renderer *renderer, fxl_surfaces *of,
+                                const fxl_surface_set *set, const fxl_painter *painter)
+{
+    (void)renderer;
+    (void)of;
+    (void)set;
+    (void)painter;
+    return refusal;
+}
+
+static fxl_status step_lit(fxl_renderer *renderer, fxl_lit_surfaces *of)
+{
+    (void)renderer;
+    (void)of;
+    return refusal;
+}
+
+static fxl_status step_billboards(fxl_renderer *renderer, fxl_billboards *of,
+                                  const fxl_billboard_set *set, const fxl_sprite_painter *painter)
+{
+    (void)renderer;
+    (void)of;
+    (void)set;
+    (void)painter;
+    return refusal;
+}
+
+/* The step, and no later one, refuses; where no step refuses, the setup is done. */
+static void demand_step(const fxl_setup_plan *plan, fxl_status status, uint8_t step)
+{
+    static fxl_setup setup;
+    DEMAND(fxl_setup_init(&setup, plan, 1, NULL, 0) == FXL_E_ARGUMENT);
+    uint64_t none[1];
+    DEMAND(fxl_setup_init(&setup, plan, 1, none, 0) == FXL_E_CAPACITY);
+    const size_t size = setup.memory_missing;
+    void *memory = malloc(size);
+    DEMAND(memory != NULL);
+    refusal = status;
+    DEMAND(fxl_setup_init(&setup, plan, 1, memory, size) == status);
+    DEMAND(setup.status == status && setup.step == step);
+    DEMAND((fxl_setup_frame(&setup, 7) == NULL) == (status != FXL_OK || plan->path_count == 0));
+    free(memory);
+}
+
+/* Each step of a plan refuses, then none does. */
+static void demand_steps(const fxl_scene *scene, const fxl_config *config, const fxl_pose *pose)
+{
+    fxl_setup_plan plan;
+    memset(&plan, 0, sizeof plan);
+    plan.scene = scene;
+    plan.config = config;
+    plan.order = &fxl_by_distance;
+    plan.play_motions = play;
+    plan.beam_memory_size = beam_memory_size;
+    plan.path = pose;
+    demand_step(&plan, FXL_OK, FXL_SETUP_DONE);
+    plan.path_count = 1;
+    plan.attach_billboards = step_billboards;
+    demand_step(&plan, FXL_E_ORDER, FXL_SETUP_BILLBOARDS);
+    plan.attach_lit = step_lit;
+    demand_step(&plan, FXL_E_ORDER, FXL_SETUP_LIT);
+    plan.attach_surfaces = step_surfaces;
+    demand_step(&plan, FXL_E_ORDER, FXL_SETUP_SURFACES);
+    plan.attach_light = step_light;
+    demand_step(&plan, FXL_E_ORDER, FXL_SETUP_LIGHT);
+    plan.attach_beams = step_beams;
+    demand_step(&plan, FXL_E_ORDER, FXL_SETUP_BEAMS);
+    plan.set_centre = step_centre;
+    demand_step(&plan, FXL_E_ORDER, FXL_SETUP_CENTRE);
+    demand_step(&plan, FXL_OK, FXL_SETUP_DONE);
+    plan.begin_motions = step_motions;
+    demand_step(&plan, FXL_E_ORDER, FXL_SETUP_MOTIONS);
+}
+
+/* A call that is refused before the first step has a sentence. */
+static void demand_refused(fxl_setup *setup, const fxl_setup_plan *plan, uint16_t rows,
+                           void *memory, fxl_status status)
+{
+    DEMAND(fxl_setup_init(setup, plan, rows, memory, 0) == status);
+    DEMAND(setup == NULL || fxl_setup_explain(setup, plan, rows, memory, 0) != NULL);
+}
+
+static void demand_refusals(const fxl_scene *scene, const fxl_config *config)
+{
+    static fxl_setup setup;
+    static const fxl_scene unchecked;
+    uint64_t memory[2];
+    fxl_config other = *config;
+    fxl_setup_plan plan, bare;
+    memset(&plan, 0, sizeof plan);
+    bare = plan;
+    plan.scene = scene;
+    plan.config = &other;
+    demand_refused(NULL, &plan, 1, memory, FXL_E_ARGUMENT);
+    demand_refused(&setup, NULL, 1, memory, FXL_E_ARGUMENT);
+    demand_refused(&setup, &plan, 1, NULL, FXL_E_ARGUMENT);
+    demand_refused(&setup, &bare, 1, memory, FXL_E_ARGUMENT);
+    bare.scene = scene;
+    demand_refused(&setup, &bare, 1, memory, FXL_E_ARGUMENT);
+    bare.scene = &unchecked;
+    bare.config = config;
+    demand_refused(&setup, &bare, 1, memory, FXL_E_ORDER);
+    demand_refused(&setup, &plan, 1, (uint8_t *)memory + 4, FXL_E_ALIGNMENT);
+    other.target = NULL;
+    demand_refused(&setup, &plan, 1, memory, FXL_E_ARGUMENT);
+    other.target = &fxl_rgb565_depth_16;
+    demand_refused(&setup, &plan, 0, memory, FXL_E_RANGE);
+    demand_refused(&setup, &plan, (uint16_t)(config->height + 1u), memory, FXL_E_RANGE);
+    other.height = FXL_SCREEN_MAX + 1;
+    demand_refused(&setup, &plan, 1, memory, FXL_E_RANGE);
+    other = *config;
+    other.width = FXL_SCREEN_MAX + 1;
+    demand_refused(&setup, &plan, 1, memory, FXL_E_RANGE);
+    memset(&setup, 0, sizeof setup);
+    DEMAND(fxl_setup_frame(NULL, 0) == NULL && fxl_setup_frame(&setup, 0) == NULL);
+}
+
 void draw_setup(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose)
 {
     static const fxl_target *const targets[] = {&fxl_palette, &fxl_rgb565_depth_16};
-    fxl_light_settings light;
-    memset(&light, 0, sizeof light);
-    light.ambient = FXL_Q2_30_ONE / 2;
-    light.levels = 2;
-    light.ramp = ramp;
+    fxl_light_settings settings;
+    memset(&settings, 0, sizeof settings);
+    settings.ambient = FXL_Q2_30_ONE / 2;
+    settings.levels = 2;
+    settings.ramp = ramp;
     for (uint32_t i = 0; i < 2; i++) {
         fxl_config config = fxl_config_for(lens->width, lens->height, targets[i]);
         config.palette = palette;
         for (uint32_t set = 0; set < SETS; set++) {
-            const fxl_setup_plan plan = plan_of(scene, &config, &light, set);
+            const fxl_setup_plan plan = plan_of(scene, &config, &settings, set);
             draw(&plan, pose);
         }
+        demand_refusals(scene, &config);
+        demand_steps(scene, &config, pose);
     }
 }
