@@ -12,7 +12,10 @@ static uint8_t pixels[240][320];
 
 int main(void)
 {
-    if (fxl_renderer_init(&renderer, &cube_scene, &cube_config, memory, sizeof memory) != FXL_OK) {
+    fxl_config config = cube_config;
+
+    config.target = &fxl_palette; /* a byte a pixel */
+    if (fxl_renderer_init(&renderer, &cube_scene, &config, memory, sizeof memory) != FXL_OK) {
         return 1;
     }
     (void)fwrite(cube_palette, 1, sizeof cube_palette, stdout);

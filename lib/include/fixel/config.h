@@ -30,8 +30,8 @@
  * takes 1.2 times the instructions of -O2, one with textures on an Armv7-M 2.3 to 3.1 times: it
  * paints these in C. There it also scans them by active edges, which takes 2 to 5 % more of a
  * crate's frame. C and assembly read this one switch, and must read it alike: a build that gives
- * its -O to C alone must define FXL_COMPACT for both (lib/math/family.h refuses assembly that
- * cannot know). */
+ * its -O to C alone must give both -DFXL_COMPACT=0 or -DFXL_COMPACT=1 (lib/math/family.h refuses
+ * assembly that cannot know). */
 #if defined FXL_SMALL
 #define FXL_IS_COMPACT 1
 #elif defined FXL_COMPACT

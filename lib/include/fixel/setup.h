@@ -78,7 +78,7 @@ typedef struct {
     const fxl_setup_plan *plan; /* null: it was not set up */
     size_t memory_missing;      /* bytes, if fxl_setup_init answers FXL_E_CAPACITY */
     fxl_status status;          /* of the step */
-    uint8_t step;               /* FXL_SETUP_...: the one that was refused, or FXL_SETUP_DONE */
+    uint8_t step;               /* FXL_SETUP_...: the one that was refused, or the last */
 } fxl_setup;
 
 /* Sets a renderer up with all that a scene has: copies of the instances that its motions move, its
