@@ -194,11 +194,6 @@ PREDICTS := $(if $(filter $(addprefix %.,obj gltf glb stl ply OBJ GLTF GLB STL P
 DRAW_OPTIONS := --board $(BOARD_CHOSEN) --scene $(SCENE_OF_PROGRAM) --build $(BUILD) $(METHODS_OPTIONS)
 FLASH_SETUP := $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)$(SETUP_OF_BOARD:%= %)
 
-# The record of a display's wires is what run reads.
-ifneq ($(and $(DRIVER),$(filter view flash boot gdb screen,$(MAKECMDGOALS))),)
-$(error DRIVER= is for make run alone, which reads what the driver of the display sends)
-endif
-
 # What a board cannot do, which the tools would say only after it is built.
 ifneq ($(and $(filter view gdb screen,$(MAKECMDGOALS)),$(filter emulator=rp2040js,$(BOARD_NOTE.$(BOARD_CHOSEN)))),)
 $(error BOARD=$(BOARD) is emulated by rp2040js, which only runs a program to its end: name a board of QEMU)

@@ -80,7 +80,7 @@ def test_what_make_refuses():
                                (["run", "DRIVER=ssd1306", "BOARD=stm32vldiscovery"],
                                 "DRIVER=ssd1306 needs more memory than BOARD=stm32vldiscovery has"),
                                (["run", "DRIVER=st7796", "BOARD=microbit"], "DRIVER=st7796 needs more memory than BOARD=microbit has"),
-                               (["view", "DRIVER=ssd1306"], "DRIVER= is for make run alone")):
+                               (["view", "DRIVER=ssd1306"], "DRIVER= is no variable of make view")):
         done = run_make(*settings)
         assert done.returncode == 2 and sentence in done.stderr, done.stderr
 
