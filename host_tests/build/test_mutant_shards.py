@@ -120,7 +120,7 @@ def test_one_process_and_eight_give_the_same_bytes_and_shards_that_are_done_are_
         assert results.count("killed") == report["killed"] > 2, report
         assert results.count("survived") == report["count"] - report["killed"] > 0, report
         (row,) = json.loads((project.root / f"build/campaigns/{part}-mutants.json").read_text())["kinds"]
-        assert row["shard_seconds"] > 0.1, "the time of the process that runs the tests is in it"
+        assert row["shard_seconds"] > 0.03, "the time of the process that runs the tests is in it"
 
 
 def test_other_tests_are_other_shards(project):
