@@ -313,9 +313,10 @@ $(call WALK_OF,$(1)): $(filter-out %/walk/walk.o $(if $(WALK_METHODS),%/game/tar
 $(call WALK_OF,$(1)): LINK_OF_FILE := $(WALK_METHODS_LINK) $(if $(DRIVER),-Wl$(,)--wrap=board_panels)
 
 $(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o: firmware/walk/walk.c firmware/firmware.mk boards/$(1)/board.mk
-	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(WALK_ROWS_MAX:%=-DWALK_ROWS_MAX=%) -Ilib/include -Iboards -Ifirmware/walk $$(call BOARD_DEFINES,$(1)))
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(if $(DRIVER),-Os) $(WALK_ROWS_MAX:%=-DWALK_ROWS_MAX=%) -Ilib/include -Iboards -Ifirmware/walk $$(call BOARD_DEFINES,$(1)))
 endef
 
+# With a driver, the walk's own loop and the panel are compiled for few bytes: boards of little flash have room for both then.
 # The driver's panel stands beside those of the board: the linker sends who asks for board_panels to
 # driver_panel.c, which asks the board.
 BOARD_WIRES_OF = $(or $(BOARD_WIRES.$(1)),boards/parts/recorded_wires $(if $(BOARD_HOSTED.$(1)),boards/host/wires,boards/parts/semihosting_wires))
@@ -323,7 +324,7 @@ DRIVER_DEFINES = -DDRIVER_NAME=$(DRIVER_RECORD) $(if $(filter $(DRIVER),$(DISPLA
 
 define DRIVER_RULES
 $(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o: boards/parts/driver_panel.c firmware/firmware.mk boards/$(1)/board.mk
-	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(DRIVER_DEFINES) -DDRIVER_ROWS=$(or $(BOARD_DRIVER_ROWS.$(1)),$(if $(DRIVER_IS_WIDE),4,8)) -Ilib/include -Iboards $(BOARD_OWN_FLAGS.$(1)))
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) -Os $(DRIVER_DEFINES) -DDRIVER_ROWS=$(or $(BOARD_DRIVER_ROWS.$(1)),$(if $(DRIVER_IS_WIDE),4,8)) -Ilib/include -Iboards $(BOARD_OWN_FLAGS.$(1)))
 endef
 
 define METHODS_RULES
