@@ -22,9 +22,9 @@ FACES = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
 LARGE = png([[(1, 2, 3)] * 2048] * 2048)     # 17 kB
 
 
-def build(tmp_path, name, code=0):
+def build(tmp_path, name, code=0, *more):
     """Builds a file of the folder within the limits; answers what was said."""
-    found, said = run_bounded("build", tmp_path / name, "-o", tmp_path / "out.fxls")
+    found, said = run_bounded("build", tmp_path / name, "-o", tmp_path / "out.fxls", *more)
     assert found == code and (tmp_path / "out.fxls").exists() == (code == 0), said[-2000:]
     lines = [line for line in said.splitlines() if line.startswith(("error: ", "note: "))]
     assert max(map(len, lines), default=0) < 500 and (code == 0 or len(lines) == 1)
@@ -246,7 +246,7 @@ def test_names_of_mtl_files_and_images_in_messages(tmp_path, kind, text, words):
     else:
         place.write_text(text.format(name.replace(".mtl", ".png")))
         (tmp_path / os.path.normpath(name.replace(".mtl", ".png"))).mkdir()
-    said = build(tmp_path, "m.obj", code=2)
+    said = build(tmp_path, "m.obj", code=0 if text and "map_Kd" in text else 2)     # an image that cannot be read is a note
     assert words in said
     assert_escaped(said, kind)
 
@@ -267,7 +267,7 @@ def test_names_of_buffers_in_messages(tmp_path, kind):
 def test_names_of_bare_models_in_messages(tmp_path, kind):
     for text, code in ((CORNERS + FACES, 0), ("xyz\n", 2)):
         (tmp_path / (NAMES[kind] + ".obj")).write_text(text)
-        lines = [line.replace(str(tmp_path), "") for line in build(tmp_path, NAMES[kind] + ".obj", code).splitlines()]
+        lines = [line.replace(str(tmp_path), "") for line in build(tmp_path, NAMES[kind] + ".obj", code, "-v").splitlines()]
         assert_escaped("\n".join(lines), kind)
         (tmp_path / "out.fxls").unlink(missing_ok=True)
 

@@ -142,7 +142,7 @@ def read(table, mesh_of, known):
             raise ToolError(f"{table.at(key)}: the materials' images and their opacity are the file's; keep one or the other")
     surfaces = mesh_of().surfaces if "solid" not in table else None
     if surfaces is None or not has_looks(surfaces):
-        raise ToolError(f"{table.at('images')}: the model has no material with an image, and none that is transparent")
+        raise ToolError(f"{table.at('images')}: the model has no material with an image that can be read, and none that is transparent")
     return _known(surfaces, row, known)
 
 
