@@ -5,7 +5,7 @@
 BENCHMARK_OUT := $(BUILD)/benchmark
 BENCHMARK_MAINS := $(patsubst firmware/benchmark/%.c,%,$(filter-out %/benchmark.c,$(wildcard firmware/benchmark/*.c)))
 BENCHMARK_BOARDS := $(filter $(BOARDS),$(BENCHMARK_MAINS))
-BENCHMARK_SCENE.cube := examples/cube/cube.obj
+BENCHMARK_SCENE.cube := examples/cube/cube.obj --palette
 BENCHMARK_SCENE.spin := scenes/spin.toml
 BENCHMARK_SCENE.plaza := scenes/plaza.toml
 BENCHMARK_HEADERS := $(foreach scene,cube spin plaza,$(BENCHMARK_OUT)/$(scene)_scene.h)

@@ -175,7 +175,7 @@ def test_several_files_of_tests_are_built_together(tmp_path):
 def test_a_file_that_names_no_programs_has_all_of_them(tmp_path):
     everything = all_tests.needs(types.SimpleNamespace(only="build/test_test", board="", host_units=[], units=[]))
     assert everything == ["everything"]
-    (tmp_path / "test_own.py").write_text("A, B = 1, 2\nPROGRAMS = ('host/judge',)\n")
+    (tmp_path / "test_own.py").write_text("A, B = 1, 2\nBUILT_PROGRAMS = ('host/judge',)\n")
     assert all_tests.programs_of(tmp_path / "test_own.py") == ("host/judge",)
 
 
