@@ -20,6 +20,8 @@ def outcome_of(folder, text):
     ("def test_a(): pass\ndef test_b(): pass\n", "p: passed: 2 tests"),
     ("import pytest\ndef test_a(): pass\ndef test_b(): pytest.skip('needs conan')\n", "p: passed: 1 tests; not run: needs conan (1 tests)"),
     ("import pytest\ndef test_b(): pytest.skip('needs conan')\n", "p: not run: needs conan (1 tests)"),
+    ("import pytest\npytest.importorskip('no_such', reason='needs Dask')\n", "p: not run: needs Dask (1 tests)"),
+    ("import pytest\npytest.skip('not today', allow_module_level=True)\n", "p: FAILED: 1 of 1 tests"),
     ("import pytest\ndef test_a(): pass\ndef test_b(): pytest.skip('not today')\n", "p: FAILED: 1 of 2 tests"),
     ("def test_a(): assert 1 == 2\n", "p: FAILED: 1 of 1 tests"),
     ("import no_such_module\n", "p: FAILED: 1 of 1 tests"),

@@ -2,6 +2,7 @@
 """The work of fixel test-anywhere: pytest for each file, and what it found as lines."""
 
 import pathlib
+import re
 import sys
 import xml.etree.ElementTree
 
@@ -41,13 +42,19 @@ def run_file(file, folder):
     return done.returncode, done.stdout, report
 
 
+def _reason(skipped):
+    """Why a test, or all of a file, was skipped: of a whole file the report has it in its text alone."""
+    found = re.search(r"Skipped: (.*)['\"]\)$", (skipped.text or "").strip())
+    return found[1] if skipped.get("message") == "collection skipped" and found else skipped.get("message", "")
+
+
 def outcome(code, report):
     """{"passed", "failed": how many tests, "needs": the reasons of those that were not run, "figures": what tests have measured}."""
     try:
         cases = list(xml.etree.ElementTree.parse(report).getroot().iter("testcase"))
     except (OSError, TypeError, xml.etree.ElementTree.ParseError):
         return {"passed": 0, "failed": 1, "needs": [], "figures": []}
-    skipped = [case.find("skipped").get("message", "") for case in cases if case.find("skipped") is not None]
+    skipped = [_reason(case.find("skipped")) for case in cases if case.find("skipped") is not None]
     failed = sum(case.find("failure") is not None or case.find("error") is not None for case in cases)
     strange = [reason for reason in skipped if not reason.startswith(NEEDS)]
     failed += len(strange)      # a test that is skipped for another reason hides something
