@@ -195,7 +195,7 @@ def test_lines_of_the_linker_are_judged():
     has = room.room("microbit")
     assert has == {"FLASH": 179 * 1024, "RAM": 16 * 1024}
     both = room.sentence("microbit", "x", "ld: region `FLASH' overflowed by 1000 bytes\nld: region `RAM' overflowed by 5000000 bytes", has)
-    assert "179 KB of flash and 4,899 KB of RAM" in both and "no board has so much" in both
+    assert "180 KB of flash and 4,899 KB of RAM" in both and "no board has so much" in both
     assert "docs/hello.md" in both and "docs/hello.md" not in room.sentence("microbit", "x", "ld: region `FLASH' overflowed by 1000 bytes\n", has)
     assert room.undefined("ld: `x' is in another section") == "" and room.undefined(2 * "undefined reference to `f'\n").count(" f,") == 1
     assert room.sentence("microbit", "x", "ld: undefined reference to `f'", has) is None

@@ -33,7 +33,7 @@ def billboards(rows):
 
 
 def test_parts_are_made_once(tmp_path):
-    assert "16384 objects" in assert_built(tmp_path, scene(tmp_path, PARTED.format(4)))
+    assert "16,384 objects" in assert_built(tmp_path, scene(tmp_path, PARTED.format(4)))
 
 
 def test_parts_of_copies_beyond_the_limit(tmp_path):
