@@ -235,6 +235,8 @@ DRIVER_TOO_FEW_ROWS := 0 $(if $(DRIVER_IS_WIDE),1)
 ifneq ($(if $(DRIVER),$(filter $(DRIVER_TOO_FEW_ROWS),$(BOARD_DRIVER_ROWS.$(BOARD_CHOSEN)))),)
 $(error DRIVER=$(DRIVER) needs more memory than BOARD=$(BOARD) has; the boards that it fits are: $(strip $(foreach board,$(BOARDS),$(if $(filter $(DRIVER_TOO_FEW_ROWS),$(BOARD_DRIVER_ROWS.$(board))),,$(board)))))
 endif
+# With a driver, its loop and the panel are compiled for few bytes: boards of little flash have room for both then.
+WALK_LOOP_FLAGS := $(if $(DRIVER),-Os)
 WALK_ROWS_MAX := $(or $(ROWS),$(DRIVER:%=8))
 WALK_CHOICE := $(WALK_METHODS)$(ROWS:%=-rows-%)$(DRIVER:%=-on-%)
 
@@ -313,10 +315,9 @@ $(call WALK_OF,$(1)): $(filter-out %/walk/walk.o $(if $(WALK_METHODS),%/game/tar
 $(call WALK_OF,$(1)): LINK_OF_FILE := $(WALK_METHODS_LINK) $(if $(DRIVER),-Wl$(,)--wrap=board_panels)
 
 $(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o: firmware/walk/walk.c firmware/firmware.mk boards/$(1)/board.mk
-	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(if $(DRIVER),-Os) $(WALK_ROWS_MAX:%=-DWALK_ROWS_MAX=%) -Ilib/include -Iboards -Ifirmware/walk $$(call BOARD_DEFINES,$(1)))
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(WALK_LOOP_FLAGS) $(WALK_ROWS_MAX:%=-DWALK_ROWS_MAX=%) -Ilib/include -Iboards -Ifirmware/walk $$(call BOARD_DEFINES,$(1)))
 endef
 
-# With a driver, the walk's own loop and the panel are compiled for few bytes: boards of little flash have room for both then.
 # The driver's panel stands beside those of the board: the linker sends who asks for board_panels to
 # driver_panel.c, which asks the board.
 BOARD_WIRES_OF = $(or $(BOARD_WIRES.$(1)),boards/parts/recorded_wires $(if $(BOARD_HOSTED.$(1)),boards/host/wires,boards/parts/semihosting_wires))
