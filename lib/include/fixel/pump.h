@@ -68,7 +68,7 @@ size_t fxl_pump_memory_size(const fxl_pump_config *config);
 /* Sets up a pump in memory of the caller's, aligned to 8 bytes; the pump keeps the pointers to it
  * and to the pixels, and copies the sink.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ALIGNMENT: a pointer is not aligned.
+ * FXL_E_ALIGNMENT: memory is not aligned to 8 bytes, or config->palette to 2.
  * FXL_E_RANGE: a member of config is out of range.
  * FXL_E_CAPACITY: memory_size is too small.
  * With each of these statuses: *pump untouched. */

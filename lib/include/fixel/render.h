@@ -281,7 +281,7 @@ fxl_status fxl_renderer_choose(fxl_renderer *renderer, const fxl_config *config)
  * aligned to 8; the renderer keeps the pointer. A clipper that needs none may be given size 0, or
  * an fxl_clip_stats to count in. Then a frame must begin anew.
  * FXL_E_ARGUMENT: a null pointer, or a clipper of zeros.
- * FXL_E_ALIGNMENT: a pointer is not aligned.
+ * FXL_E_ALIGNMENT: workspace is not aligned to 8 bytes.
  * FXL_E_ORDER: the renderer was never initialised: it is all zeros.
  * FXL_E_CAPACITY: workspace_size is too small.
  * With each of these statuses: renderer untouched but for refused_calls. */
@@ -371,7 +371,7 @@ size_t fxl_workspace_size(const fxl_renderer *renderer);
  * another clipper, order, target, centre of the lens or attachment. The same record attached again
  * is no other one, unless it is of outlines or beams.
  * FXL_E_ARGUMENT: a null pointer; also the renderer's own workspace.
- * FXL_E_ALIGNMENT: a pointer is not aligned.
+ * FXL_E_ALIGNMENT: memory is not aligned to 8 bytes.
  * FXL_E_ORDER: the renderer lacks a clipper, an order or a target.
  * FXL_E_CAPACITY: too little memory.
  * With each of these statuses: workspace untouched. */

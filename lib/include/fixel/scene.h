@@ -443,7 +443,7 @@ void fxl_light_settings_of(const fxl_scene_light *light, fxl_light_settings *set
  * longer than the image in it.
  * Requires memory aligned to four bytes and a little-endian machine; fault may be null.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ALIGNMENT: a pointer is not aligned.
+ * FXL_E_ALIGNMENT: the image is not aligned to 4 bytes.
  * FXL_E_SIZE: the image is cut off, or its size is not that of its sections.
  * FXL_E_MAGIC: not a scene image.
  * FXL_E_VERSION: the image is of another version, or needs a section that is not known.
