@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Both sides scan the same outline. The trapezoids, and the state of the scan between them, must
  * be equal. */
-#include "chain_walks.h"
 
 #include "equality.h"
 #include "sides.h"

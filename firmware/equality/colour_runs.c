@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernel that paints colours between those of corners. Any words are right: sums wrap. */
-#include "colour_runs.h"
 
 #include "equality.h"
 #include "sides.h"

@@ -3,7 +3,6 @@
  * against the rows of lib/paint/depth_row.h, painted by fxl_paint_pixels where there is light. Each
  * side has cells and pixels of its own. All of that memory must be equal, also what lies around it.
  */
-#include "depth_outlines.h"
 
 #include "equality.h"
 #include "paint/depth_rows.h"

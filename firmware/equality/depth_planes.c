@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Compares the planes of depth: of normals that are rotated, and of normals in the view. */
-#include "depth_planes.h"
 
 #include "draw/depth_plane.h"
 #include "equality.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels of the depth test. Each side keeps codes in cells of its own, all of which must be
  * equal. */
-#include "depth_rows.h"
 
 #include "equality.h"
 #include "paint/depth_cells.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernel that paints rows of a textured face whose pixels are each divided. Each side writes
  * into memory of its own, all of which must be equal. */
-#include "divided_rows.h"
 
 #include "equality.h"
 #include "sides.h"

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "divisions.h"
 
 #include "math/arith.h"
 #include "equality.h"

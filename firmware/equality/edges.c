@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "edges.h"
 
 #include "raster/edge_divide.h"
 #include "equality.h"

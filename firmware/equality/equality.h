@@ -17,6 +17,49 @@ typedef struct {
 /* The list ends with a name that is null. */
 extern const equality_test equality_tests[];
 
+/* All tests in their order, and of which library: the one of -DFXL_SMALL, the other one, BOTH, or
+ * one that has kernels of outlines with depth. */
+#define EQUALITY_TESTS(TEST) \
+    TEST("multiply", test_products, LARGE)                      \
+    TEST("multiply-short", test_short_products, LARGE)          \
+    TEST("multiply-wide", test_wide_products, LARGE)            \
+    TEST("multiply-high", test_high_products, SMALL)            \
+    TEST("leading-zeros", test_leading_zeros, LARGE)            \
+    TEST("divide", test_divide, LARGE)                          \
+    TEST("divide-half", test_divide_half, LARGE)                \
+    TEST("divide-wide", test_divide_wide, BOTH)                 \
+    TEST("fraction", test_fraction, BOTH)                       \
+    TEST("edge-divide", test_edge_divide, LARGE)                \
+    TEST("look-at", test_look_at, BOTH)                         \
+    TEST("project", test_project, BOTH)                         \
+    TEST("order", test_order, SMALL)                            \
+    TEST("outlines", test_outlines, SMALL)                      \
+    TEST("facing", test_facing, LARGE)                          \
+    TEST("sphere", test_sphere, LARGE)                          \
+    TEST("front-faces", test_front_faces, LARGE)                \
+    TEST("clip-by-view", test_clip_by_view, LARGE)              \
+    TEST("intersect", test_intersect, LARGE)                    \
+    TEST("placement-rows", test_placement_rows, LARGE)          \
+    TEST("chains", test_chains, LARGE)                          \
+    TEST("fill", test_fill, BOTH)                               \
+    TEST("fill-rgb565", test_fill_rgb565, BOTH)                 \
+    TEST("draw-outline", test_draw_outline, BOTH)               \
+    TEST("draw-outline-rgb565", test_draw_outline_rgb565, BOTH) \
+    TEST("row-to-16", test_row_to_16, BOTH)                     \
+    TEST("texture-rows", test_texture_rows, LARGE)              \
+    TEST("divided-rows", test_divided_rows, LARGE)              \
+    TEST("colour-runs", test_colour_runs, LARGE)                \
+    TEST("depth-planes", test_depth_planes, LARGE)              \
+    TEST("depth-rows", test_depth_rows, LARGE)                  \
+    TEST("depth-outlines", test_depth_outlines, OUTLINES)       \
+    TEST("smooth-outlines", test_smooth_outlines, OUTLINES)     \
+    TEST("smooth-planes", test_smooth_planes, OUTLINES)         \
+    TEST("depth-runs", test_depth_runs, OUTLINES)
+
+#define EQUALITY_TEST(name, test, library) void test(uint32_t rounds);
+EQUALITY_TESTS(EQUALITY_TEST)
+#undef EQUALITY_TEST
+
 /* Counts one input, and whether both sides gave the same result. */
 void equality_case(bool same);
 

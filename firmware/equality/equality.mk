@@ -16,9 +16,8 @@ EQUALITY_FLAGS = $(if $(filter %-small,$(1)),BENCH_CC_SMALL,$(if $(filter %-os,$
 # The rooms with kernels; a program here names nothing of the others.
 EQUALITY_NAMES := $(filter math/% scene/% view/% clip/% raster/% paint/% draw/% screen/row_to_16%,$(LIB_NAMES))
 
-# The program's own; the list of its tests is another for small.
-EQUALITY_OBJECTS := $(patsubst %.c,%.o,$(notdir $(filter-out %/sides.c %/tests.c %/tests_small.c,\
-    $(wildcard firmware/equality/*.c)))) core.o portable.o
+# The program's own.
+EQUALITY_OBJECTS := $(patsubst %.c,%.o,$(notdir $(filter-out %/sides.c,$(wildcard firmware/equality/*.c)))) core.o portable.o
 
 # The portable kernels and their callers are compiled twice, not for each program: for the M0, and
 # for the M3, whose code every other core executes. Which arithmetic is right does not depend on
@@ -53,7 +52,6 @@ $(EQUALITY_OUT)/$(1)/%.o: firmware/equality/%.c firmware/equality/equality.mk
 	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $($(EQUALITY_FLAGS)_FAMILY.$(EQUALITY_CORE)))
 
 $(EQUALITY_OUT)/$(1).elf: $(EQUALITY_OBJECTS:%=$(EQUALITY_OUT)/$(1)/%) \
-        $(EQUALITY_OUT)/$(1)/tests$(if $(filter %-small,$(1)),_small).o \
         $(call BENCH_PLACES,$(EQUALITY_CORE),start text memory_functions $(EQUALITY_LIB)) \
         $(EQUALITY_PORTABLE) $(call BENCH_PARTS_OF,$(EQUALITY_CORE)) \
         $(call BOARD_LINK_SCRIPTS,$(BENCH_BOARD.$(EQUALITY_CORE))) bench/bench.mk

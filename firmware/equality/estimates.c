@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels that decide by an estimate, mostly where it hardly decides. */
-#include "estimates.h"
 #include "view/outcode.h"
 #include "view/view.h"
 

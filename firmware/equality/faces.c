@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels that process faces. */
-#include "faces.h"
 
 #include "equality.h"
 #include "sides.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels of fill. Each side draws into memory of its own. All of that memory must be equal,
  * also what lies around the band. */
-#include "fill.h"
 #include "raster/fill.h"
 
 #include "equality.h"

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Compares the place where an edge crosses a plane. */
-#include "intersect.h"
 
 #include "clip/intersection.h"
 #include "equality.h"

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Compares the matrix of an instance that is turned. */
-#include "placement_rows.h"
 #include "view/placement.h"
 
 #include "equality.h"

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "products.h"
 
 #include "equality.h"
 #include "sides.h"

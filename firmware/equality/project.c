@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Compares the kernel with the portable one, and both with the long division that defines the
  * result. */
-#include "project.h"
 #include "view/project.h"
 
 #include "equality.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernel that converts a row of pixels. Each side writes into memory of its own, all of which
  * must be equal. */
-#include "rows.h"
 
 #include "equality.h"
 #include "fixel/pixels.h"

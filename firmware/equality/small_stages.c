@@ -2,7 +2,6 @@
 /* Stages that have a different path with FXL_SMALL. Both sides get the same input, and must give
  * the same result. */
 #include "raster/scan.h"
-#include "small_stages.h"
 #include "view/order.h"
 
 #include "equality.h"

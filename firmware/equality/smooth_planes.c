@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Compares the planes of depth and light that a small face has in words: which faces have them, and
  * the words. */
-#include "smooth_planes.h"
 
 #include "equality.h"
 #include "paint/corner_planes.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels that paint rows of a textured face. Each side writes into memory of its own, all of
  * which must be equal. */
-#include "texture_rows.h"
 
 #include <string.h>
 

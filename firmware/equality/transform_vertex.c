@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "transform_vertex.h"
 #include "view/model_view.h"
 #include "view/outcode.h"
 #include "view/view.h"

@@ -11,7 +11,6 @@ from conftest import assert_one_sentence, run_cli
 from fixel.campaign.shards import Shard
 from fixel.check import kernel_equality
 
-OF_WHOLE_ARMV7M = ("depth-outlines", "smooth-outlines", "smooth-planes", "depth-runs")
 CORES = ("m0", "m3", "m4f", "m55", "m0-small", "m3-small", "m3-os")
 
 
@@ -26,10 +25,13 @@ def equality(core, build, *more, **changes):
 def kernels_of(core):
     """The tests that a core's program lists. With FXL_SMALL no kernel is in assembly, so that list is shorter; outlines,
     small planes and rows with a depth buffer have kernels on Armv7-M alone, and none by -Os."""
-    file = ROOT / "firmware/equality" / ("tests_small.c" if core.endswith("-small") else "tests.c")
-    names = re.findall(r'^    \{"([\w-]+)", test_\w+\},$', file.read_text(encoding="utf-8"), re.MULTILINE)
+    libraries = {"BOTH", "SMALL"} if core.endswith("-small") else {"BOTH", "LARGE"}
+    if core in ("m3", "m4f", "m55"):
+        libraries.add("OUTLINES")
+    header = (ROOT / "firmware/equality/equality.h").read_text(encoding="utf-8")
+    names = [name for name, library in re.findall(r'TEST\("([\w-]+)", test_\w+, (\w+)\)', header) if library in libraries]
     assert len(names) >= 8
-    return [name for name in names if name not in OF_WHOLE_ARMV7M or not (core == "m0" or core.endswith("-os"))]
+    return names
 
 
 @pytest.mark.parametrize("core", CORES)
