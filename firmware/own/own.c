@@ -12,6 +12,8 @@
 
 fxl_status __real_fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 fxl_status __wrap_fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
+void __real_fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour);
+void __wrap_fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour);
 fxl_status __real_fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
 fxl_status __wrap_fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
 fxl_status __real_fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels,
@@ -38,13 +40,14 @@ static struct {
     uint8_t pixel_bits;
 } drawn;
 
-/* A frame of fxl_render that is shown when the next one comes, or at the end: the program may draw
- * over it until then. */
+/* Rows that are shown when the next ones are cleared or drawn, or at the end: the program may draw
+ * over them until then. */
 static struct {
     const void *pixels; /* null: none */
-    uint16_t stride;
+    uint16_t first_row, rows, stride;
 } held;
 
+static const void *cleared; /* pixels that fxl_frame_fill cleared and nothing drew into yet */
 static const uint8_t *first_frame; /* the stack of main is below */
 
 static void fail(const char *sentence, int status)
@@ -171,7 +174,22 @@ static void show_held(void)
 
     if (pixels != NULL) {
         held.pixels = NULL;
-        own_show(0, drawn.renderer->frame.view.lens.height, pixels, held.stride);
+        own_show(held.first_row, held.rows, pixels, held.stride);
+    }
+}
+
+/* Shows rows that were drawn. Those that the next ones may take the place of without a call that is
+ * seen here are shown at once. stack: the stack of who called the library is above. */
+static void hold(uint16_t first_row, uint16_t rows, const void *pixels, uint16_t stride,
+                 bool is_seen, const uint8_t *stack)
+{
+    held.pixels = pixels;
+    held.first_row = first_row;
+    held.rows = rows;
+    held.stride = stride;
+    /* Pixels on the stack of main, or of who it called, may be gone when the next ones come. */
+    if (!is_seen || ((const uint8_t *)pixels > stack && (const uint8_t *)pixels < first_frame)) {
+        show_held();
     }
 }
 
@@ -197,11 +215,21 @@ fxl_status __wrap_fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     return status;
 }
 
+void __wrap_fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour)
+{
+    show_held();
+    cleared = band->pixels;
+    __real_fxl_frame_fill(renderer, band, colour);
+}
+
 fxl_status __wrap_fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
 {
-    const uint64_t before = clock_instructions();
-    const fxl_status status = __real_fxl_frame_draw(renderer, band);
+    uint64_t before;
+    fxl_status status;
 
+    show_held();
+    before = clock_instructions();
+    status = __real_fxl_frame_draw(renderer, band);
     if (status != FXL_OK) {
         return status;
     }
@@ -211,15 +239,17 @@ fxl_status __wrap_fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
         if (band->columns != 0 && band->columns != band->width) {
             fail("a band of some columns cannot be shown", SYSTEM_EXIT_DISPLAY);
         }
-        own_show(band->first_row, band->rows, band->pixels, band->stride);
+        /* A program that clears no band may paint its own background into the next one. */
+        hold(band->first_row, band->rows, band->pixels, band->stride, cleared == band->pixels,
+             __builtin_frame_address(0));
     }
+    cleared = NULL;
     return FXL_OK;
 }
 
 fxl_status __wrap_fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels,
                              uint16_t stride)
 {
-    const uint8_t *here = __builtin_frame_address(0);
     uint64_t before;
     fxl_status status;
 
@@ -235,12 +265,7 @@ fxl_status __wrap_fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *
     drawn.spent = clock_instructions() - before;
     drawn.pose = *eye;
     note(renderer, renderer->frame.view.lens.width);
-    held.pixels = pixels;
-    held.stride = stride;
-    /* Pixels on the stack of main, or of who it called, may be gone when the next frame comes. */
-    if ((const uint8_t *)pixels > here && (const uint8_t *)pixels < first_frame) {
-        show_held();
-    }
+    hold(0, renderer->frame.view.lens.height, pixels, stride, true, __builtin_frame_address(0));
     return FXL_OK;
 }
 

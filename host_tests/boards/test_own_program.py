@@ -50,6 +50,46 @@ int main(void)
            fxl_render(&renderer, &cube_path[0], pixels[0], 322);
 }
 """
+# An exported scene in bands of RGB565. The text is drawn over each band, a border over the whole frame.
+HUD = """
+#include <fixel/all.h>
+#include "cube_scene.h"
+enum { ROWS = 16 };
+static fxl_renderer renderer;
+static uint64_t memory[CUBE_MEMORY];
+static uint16_t pixels[ROWS][320], colours[256];
+static void clear(const fxl_band *band)
+{
+#ifdef BACKGROUND_OF_ITS_OWN
+    for (int i = 0; i < band->rows * 320; i++) { pixels[i / 320][i % 320] = (uint16_t)(band->first_row + 7); }
+#else
+    fxl_frame_fill(&renderer, band, 0);
+#endif
+}
+int main(void)
+{
+    const fxl_text_style style = {&fxl_font_5x7, 254, 0};
+    fxl_config config = cube_config;
+    for (int i = 0; i < 256; i++) { colours[i] = FXL_RGB565(cube_palette[i][0], cube_palette[i][1], cube_palette[i][2]); }
+    colours[254] = 0xF81F;
+    colours[255] = 0x07FF;
+    config.target = &fxl_rgb565;
+    config.palette = colours;
+    if (fxl_renderer_init(&renderer, &cube_scene, &config, memory, sizeof memory)) { return 1; }
+    for (int i = 0; i < 3; i++) {
+        fxl_status status = fxl_frame_begin(&renderer, &cube_path[i]);
+        for (uint16_t row = 0; status == FXL_OK && row < 240; row += ROWS) {
+            const fxl_band band = {.pixels = (uint8_t *)pixels, .width = 320, .stride = 320, .first_row = row, .rows = ROWS,
+                                   .palette = colours};
+            clear(&band);
+            status = fxl_frame_draw(&renderer, &band);
+            if (fxl_draw_border(&band, 2, 2, 316, 236, 255) || fxl_draw_text(&band, 8, 8, "HUD", &style)) { return 2; }
+        }
+        if (status != FXL_OK) { return 3; }
+    }
+    return 0;
+}
+"""
 ON_STACK = """
 #include <fixel.h>
 #include "cube_scene.h"
@@ -117,6 +157,32 @@ def test_colours_of_16_bits_and_a_stride(folder):
     assert summary["host_frames_equal"]
     _, _, indices = run(folder, "loop.c", "FRAMES=1")
     assert len(numpy.unique(indices[0].pixels)) == len(numpy.unique(frames[0].pixels))
+
+
+def test_what_is_drawn_over_bands_of_16_bits_is_shown(folder):
+    """In each band, the last one of the last frame too."""
+    _, summary, frames = run(folder, "hud.c", text=HUD)
+    assert summary["host_frames_equal"] and len(frames) == 3
+    for frame in frames:
+        border = frame.pixels == 0x07FF
+        assert border[2, 2:318].all() and border[237, 2:318].all() and border[2:238, 2].all() and border[2:238, 317].all()
+        assert border.sum() == 2 * 316 + 2 * 234 and (frame.pixels[8:17, 8:40] == 0xF81F).sum() > 20
+    assert len(numpy.unique(frames[0].pixels)) > 5, "the cube is there too"
+
+
+def test_a_background_of_the_programs_own_does_not_hide_a_band(folder):
+    """Nobody sees when the program paints it into the next band: so the band is shown as the renderer has drawn it."""
+    _, _, frames = run(folder, "sky.c", "BOARD=host", text="#define BACKGROUND_OF_ITS_OWN\n" + HUD)
+    rows = numpy.arange(240) // 16 * 16 + 7
+    assert (frames[2].pixels[:, 0] == rows).all() and (frames[2].pixels[:, 319] == rows).all()
+    assert len(numpy.unique(frames[2].pixels)) >= 15 + 2
+
+
+@pytest.mark.parametrize("board", ["host", "mps2-an385"])
+def test_a_program_that_asks_for_keys_has_none_without_a_viewer(folder, board):
+    text = BLOCKS["steer.c"].replace("for (;;) {", "for (int i = 0; i < 3; i++) {").replace("\n}\n", "\n    return 0;\n}\n")
+    _, summary, frames = run(folder, "steered.c", f"BOARD={board}", text=text)
+    assert summary["host_frames_equal"] and len(frames) == 3 and len(set(summary["frame_crc"])) == 1
 
 
 @pytest.mark.parametrize("board", ["host", "mps2-an385"])
