@@ -292,7 +292,7 @@ pictures: ## renew the pictures of the documents (needs make report) [BOARD=]
 	    $(FIXEL) first-program --library $(BUILD)/host/libfixel.a --look $$each --out docs/looks/$$each.png || exit 1; done
 	@for each in $(notdir $(basename $(wildcard docs/examples/*.png))); do \
 	    $(FIXEL) first-program --library $(BUILD)/host/libfixel.a --example $$each --out docs/examples/$$each.png || exit 1; done
-	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --neon --out docs/neon.png
+	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --example neon --out docs/neon.png
 	@$(MAKE) screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 \
 	    PICTURE=docs/oled.png
 	@$(FIXEL) report --out $(BUILD)/report --picture docs/precision.png

@@ -9,6 +9,7 @@ import pytest
 from conftest import CHECKOUT
 from PIL import Image
 
+from fixel.base import picture
 from fixel.report import examples
 
 PAGE = (CHECKOUT / "docs" / "examples.md").read_text(encoding="utf-8")
@@ -44,7 +45,7 @@ int main(void)
 
 def test_the_page_has_every_example_once():
     assert len(NAMES) >= 12 and sorted(NAMES) == sorted(folder.name for folder in (CHECKOUT / "examples").iterdir() if folder.is_dir())
-    assert set(examples.PICTURES) == set(NAMES) - {"neon", "game"}
+    assert {*examples.PICTURES, *examples.WIDE_PICTURES} == set(NAMES) - {"game"}
     assert sorted(file.stem for file in (CHECKOUT / "docs" / "examples").glob("*.png")) == \
         sorted(name for name in NAMES if examples.picture_of(name).parent.name == "examples")
 
@@ -65,9 +66,26 @@ def test_an_example_draws_its_picture(build, name):
     assert numpy.array_equal(palette[pixels], shown)
 
 
-@pytest.mark.parametrize("name", list(examples.PICTURES))
+def test_the_model_draws_its_picture(build):
+    pixels = examples.draw_wide(build / "host" / "libfixel.a", "model")
+    shown = numpy.array(Image.open(examples.picture_of("model")).convert("RGB"))
+    assert len(numpy.unique(pixels)) > 100      # texels and smooth light
+    assert numpy.array_equal(picture.as_rgb(pixels, picture.rgb565_colours()), shown)
+
+
+def test_the_model_is_the_one_that_the_tool_makes(tmp_path):
+    examples.write_own_scene(tmp_path)
+    stored = (tmp_path / "model_scene.h").read_text(encoding="utf-8")
+    assert "&fxl_rgb565_depth_16," in stored and "fxl_attach_surfaces" in stored and "fxl_attach_lit" in stored
+    examples.write_model(tmp_path / "model.glb")
+    examples.write_own_scene(tmp_path, tmp_path / "model.glb")
+    assert (tmp_path / "model_scene.h").read_text(encoding="utf-8") == stored
+
+
+@pytest.mark.parametrize("name", [*examples.PICTURES, "model"])
 def test_an_example_compiles_for_a_small_core(tmp_path, name):
     examples.write_scene(tmp_path)
+    examples.write_own_scene(tmp_path)
     subprocess.run(["arm-none-eabi-gcc", "-mcpu=cortex-m0", "-mthumb", *FLAGS, "-c", f"-I{tmp_path}",
                     str(CHECKOUT / "examples" / name / "main.c")], cwd=tmp_path, check=True)
 

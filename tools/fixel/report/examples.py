@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The first program (examples/cube) and the other examples of its scene, drawn on this machine."""
+"""The first program (examples/cube) and the other examples, drawn on this machine."""
 
 import os
 import pathlib
@@ -8,7 +8,7 @@ import numpy
 
 from fixel.base import children, scratch
 from fixel.image import c_scene
-from fixel.scene import framing
+from fixel.scene import framing, look, making, target
 from fixel.base.errors import ToolError
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
@@ -16,9 +16,8 @@ MODEL = ROOT / "examples" / "cube" / "cube.obj"
 PROGRAM = ROOT / "examples" / "cube" / "main.c"
 CRATE = ROOT / "examples" / "crate" / "main.c"
 CRATE_FRAMES = 28   # of which the last shows three sides
-NEON = ROOT / "examples" / "neon" / "main.c"
-NEON_FRAMES = 60
-NEON_FLAGS = [f"-DEXAMPLE_FRAMES={NEON_FRAMES}", "-DEXAMPLE_PIXEL=uint16_t"]
+OWN_MODEL = ROOT / "examples" / "model" / "model.glb"
+OWN_MODEL_FRAMES = 24   # of its path
 FRAME = ROOT / "host_tests" / "boards" / "examples" / "frame.c"
 HUD = ROOT / "host_tests" / "boards" / "examples" / "hud.c"
 HUD_COLOURS = [(16, 20, 40), (240, 240, 240), (255, 220, 90), (230, 50, 60), (140, 20, 40)]    # from entry 250 on
@@ -30,6 +29,8 @@ WIDTH, HEIGHT = 320, 240
 PICTURES = {"cube": (None, False), "turn": (24, False), "look": (31, False), "text": (None, True), "label": (None, True),
             "outline": (37, True), "lamp": (25, True), "depth": (26, False), "crowd": (None, True), "crate": (CRATE_FRAMES, True),
             "maze": (60, True)}
+# Those whose pixels are RGB565: the frame that is their picture.
+WIDE_PICTURES = {"model": 3, "neon": 60}
 
 
 def picture_of(name):
@@ -55,6 +56,30 @@ def scene():
     return framing.compile_model(str(MODEL), framing=framing.PROGRAM)[0]
 
 
+def write_model(file):
+    """Writes the GLB file of examples/model: a lighthouse, whose tower has an image of stripes."""
+    from fixel.report.showcase_files import Gltf, image_bytes
+    from fixel.report.showcase_shapes import ball, box, joined, lathe, placed
+    y, x = numpy.mgrid[:32, :32]
+    stripes = numpy.where(((x + 2 * y) % 32 < 16)[..., None], (200, 40, 36), (236, 232, 220))
+    stripes[y % 8 == 7] = stripes[y % 8 == 7] * 3 // 4          # joints of the stones
+    made = Gltf()
+    tower = made.material("stripes", texture=made.texture(image_bytes(stripes.astype(numpy.uint8))))
+    rock, iron, lamp = (made.material(name, colour) for name, colour in (
+        ("rock", (0.28, 0.3, 0.28, 1)), ("iron", (0.12, 0.14, 0.2, 1)), ("lamp", (1, 0.85, 0.4, 1))))
+    roof = joined(placed(lathe([(0, 0.5), (0.5, 0), (0, 0)], 12), (0, 2.96, 0)), placed(lathe([(0, 0.1), (0.62, 0.1), (0.62, 0), (0, 0)], 12), (0, 2.4, 0)))
+    made.node("lighthouse", made.mesh("lighthouse", (lathe([(0, 2.4), (0.42, 2.4), (0.5, 1.6), (0.6, 0.8), (0.75, 0), (0, 0)], 16), tower),
+                                      (placed(box(2.2, 0.5, 2.2), (0, -0.5, 0), yaw=20), rock), (roof, iron),
+                                      (placed(ball(0.3, 12, 6), (0, 2.78, 0)), lamp)))
+    made.write(pathlib.Path(file).parent, pathlib.Path(file).stem)
+
+
+def write_own_scene(folder, model=OWN_MODEL):
+    """Writes model_scene.h into a folder, in the best look."""
+    making.export(str(model), str(pathlib.Path(folder) / "model_scene.h"), frames=OWN_MODEL_FRAMES,
+                  looks=[look.best(look.Asked(), target.Target(), False)])
+
+
 def write_scene(folder):
     """Writes cube_scene.h into a folder; answers the scene."""
     made = scene()
@@ -69,9 +94,10 @@ def draw(library, program=PROGRAM):
     return pixels, palette
 
 
-def draw_neon(library):
-    """A picture of examples/neon: an array of RGB565."""
-    rows, _, _ = _run(library, NEON, 0, *NEON_FLAGS, row_bytes=2 * WIDTH)
+def draw_wide(library, name):
+    """The picture of an example of WIDE_PICTURES: an array of RGB565."""
+    flags = [f"-DEXAMPLE_FRAMES={WIDE_PICTURES[name]}", "-DEXAMPLE_PIXEL=uint16_t"]
+    rows, _, _ = _run(library, ROOT / "examples" / name / "main.c", 0, *flags, row_bytes=2 * WIDTH)
     return rows.view("<u2")
 
 
@@ -93,6 +119,8 @@ def _run(library, program, more, *flags, row_bytes=WIDTH):
         raise ToolError(f"{library}: there is no such library; `make build/host/libfixel.a` makes one")
     with scratch.folder("first") as folder:
         scene = write_scene(folder)
+        if program.parent == OWN_MODEL.parent:
+            write_own_scene(folder)
         command = [os.environ.get("HOSTCC", "gcc"), "-std=c11", f'-DEXAMPLE="{program}"', f"-I{ROOT / 'lib' / 'include'}",
                    *flags, f"-I{folder}", str(FRAME), str(library), "-Wl,--wrap=main", "-o", f"{folder}/frame"]
         done = children.run(command, text=True)

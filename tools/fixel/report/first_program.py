@@ -11,8 +11,7 @@ def parser():
     made.add_argument("--library", type=pathlib.Path, required=True, help="libfixel.a of this machine")
     made.add_argument("--out", type=pathlib.Path, required=True, help="the picture, a PNG")
     made.add_argument("--hud", action="store_true", help="with text and sprites over it (host_tests/boards/examples/hud.c)")
-    made.add_argument("--example", default="cube", metavar="NAME", help="a folder of examples whose pixels are entries of a palette, such as maze")
-    made.add_argument("--neon", action="store_true", help="examples/neon")
+    made.add_argument("--example", default="cube", metavar="NAME", help="a folder of examples, such as maze")
     made.add_argument("--look", metavar="NAME", help="a pair of pictures of docs/looks.md, by the program `frames` beside the library")
     return made
 
@@ -25,9 +24,11 @@ def main(argv):
         from fixel.report import looks
         output.write_file(options.out, picture.png_bytes(looks.pair(options.library.parent / "frames", options.look)))
         return 0
-    if options.neon:
-        output.write_file(options.out, picture.png_bytes(picture.palette_image(examples.draw_neon(options.library), picture.rgb565_colours())))
-        return 0
-    pixels, palette = examples.draw_hud(options.library) if options.hud else examples.draw_example(options.library, options.example)
+    if options.hud:
+        pixels, palette = examples.draw_hud(options.library)
+    elif options.example in examples.WIDE_PICTURES:
+        pixels, palette = examples.draw_wide(options.library, options.example), picture.rgb565_colours()
+    else:
+        pixels, palette = examples.draw_example(options.library, options.example)
     output.write_file(options.out, picture.png_bytes(picture.palette_image(pixels, palette)))
     return 0
