@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The palette and the first frames of the cube that turns, as the library draws them in one piece,
- * on standard output. The number of the key's pin that is held is in HELD_PIN. */
+ * entries of the palette or RGB565, on standard output. The number of the key's pin that is held is
+ * in HELD_PIN. */
 #include <fixel.h>
 #include <fixel/orientation.h>
 #include <fixel/overlay.h>
@@ -9,19 +10,22 @@
 
 #include "cube_scene.h"
 
-static fxl_renderer renderer;
-static uint64_t memory[CUBE_MEMORY];
-static uint8_t pixels[240][320];
+static fxl_setup it;
+static uint64_t memory[CUBE_SETUP_MEMORY(240)];
+static uint16_t pixels[240][320];
 
 static bool draw(fxl_orientation *orientation, uint32_t angle, const char *text)
 {
-    const fxl_pose eye = {.position = {0, FXL_UNITS(2), FXL_UNITS(-8)}, .pitch = FXL_DEGREES(-12)};
-    const fxl_band screen = {.pixels = pixels[0], .width = 320, .stride = 320, .rows = 240};
+    const fxl_band screen = {.pixels = (uint8_t *)pixels[0],
+                             .width = 320,
+                             .stride = 320,
+                             .rows = 240,
+                             .palette = it.renderer.palette};
     const fxl_text_style style = {.font = &fxl_font_5x7, .colour = 5};
     const fxl_point axis = {1, 2, 0};
 
     return fxl_orientation_from_axis(&axis, angle, orientation) == FXL_OK &&
-           fxl_render(&renderer, &eye, pixels[0], 320) == FXL_OK &&
+           fxl_render(&it.renderer, fxl_setup_frame(&it, 0), pixels[0], 320) == FXL_OK &&
            fxl_draw_text(&screen, 8, 8, text, &style) == FXL_OK;
 }
 
@@ -38,22 +42,20 @@ int main(void)
                      {"SPEED 04", "SPEED 05", "SPEED 06"}}};
     const char *held = getenv("HELD_PIN");
     const int which = held == NULL ? 0 : atoi(held) == 2 ? 1 : 2;
-    const fxl_config config = fxl_config_default(320, 240);
     fxl_placement placement = FXL_PLACEMENT_NONE;
-    fxl_scene scene = cube_scene;
 
-    scene.placements = &placement;
-    scene.placement_code = &fxl_turned_instances;
-    if (fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory) != FXL_OK) {
+    if (fxl_setup_init(&it, &cube_setup, 240, memory, sizeof memory) != FXL_OK) {
         return 1;
     }
+    it.scene.placements = &placement;
+    it.scene.placement_code = &fxl_turned_instances;
     (void)fwrite(cube_palette, 1, sizeof cube_palette, stdout);
     for (int frame = 0; frame < 3; frame++) {
         if (!draw(&placement.orientation, expected[which].angles[frame],
                   expected[which].texts[frame])) {
             return 1;
         }
-        (void)fwrite(pixels, 1, sizeof pixels, stdout);
+        (void)fwrite(pixels, cube_config.target->pixel_bits / 8u, 320 * 240, stdout);
     }
     return 0;
 }

@@ -3,13 +3,15 @@
 order of its calls must be right, no byte may change while it is sent, and the display shows the frames as the library draws them."""
 
 import re
+import shutil
 import subprocess
 
 import numpy
 import pytest
 
-from conftest import CHECKOUT
+from conftest import CHECKOUT, run_cli
 from fixel.board import controllers, wires
+from fixel.report import examples
 from fixel.scene import making
 
 PORTS, TESTS = CHECKOUT / "ports", CHECKOUT / "host_tests" / "ports"
@@ -31,10 +33,12 @@ WINDOWS = {"esp_idf/main": ["main.c", "fixel_esp.c"], "zephyr/src": ["main.c", "
 
 @pytest.fixture(scope="module")
 def scene(tmp_path_factory):
-    """A folder with cube_scene.h, with a path of frames, and with game_scene.h."""
+    """A folder with cube_scene.h, with a path of frames, with model_scene.h, which has textures, light and depth, and with game_scene.h."""
     folder = tmp_path_factory.mktemp("scene")
     making.export(str(CHECKOUT / "examples/game/game.toml"), str(folder / "game_scene.h"))
-    making.export(str(CHECKOUT / "examples/cube/cube.obj"), str(folder / "cube_scene.h"), frames=96)
+    done = run_cli("export", "--c", CHECKOUT / "examples/cube/cube.obj", "-o", folder / "cube_scene.h", "--frames", 96)
+    assert done.returncode == 0, done.stderr
+    examples.write_own_scene(folder)
     return folder
 
 
@@ -126,6 +130,8 @@ def expected(folder, scene, example=""):
     program = built(folder, "expected", scene, [TESTS / name for name in EXPECTED.get(example, ["expected.c"])], BESIDE.get(example, ()))
     data = subprocess.run([program], stdout=subprocess.PIPE, check=True).stdout
     palette = numpy.frombuffer(data[:768], numpy.uint8).reshape(256, 3)
+    if len(data) == 768 + 2 * FRAMES * HEIGHT * WIDTH:
+        return list(numpy.frombuffer(data[768:], "<u2").reshape(FRAMES, HEIGHT, WIDTH))
     frames = numpy.frombuffer(data[768:], numpy.uint8).reshape(FRAMES, HEIGHT, WIDTH)
     return [wires.rgb565(palette)[frame] for frame in frames]
 
@@ -140,6 +146,19 @@ def test_a_display_shows_the_frames_of_the_library(example, scene, tmp_path):
     assert len(module.pictures) == FRAMES
     for shown, frame in zip(module.pictures, wanted):
         assert (shown == frame).all(), f"{(shown != frame).sum()} pixels differ"
+
+
+@pytest.mark.parametrize("example", [name for name in (*EXAMPLES, *WINDOWS) if name != "arduino/game"])
+def test_another_model_takes_its_name_alone(example, scene, tmp_path, monkeypatch):
+    """model_scene.h has textures, light at corners and a depth buffer. What is compiled differs from the example in the name."""
+    name = [("cube", "model"), ("CUBE", "MODEL")]
+    copied(example, (WINDOWS.get(example) or EXAMPLES[example][0])[0], name, tmp_path, monkeypatch)
+    source = EXPECTED.get(example, ["expected.c"])[0]
+    (tmp_path / source).write_text(replaced((TESTS / source).read_text(encoding="utf-8"), name), encoding="utf-8")
+    monkeypatch.setitem(EXPECTED, example, [tmp_path / source])
+    assert all(len(numpy.unique(frame)) > 100 for frame in expected(tmp_path, scene, example)), "texels and smooth light"
+    test = test_a_display_of_the_sdk_gets_the_frames_of_the_library if example in WINDOWS else test_a_display_shows_the_frames_of_the_library
+    test(example, scene, tmp_path)
 
 
 @pytest.mark.parametrize("pin", ["2", "3"])
@@ -173,7 +192,7 @@ def windows(diary):
 @pytest.mark.parametrize("example", WINDOWS)
 def test_a_display_of_the_sdk_gets_the_frames_of_the_library(example, scene, tmp_path):
     diary = diary_of(example, tmp_path, scene)
-    pictures, wanted = windows(diary), expected(tmp_path, scene)
+    pictures, wanted = windows(diary), expected(tmp_path, scene, example)
     assert len(pictures) == FRAMES + 1 and all((shown == frame).all() for shown, frame in zip(pictures, wanted))
     assert any(word == "start" for word, _ in diary) == (example == "esp_idf/main")
 
@@ -184,20 +203,25 @@ def test_a_display_of_the_sdk_gets_the_frames_of_the_library(example, scene, tmp
     ("esp_idf/main", ("esp->patience)", "portMAX_DELAY)"), "another time than the bytes take"),
     ("zephyr/src", (" && display_blanking_off(display) == 0", ""), "the display is off")])
 def test_a_broken_sink_is_found(example, broken, found, scene, tmp_path, monkeypatch):
-    copied(example, WINDOWS[example][1], broken, tmp_path, monkeypatch)
+    copied(example, WINDOWS[example][1], [broken], tmp_path, monkeypatch)
     with pytest.raises(AssertionError, match=found):
         diary_of(example, tmp_path, scene)
 
 
-def copied(example, name, broken, folder, monkeypatch):
-    """The ports in a copy in which a source is broken."""
-    copy = folder / "ports"
-    (copy / example).mkdir(parents=True)
-    for file in (PORTS / example).iterdir():
-        text = file.read_text(encoding="utf-8")
-        (copy / example / file.name).write_text(text.replace(*broken) if file.name == name else text, encoding="utf-8")
-    assert (copy / example / name).read_text() != (PORTS / example / name).read_text()
-    monkeypatch.setattr(f"{__name__}.PORTS", copy)
+def replaced(text, pairs):
+    for old, new in pairs:
+        assert old in text
+        text = text.replace(old, new)
+    return text
+
+
+def copied(example, name, pairs, folder, monkeypatch):
+    """The ports in a copy in which texts of a source are replaced."""
+    port = example.split("/")[0]
+    shutil.copytree(PORTS / port, folder / "ports" / port)
+    source = folder / "ports" / example / name
+    source.write_text(replaced(source.read_text(encoding="utf-8"), pairs), encoding="utf-8")
+    monkeypatch.setattr(f"{__name__}.PORTS", folder / "ports")
 
 
 @pytest.mark.parametrize("example, seeks_dma", [("pico_sdk", True), ("stm32_hal", True), ("arduino/cube", False)])
@@ -214,7 +238,7 @@ def test_pixels_go_by_dma_where_there_is_some(example, seeks_dma, scene, tmp_pat
 def test_a_broken_port_is_found(example, broken, found, scene, tmp_path, monkeypatch):
     """The test can fail: without a wait, or with the library's own buffer given away."""
     sources, controller, pins = EXAMPLES[example]
-    copied(example, sources[1], broken, tmp_path, monkeypatch)
+    copied(example, sources[1], [broken], tmp_path, monkeypatch)
     with pytest.raises((AssertionError, controllers.ToolError)) as error:
         module = Module(controller, pins)
         module.play(diary_of(example, tmp_path, scene))

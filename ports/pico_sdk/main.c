@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The cube turns on a display of 320 x 240. */
+/* A camera circles a cube, on a display of 320 x 240. A model of your own: its name instead of cube. */
 #include <fixel.h>
 #include <fixel/display.h>
 #include <fixel/pump.h>
@@ -11,28 +11,27 @@
 #define HEIGHT 240
 #define ROWS   20 /* of a band; two of them are sent in turn */
 
-static fxl_renderer renderer;
-static uint64_t memory[CUBE_MEMORY];
+static fxl_setup it;
+static uint64_t memory[CUBE_SETUP_MEMORY(ROWS)];
 static fxl_display display;
 static fxl_pump pump;
-static uint64_t pump_memory[FXL_PUMP_MEMORY(WIDTH, ROWS, 16)];
+static uint64_t pump_memory[FXL_PUMP_MEMORY_RGB565(WIDTH, ROWS, 16)];
 
 int main(void)
 {
     const fxl_display_config module = fxl_display_config_default(&fxl_st7789, 1);
-    const fxl_pump_config bands = {&display.pixels, WIDTH, HEIGHT, ROWS, NULL};
+    const fxl_pump_config bands = {&display.pixels, WIDTH, HEIGHT, ROWS, cube_setup.config->palette};
     uint32_t frame;
-    fxl_config view = cube_config;
 
-    view.target = &fxl_palette; /* a byte a pixel */
     fixel_pico_open();
-    if (fxl_renderer_init(&renderer, &cube_scene, &view, memory, sizeof memory) != FXL_OK ||
-        fxl_display_open(&display, &module, &fixel_pico_port, cube_palette[0]) != FXL_OK ||
+    /* fxl_setup_explain has a sentence for each refusal */
+    if (fxl_setup_init(&it, &cube_setup, ROWS, memory, sizeof memory) != FXL_OK ||
+        fxl_display_open(&display, &module, &fixel_pico_port, cube_setup.palette) != FXL_OK ||
         fxl_pump_init(&pump, &bands, &display.sink, pump_memory, sizeof pump_memory) != FXL_OK) {
         return 1;
     }
-    for (frame = 0;; frame = (frame + 1) % CUBE_FRAMES) {
-        if (fxl_pump_frame(&pump, &renderer, &cube_path[frame]) != FXL_OK) {
+    for (frame = 0;; frame++) {
+        if (fxl_pump_frame(&pump, &it.renderer, fxl_setup_frame(&it, frame)) != FXL_OK) {
             return 1;
         }
     }

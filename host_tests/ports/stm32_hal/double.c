@@ -7,7 +7,7 @@
 
 #define POLLS 3 /* how often the SPI says that it is busy */
 
-void cube_run(void);
+void fixel_run(void);
 
 SPI_HandleTypeDef hspi1;
 GPIO_TypeDef ports_gpioa;
@@ -79,6 +79,6 @@ uint32_t HAL_GetTick(void)
 
 int main(void)
 {
-    cube_run();
+    fixel_run();
     return 1;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The cube turns on a display of 320 x 240. */
+/* A camera circles a cube, on a display of 320 x 240. A model of your own: its name instead of cube. */
 #include <fixel.h>
 #include <fixel/display.h>
 #include <fixel/pump.h>
@@ -11,31 +11,30 @@
 #define HEIGHT 240
 #define ROWS   20 /* of a band; two of them are sent in turn */
 
-static fxl_renderer renderer;
-static uint64_t memory[CUBE_MEMORY];
+static fxl_setup it;
+static uint64_t memory[CUBE_SETUP_MEMORY(ROWS)];
 static fxl_display display;
 static fxl_pump pump;
-static uint64_t pump_memory[FXL_PUMP_MEMORY(WIDTH, ROWS, 16)];
+static uint64_t pump_memory[FXL_PUMP_MEMORY_RGB565(WIDTH, ROWS, 16)];
 static bool is_open;
 static uint32_t frame;
 
 void setup()
 {
-    fxl_pump_config bands = {&display.pixels, WIDTH, HEIGHT, ROWS, NULL};
+    fxl_pump_config bands = {&display.pixels, WIDTH, HEIGHT, ROWS, cube_setup.config->palette};
     const fxl_display_config module = fxl_display_config_default(&fxl_ili9341, 1);
-    fxl_config view = cube_config;
 
-    view.target = &fxl_palette; /* a byte a pixel */
     fixel_arduino_open();
-    is_open = fxl_renderer_init(&renderer, &cube_scene, &view, memory, sizeof memory) == FXL_OK &&
-              fxl_display_open(&display, &module, &fixel_arduino_port, cube_palette[0]) == FXL_OK &&
+    /* fxl_setup_explain has a sentence for each refusal */
+    is_open = fxl_setup_init(&it, &cube_setup, ROWS, memory, sizeof memory) == FXL_OK &&
+              fxl_display_open(&display, &module, &fixel_arduino_port, cube_setup.palette) == FXL_OK &&
               fxl_pump_init(&pump, &bands, &display.sink, pump_memory, sizeof pump_memory) == FXL_OK;
 }
 
 void loop()
 {
     if (is_open) {
-        is_open = fxl_pump_frame(&pump, &renderer, &cube_path[frame]) == FXL_OK;
-        frame = (frame + 1) % CUBE_FRAMES;
+        is_open = fxl_pump_frame(&pump, &it.renderer, fxl_setup_frame(&it, frame)) == FXL_OK;
+        frame++;
     }
 }

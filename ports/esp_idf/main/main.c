@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The cube turns on an ST7789 of 320 x 240. */
+/* A camera circles a cube, on an ST7789 of 320 x 240. A model of your own: its name instead of cube. */
 #include <fixel.h>
 
 #include "cube_scene.h" /* tools/scene.py export --c --frames 96 examples/cube/cube.obj -o cube_scene.h */
@@ -15,12 +15,12 @@
 
 enum { CLOCK = 12, DATA_OUT = 11, SELECT = 10, DATA_COMMAND = 9, RESET = 8 };
 
-static fxl_renderer renderer;
-static uint64_t memory[CUBE_MEMORY];
+static fxl_setup it;
+static uint64_t memory[CUBE_SETUP_MEMORY(ROWS)];
 static fxl_pixels colours;
 static fixel_esp esp;
 static fxl_pump pump;
-static uint64_t pump_memory[FXL_PUMP_MEMORY(WIDTH, ROWS, 16)]; /* internal RAM, which the DMA reaches */
+static uint64_t pump_memory[FXL_PUMP_MEMORY_RGB565(WIDTH, ROWS, 16)]; /* internal RAM, which the DMA reaches */
 
 /* The panel as ESP-IDF drives it. */
 static bool open_panel(esp_lcd_panel_handle_t *panel, esp_lcd_panel_io_handle_t *io)
@@ -43,21 +43,20 @@ static bool open_panel(esp_lcd_panel_handle_t *panel, esp_lcd_panel_io_handle_t 
 
 void app_main(void)
 {
-    const fxl_pump_config bands = {&colours, WIDTH, HEIGHT, ROWS, NULL};
+    const fxl_pump_config bands = {&colours, WIDTH, HEIGHT, ROWS, cube_setup.config->palette};
     esp_lcd_panel_handle_t panel = NULL;
     esp_lcd_panel_io_handle_t io = NULL;
     uint32_t frame;
-    fxl_config view = cube_config;
 
-    view.target = &fxl_palette; /* a byte a pixel */
+    /* fxl_setup_explain has a sentence for each refusal */
     if (!open_panel(&panel, &io) || !fixel_esp_open(&esp, panel, io, WIDTH, HZ) ||
-        fxl_renderer_init(&renderer, &cube_scene, &view, memory, sizeof memory) != FXL_OK ||
-        fxl_pixels_init(&colours, &fxl_pixels_rgb565, cube_palette[0]) != FXL_OK ||
+        fxl_setup_init(&it, &cube_setup, ROWS, memory, sizeof memory) != FXL_OK ||
+        fxl_pixels_init(&colours, &fxl_pixels_rgb565, cube_setup.palette) != FXL_OK ||
         fxl_pump_init(&pump, &bands, &esp.sink, pump_memory, sizeof pump_memory) != FXL_OK) {
         return;
     }
-    for (frame = 0;; frame = (frame + 1) % CUBE_FRAMES) {
-        if (fxl_pump_frame(&pump, &renderer, &cube_path[frame]) != FXL_OK) {
+    for (frame = 0;; frame++) {
+        if (fxl_pump_frame(&pump, &it.renderer, fxl_setup_frame(&it, frame)) != FXL_OK) {
             return;
         }
     }
