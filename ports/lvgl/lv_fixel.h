@@ -45,7 +45,8 @@ lv_obj_t *lv_fixel_create(lv_obj_t *parent);
  * No other widget may have it, and while the display is refreshed the program may not use it.
  * Between two refreshes no frame is begun, so the scene and what is attached may change;
  * lv_obj_invalidate then has the widget drawn anew. Null: it has none.
- * palette: of a renderer whose target is a palette, its 256 x red, green, blue. Else null.
+ * palette: of a renderer whose target is a palette, its 256 x red, green, blue. Else it is not
+ * read. An exported scene has both: &it.renderer and NAME_setup.palette (fixel/setup.h).
  * FXL_E_ARGUMENT: obj is null.
  * FXL_E_ORDER: the renderer was never initialised.
  * FXL_E_COMBINATION: the palette is null, or no ramp of grey: entry i must be i, i, i.

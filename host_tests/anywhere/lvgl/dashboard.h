@@ -68,5 +68,6 @@ void test_opacity(void);
 void test_snapshot(void);
 void test_pick_and_pose(void);
 void test_another_display(void);
+void test_setup(void);
 
 #endif

@@ -19,6 +19,7 @@ void run_all_tests(void)
     test_snapshot();
     test_pick_and_pose();
     test_another_display();
+    test_setup();
 }
 
 static void run_with(lv_obj_t *(*make_view)(lv_obj_t *parent))

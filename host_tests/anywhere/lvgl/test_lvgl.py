@@ -36,6 +36,7 @@ def fixture_folder(tmp_path_factory):
     for file in (*HERE.glob("*.h"), PORT / "lv_fixel.h", folder / "one" / "fixel.h"):
         shutil.copy(file, headers)
     examples.write_scene(headers)
+    examples.write_own_scene(headers)
     (headers / "fixel").mkdir()
     for file in (CHECKOUT / "lib" / "include" / "fixel").glob("*.h"):
         (headers / "fixel" / file.name).write_text('#include "../fixel.h"\n', encoding="utf-8")
@@ -159,6 +160,11 @@ def test_pointer_pose_and_snapshot(said):
     assert differ == 0 and 8 <= frames <= 11, "a frame for each pose, and none where nothing has changed"
     assert f"flight: 0 0, half yaw 0 x {-3 * 65536 // 2}" in said
     assert "snapshot: 0 pixels differ, 1 begun, none afterwards" in said and "deleted: no frame yes" in said
+
+
+def test_an_exported_model_is_shown_with_all_that_it_has(said):
+    """Textures, light at corners and a depth buffer of the display's rows, in the bands of LVGL."""
+    assert figures(said, r"setup: 0 0 0, (\d+) pixels differ, (\d+) frames, (\d+) refused") == [0, 4, 0]
 
 
 def test_a_widget_follows_the_display_that_it_is_moved_to(said):
