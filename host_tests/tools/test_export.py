@@ -2,7 +2,9 @@
 """tools/scene.py export: headers that any compiler takes, that hold what the scene image holds, and that
 say how much memory the library wants."""
 
+import argparse
 import functools
+import itertools
 import re
 import subprocess
 from types import SimpleNamespace
@@ -11,7 +13,7 @@ import pytest
 
 from board_programs import ROOT, made
 from conftest import assert_one_sentence, run_cli
-from fixel.bench import frame_costs
+from fixel.bench import frame_costs, prediction
 from fixel.image import c_names, c_scene, c_text, image, memory_needed
 from fixel.base.errors import ToolError
 from fixel.scene import compiler, making
@@ -348,7 +350,7 @@ def test_the_library_divides_the_block_as_the_tool_says(exported):
     found = [tuple(map(int, row.split())) for row in rows]
     assert found[0][0] == memory_needed.least(exported.scene) and found[-1][0] == memory_needed.most(exported.scene)
     for units, entries, words in found:
-        assert (entries, words) == divided(exported.scene, units), units
+        assert (entries, words) == divided(exported.scene, units) == memory_needed.divided(exported.scene, units), units
     _, entries, words = found[-1]
     assert entries >= max(len(model.vertices) for model in exported.scene.models)
     assert words >= memory_needed.most_words(exported.scene)
@@ -368,38 +370,27 @@ def test_with_one_unit_less_something_is_missing():
         assert is_enough(most) and not is_enough(most - 1)
 
 
-MODELS = [("plaza", "scenes/plaza.toml"), ("sphere", "scenes/w3.toml"), ("spin", "scenes/spin.toml"),
-          ("landscape", "scenes/landscape.toml"), ("loose", "scenes/c500.toml"), ("fine", "scenes/f32.toml"), ("lit", "scenes/lit.toml"), ("cube", CUBE)]
+MODELS = ["scenes/plaza.toml", "scenes/w3b.toml", "scenes/spin.toml", "scenes/landscape.toml", "scenes/c500.toml", "scenes/f32.toml",
+          "scenes/lit.toml", "scenes/room.toml", "scenes/gallery.toml", "scenes/car.toml", CUBE]    # smooth, textured, with a depth buffer too
 
 
-def costs_of_memory(file, rows):
-    """Instructions of a mean frame on a Cortex-M3 with each of the three sizes, by what the library does."""
-    scene, known = image.load(file), frame_costs.load()["cores"]["m3"]
-    band, taken = (rows or scene.height) * scene.width, []
-    for size in (memory_needed.least, memory_needed.moderate, memory_needed.most):
-        entries, words = divided(scene, size(scene))
-        # Light and motions have memory of their own. The limit of 0 words is written 1 byte.
-        limit = 4 * words * bool(rows) or 1
-        names, counts = frame_costs.count(made("build/host/predict").parents[1], file, band, 0, 1 << 20, entries, limit, 6)
-        taken.append(frame_costs.instructions(known, names, counts).mean())
-    return taken
-
-
-@pytest.mark.parametrize("rows, most_moderate, most_least", [(None, 1.2, 1.4), (16, 2.0, 10.0)], ids=["fxl_render", "bands"])
-def test_what_less_memory_costs(tmp_path, rows, most_moderate, most_least):
-    """The header's comment and docs/hello.md say so."""
-    ratios = []
-    for name, file in MODELS:
-        making.build(str(ROOT / file), tmp_path / f"{name}.fxls", 12 if str(file).endswith(".obj") else None)
-        scene = image.load(tmp_path / f"{name}.fxls")
-        least, moderate, most = costs_of_memory(tmp_path / f"{name}.fxls", rows)
-        ratios.append((moderate / most, least / most))
-        assert 0.999 <= moderate / most <= most_moderate and moderate <= 1.001 * least and least / most <= most_least, name
-        bytes_beside = 8 * (memory_needed.moderate(scene) - memory_needed.least(scene))
-        assert bytes_beside <= 10240 and memory_needed.least(scene) <= memory_needed.moderate(scene) <= memory_needed.most(scene)
-    # The bounds are not far from what is so.
-    found = [max(each) for each in zip(*ratios)]
-    assert found[0] >= (1.02 if rows is None else 1.6) and found[1] >= (1.15 if rows is None else 7), found
+def test_what_less_memory_costs(tmp_path):
+    """The header's comment, docs/hello.md and make predict say so: of a Cortex-M3 and of a Cortex-M0."""
+    most, options = {}, argparse.Namespace(build=made("build/host/predict").parents[1], frames=6, scene="")
+    for file, core in itertools.product(MODELS, ("m3", "m0")):
+        compiled_scene, options.scene = tmp_path / "scene.fxls", str(file)
+        making.build(str(ROOT / file), compiled_scene, 12 if str(file).endswith(".obj") else None)
+        told = prediction.of_memory(options, compiled_scene, frame_costs.load()["cores"][core])
+        fast, moderate, least = ({way: each[way] for way in ("bytes", "fxl_render", "bands")} for each in told)
+        bands = -(-image.load(compiled_scene).height // prediction.BAND_ROWS)
+        for way in ("fxl_render", "bands"):
+            assert fast[way] <= 1.001 * moderate[way] and moderate[way] <= 1.001 * least[way], (file, way)
+            most[core, way] = [max(old, each[way] / fast[way]) for old, each in zip(most.get((core, way), (0, 0)), (moderate, least))]
+        assert all(each["bands"] <= bands * each["fxl_render"] for each in (fast, moderate, least)), file
+        assert moderate["bytes"] - least["bytes"] <= 10240 and least["bytes"] <= moderate["bytes"] <= fast["bytes"]
+    # docs/hello.md: bounds that are not far from what is so.
+    for way, bounds in {"fxl_render": (1.2, 1.8), "bands": (2.2, 17)}.items():
+        assert all(0.9 * bound <= found <= bound for found, bound in zip(most["m3", way], bounds)), (way, most)
 
 
 def test_output_is_the_same_each_time_and_names_no_folder(tmp_path):

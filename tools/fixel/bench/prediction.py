@@ -19,6 +19,9 @@ from fixel.base.reading import quoted
 from fixel.base.table import coloured, count_of, table
 
 
+BAND_ROWS = 16          # of a program that export --c --program writes
+BESIDE = 1 << 20        # bytes for what a scene has beside its faces, which have memory of their own in such a program
+
 # What a board's program may leave out: WALK_WITHOUT_... of its settings.
 NOT_DRAWN = {"surfaces": "surfaces (VISIBILITY=surfaces builds a program that draws them)",
              "depth": "with a depth buffer (VISIBILITY=sorted builds a program that draws by distance)",
@@ -70,6 +73,23 @@ def parts(names, counts, table_of):
     return sorted((each for each in found if each[2] > 0), key=lambda each: -each[2])
 
 
+def of_memory(options, file, costs):
+    """What a program of the user's takes with each of the three sizes of an exported header, as plain data: bytes of the block for
+    fxl_renderer_init, and instructions of a mean frame by fxl_render and in bands of BAND_ROWS rows."""
+    scene, found = image.load(file), []
+    row, beside = scene.width * scene.pixel_bits // 8, 2 * scene.width * scene.height * scene.depth_bits // 8
+    for ending, size in memory_needed.SIZES.items():
+        units = size(scene)
+        vertices, words = memory_needed.divided(scene, units)
+        ways = {}
+        for way, rows, most in (("fxl_render", scene.height, 1), ("bands", BAND_ROWS, memory_needed.WORD * words or 1)):
+            names, counts = frame_costs.count(options.build, file, rows * row, 0, BESIDE + beside + most, vertices, most,
+                                              options.frames or 0, options.scene)
+            ways[way] = round(float(frame_costs.instructions(costs, names, counts).mean()))
+        found.append({"size": f"NAME_MEMORY{ending}", "bytes": memory_needed.UNIT * units, **ways})
+    return found
+
+
 def predict(options, file):
     """The prediction for a scene image, as plain data."""
     known = frame_costs.load()
@@ -77,7 +97,7 @@ def predict(options, file):
     scene, size = image.load(file), pathlib.Path(file).stat().st_size
     result = {"board": options.board, "core": core, "scene": options.scene, "frames": scene.frames,
               "why_not": None, **frame_costs.memory(board, size, has_looks(scene)), "instructions_per_frame": None,
-              "ram_of_your_program": memory_needed.of_program(scene), "parts": []}
+              "ram_of_your_program": memory_needed.of_program(scene), "your_memory": [], "parts": []}
     try:
         names, counts = count(options, scene, size, board, file)
     except frame_costs.NoRoom as error:
@@ -87,6 +107,7 @@ def predict(options, file):
     result["instructions_per_frame"] = {"min": round(taken.min()), "mean": round(taken.mean()), "max": round(taken.max())}
     result["parts"] = [{"what": what, "times": round(float(times), 1), "instructions": round(float(spent))}
                        for what, times, spent in parts(names, counts, known["cores"][core])]
+    result["your_memory"] = of_memory(options, file, known["cores"][core])
     return result
 
 
@@ -109,6 +130,9 @@ def print_prediction(result):
         print(table([[part["what"], round(part["times"], None if part["times"] >= 100 else 1), part["instructions"]]
                      for part in result["parts"][:8]],
                     ["most of them for", "times a frame", "instructions"]))
+    if result["your_memory"]:
+        print(table([[each["size"], each["bytes"], each["fxl_render"], each["bands"]] for each in result["your_memory"]],
+                    ["in a program of your own", "bytes", "instructions by fxl_render", f"in bands of {BAND_ROWS} rows"]))
     if result["why_not"]:
         print(f"{coloured('no room', 'red')}: {one_line(result['why_not'])}")
 

@@ -226,19 +226,23 @@ def printable(text):
 
 
 def _memory(scene, name):
-    """Three sizes of the renderer's memory, and what each costs. host_tests/tools/test_export.py measures the costs."""
-    least, moderate, most = (getattr(memory_needed, size)(scene) for size in ("least", "moderate", "most"))
-    unit = memory_needed.UNIT
+    """Three sizes of the renderer's memory, what each holds, and the bound of what that costs. host_tests/tools/test_export.py
+    measures it."""
+    capital, sizes = name.upper(), []
+    for ending, size in memory_needed.SIZES.items():
+        units = size(scene)
+        vertices, words = memory_needed.divided(scene, units)
+        sizes.append((units, f"{capital}_MEMORY{ending}, {memory_needed.UNIT * units:,} bytes", vertices, memory_needed.WORD * words))
+    fast, moderate, least = sizes
     return "\n".join([
-        *comment("uint64_t of memory for fxl_renderer_init. A frame has the same pixels with each of the three. "
-                 f"{name.upper()}_MEMORY_FAST, {unit * most:,} bytes: no frame needs more. {name.upper()}_MEMORY, "
-                 f"{unit * moderate:,} bytes: fxl_render takes up to 1.2 times the instructions of {name.upper()}_MEMORY_FAST, "
-                 f"a frame in bands of 16 rows up to 2 times. {name.upper()}_MEMORY_LEAST, {unit * least:,} bytes, below which "
-                 "fxl_renderer_init answers FXL_E_CAPACITY: fxl_render takes up to 1.4 times, a frame in bands of 16 rows up "
-                 "to 10 times."),
-        f"#define {name.upper()}_MEMORY       {moderate}",
-        f"#define {name.upper()}_MEMORY_LEAST {least}",
-        f"#define {name.upper()}_MEMORY_FAST  {most}", ""])
+        *comment(f"uint64_t of memory for fxl_renderer_init. A frame has the same pixels with each of the three. {fast[1]}: any "
+                 f"vertex of a model and any polygon of a frame is computed once. {moderate[1]}: {count_of(moderate[2], 'vertex')} and "
+                 f"{moderate[3]:,} bytes of polygons are kept. {least[1]}, below which fxl_renderer_init answers FXL_E_CAPACITY: none "
+                 "are. What is not kept is computed again for each face and, in bands, for each band: a frame in bands takes at most as "
+                 "many times the instructions of fxl_render as it has bands. make predict says how many times for the scene."),
+        f"#define {capital}_MEMORY       {moderate[0]}",
+        f"#define {capital}_MEMORY_LEAST {least[0]}",
+        f"#define {capital}_MEMORY_FAST  {fast[0]}", ""])
 
 
 def _capacity(scene, name):

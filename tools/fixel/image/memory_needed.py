@@ -66,6 +66,15 @@ def moderate(scene):
     return min(most(scene), least(scene) + MODERATE // UNIT)
 
 
+def divided(scene, units):
+    """(entries of the cache, words of the display list) that the library makes of a block of so many uint64_t."""
+    rest = (units - least(scene)) * UNIT
+    entries = cache_entries(max(len(model.vertices) for model in scene.models))
+    while entries > rest // 4 // CACHED_VERTEX:
+        entries //= 2
+    return entries, (rest - entries * CACHED_VERTEX) // WORD
+
+
 def of_program(scene):
     """Bytes of RAM that a program of the user's gives the library for a scene, beside its pixels: without a display list,
     as NAME_MEMORY of an exported header, and with a list that holds every polygon."""
@@ -80,3 +89,7 @@ def most(scene):
     cache = CACHED_VERTEX * cache_entries(max(len(model.vertices) for model in scene.models))
     rest = max(4 * cache, cache + WORD * most_words(scene))
     return least(scene) + _up(rest, UNIT) // UNIT
+
+
+# By the ending of the constant in an exported header.
+SIZES = {"_FAST": most, "": moderate, "_LEAST": least}
