@@ -185,10 +185,14 @@ endif
 
 HOST_WALK := $(call WALK_OF,host)
 WALK      := $(call WALK_OF,$(BOARD_CHOSEN))
+# What make run draws with on the host, where nothing else was chosen.
+WHOLE_FRAMES := $(if $(OWN)$(WALK_CHOICE)$(filter game,$(PROGRAM)),,$(if $(BOARD_HOSTED.$(BOARD_CHOSEN)),$(HOST_WALK)-whole))
 IMAGE     := $(BUILD)/flash/$(BOARD_CHOSEN).bin
 SCENE_OF_PROGRAM := $(if $(OWN),scenes/tiny.toml,$(if $(filter game,$(PROGRAM)),examples/game/game.toml,scenes/plaza.toml))
 # These have been compared with the names that there are: firmware/firmware.mk.
 METHODS_OPTIONS := --program $(PROGRAM_NAME) $(VISIBILITY:%=--visibility %) $(CLIPPER:%=--clipper %) $(ROWS:%=--rows %) $(DRIVER:%=--driver %)
+# What is told of polygons that the display list of a board in bands has no room for is predicted.
+PREDICTS_BANDS := $(if $(filter-out 1048576,$(BOARD_BAND_BYTES.$(BOARD_CHOSEN)))$(ROWS)$(DRIVER),$(if $(WHOLE_FRAMES)$(OWN),,$(BUILD)/host/predict))
 # How a model without a scene file is drawn depends on what its frames are predicted to take.
 PREDICTS := $(if $(filter $(addprefix %.,obj gltf glb stl ply OBJ GLTF GLB STL PLY),$(value SCENE)),$(addprefix $(BUILD)/host/,predict judge raycast) $(HOST_WALK))
 DRAW_OPTIONS := --board $(BOARD_CHOSEN) --scene $(SCENE_OF_PROGRAM) --build $(BUILD) $(METHODS_OPTIONS)
@@ -228,8 +232,8 @@ all: ## build everything, run nothing [BOARD= PROGRAM=walk VISIBILITY= CLIPPER= 
 
 run: ## draw a scene's path on a board, compare it with double; or run a program of your own there [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT= FRESH=1]
 	@$(SET_UP) run$(SETUP_OF_BOARD:%= %)
-	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast $(PREDICTS)
-	@$(TOOL) run $(DRAW_OPTIONS) --out $(BUILD)/run
+	@$(MAKE) $(WALK) $(HOST_WALK) $(WHOLE_FRAMES) $(BUILD)/host/judge $(BUILD)/host/raycast $(sort $(PREDICTS) $(PREDICTS_BANDS))
+	@$(TOOL) run $(DRAW_OPTIONS) $(if $(WHOLE_FRAMES),--whole-frames) --out $(BUILD)/run
 
 view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= PORT= OPEN=1]
 	@$(SET_UP) view$(SETUP_OF_BOARD:%= %)

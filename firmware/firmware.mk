@@ -246,7 +246,7 @@ WALK_RECORDS := $(WALK_CLIPPER) $(WALK_TARGET) $(if $(DRIVER),$(DRIVER_RECORD))
 
 # The program of a board with what was chosen.
 WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM_NAME)$(WALK_CHOICE))
-PROGRAM_FILES_OF = $(sort $(foreach program,$(PROGRAMS),$(call PROGRAM_FILE_OF,$(1),$(program))) $(call WALK_OF,$(1)))
+PROGRAM_FILES_OF = $(sort $(foreach program,$(PROGRAMS),$(call PROGRAM_FILE_OF,$(1),$(program))) $(call WALK_OF,$(1))) $(if $(BOARD_HOSTED.$(1)),$(FIRMWARE_OUT)/$(1)/walk-whole)
 
 # How a board's programs are linked, and what it takes beside the objects.
 BOARD_LINK = $(call CROSS_OF,$(1))gcc $(BOARD_CORE.$(1)) -nostartfiles -Llinker -T boards/$(1)/memory.ld \
@@ -333,8 +333,16 @@ $(addprefix $(FIRMWARE_OUT)/$(1)/,$(addsuffix $(WALK_METHODS).o,$(WALK_METHODS_F
 	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(WALK_METHODS_DEFINES) -Ilib/include -Ilib $(BOARD_SETTINGS.$(1):%=-D%))
 endef
 
+# On a host the narrow bands are for what boards are compared with: make run BOARD=host draws whole frames of any size.
+WHOLE_DEFINES := -UWALK_LIST_MOST -UWALK_BAND_BYTES -DWALK_BAND_BYTES=0x200000 -UWALK_LIST_BYTES -DWALK_LIST_BYTES=0x800000
+
 define HOSTED_RULES
 BOARD_WALK.$(1) := $(FIRMWARE_OUT)/$(1)/walk
+
+$(FIRMWARE_OUT)/$(1)/walk-whole: $(if $(BUILT_GOALS),$(filter-out %/walk/walk.o,$(call PROGRAM_OBJECTS_OF,$(1),walk)) $(FIRMWARE_OUT)/$(1)/walk-whole.o $(call LIB_OBJECTS_OF,$(1),$(PROGRAM_SOURCES.walk)))
+
+$(FIRMWARE_OUT)/$(1)/walk-whole.o: firmware/walk/walk.c firmware/firmware.mk boards/$(1)/board.mk
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) -Ilib/include -Iboards -Ifirmware/walk $$(call BOARD_DEFINES,$(1)) $(WHOLE_DEFINES))
 
 $(call PROGRAM_FILES_OF,$(1)): $(BOARD_PARTS_OF)
 	$$(call FIRMWARE_LINK,$(HOSTCC) $$(LINK_OF_FILE) $$(filter %.o,$$^) $$(filter %.a,$$^))

@@ -145,6 +145,16 @@ def test_bands_and_whole_frames_are_one_picture(folder):
     assert whole["frame_crc"] == bands["frame_crc"] and len(whole["frame_crc"]) == 1
 
 
+def test_spilled_polygons_are_told_with_the_memory_that_ends_it(folder):
+    """Of a program in bands; fxl_render computes each once."""
+    for size, spills in (("LEAST", True), ("FAST", False)):
+        done, summary, _ = run(folder, f"{size}.c", "BOARD=host", text=BLOCKS["bands.c"].replace("CUBE_MEMORY]", f"CUBE_MEMORY_{size}]"))
+        assert (summary["polygons_spilled"] > 0) == spills == ("CUBE_MEMORY_FAST" in done.stdout), done.stdout
+        assert done.stdout.splitlines()[-1].startswith(f"open {folder / 'out' / 'walk.gif'}")
+    _, whole, _ = run(folder, "main.c", "BOARD=host")
+    assert whole["polygons_spilled"] == 0
+
+
 def test_what_is_drawn_over_a_frame_is_shown_and_a_loop_without_end_is_ended(folder):
     done, summary, frames = run(folder, "overlay.c", "BOARD=host", text=OVERLAY)
     assert summary["frames"] == 120 and "FRAMES= takes more than 120" in done.stdout

@@ -8,7 +8,7 @@ import types
 import numpy
 import pytest
 
-from conftest import CHECKOUT, assert_one_sentence, dry_run, run_cli, without_progress
+from conftest import CHECKOUT, assert_one_sentence, dry_run, run_cli, run_make, without_progress
 from fixel.base.errors import ToolError
 from fixel.board import firmware, model_look, order_check
 from fixel.image import image
@@ -286,6 +286,7 @@ ROW = 2 * 320
     (replaced(band=15 * ROW), {(16, 16): (True, 2000.0)}, (16, 16, 256, 40)),                # at most twice as dear
     (replaced(band=16 * ROW), {(16, 16): (False, 2001.0), (8, 16): (False, 1999.0)}, (8, 16, 256, 40)),
     (replaced(band=16 * ROW), {(16, 16): (False, 2001.0), (8, 16): (False, 2001.0)}, (8, 0, 256, 40)),
+    (replaced(band=4 * ROW, is_host=True), {(16, 16): (False, 9999.0)}, (16, 16, 256, 40)),
     (replaced(targets=frozenset({(8, 0), (8, 16)})), {}, (8, 16, 256, 40)),
     (replaced(targets=frozenset({(8, 0)})), {}, (8, 0, 256, 40)),
     (replaced(targets=frozenset({(8, 0)}), has_surfaces=False), {}, (8, 0, 0, 0)),
@@ -369,6 +370,7 @@ def test_the_room_is_that_of_the_boards_program(build):
     assert (room.band, room.order, room.list, room.cache, room.ram) == (1 << 20, 65_536, 1 << 18, 1024, 4 << 20)
     assert room.targets == ALL and room.has_surfaces and room.core == "m3"
     assert model_look.room_of(build / "boards" / "microbit" / "walk.elf").ram == 16 << 10
+    assert not room.is_host and model_look.room_of(build / "boards" / "host" / "walk").is_host
     host = model_look.room_of(build / "boards" / "host" / "walk")
     assert (host.band, host.order, host.list, host.cache) == (8192, 131_072, 69_632, 32) and host.targets == ALL
 
@@ -388,6 +390,14 @@ def test_a_bare_model_is_drawn_as_double_draws_it_and_in_the_right_order(build, 
     again = run_cli("run", "--board", "mps2-an385", "--scene", tmp_path / "s.toml", "--out", tmp_path / "again", "--allow-outside")
     assert again.returncode == 0, again.stderr
     assert json.loads((tmp_path / "again" / "summary.json").read_text())["frame_sha256"] == summary["frame_sha256"]
+
+
+def test_the_host_draws_the_best_look_in_whole_frames(tmp_path):
+    done = run_make("run", "BOARD=host", f"SCENE={round_model(tmp_path / 'm.glb')}", "ALLOW_OUTSIDE=1", "FRAMES=2", f"OUT={tmp_path / 'out'}")
+    assert done.returncode == 0, done.stderr
+    line, = [line for line in without_progress(done.stderr) if "RAM for pixels" in line]
+    assert all(words in line for words in ("RGB565, depth 16", "whole frame 320x240", "textures of at most", "light at run time", " 300 KB of RAM"))
+    assert json.loads((tmp_path / "out" / "summary.json").read_text())["host_frames_equal"]
 
 
 @pytest.mark.parametrize("name, words", [("raised_bars.obj", ["--palette", "--sorted"]), ("raised_bars.obj", ["--sorted"]), ("emissive.glb", ["--sorted"])])

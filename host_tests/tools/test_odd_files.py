@@ -88,11 +88,11 @@ def test_names_of_a_run(capsys):
     summary = {"board": BOARD, "cpu": "m3", "scene": ODD, "width": 1, "height": 1, "frames": 1, "pixels": 1,
                "pixels_differing": None, "program": "grey", "polygons": {"in": 1}, "driver": None,
                "instructions_per_frame": {"min": None}, "cycles_per_frame": {"min": None}, "host_frames_equal": True, "frames_empty": 0,
-               "order_wrong_pixels": None, "pixels_unexplained": None, "wires_frames_equal": None, "kept": [],
+               "order_wrong_pixels": None, "pixels_unexplained": None, "wires_frames_equal": None, "kept": [], "spilled_note": "",
                "frame_crc_all": "00000000", "sent_crc_all": None}
     judged_run.print_summary(summary, ODD)
     said = capsys.readouterr().out
-    assert said.count(SHOWN) == 2 and "\x1b" not in said, said
+    assert said.count(SHOWN) == 3 and "\x1b" not in said, said
 
 
 def test_labels_of_progress(capsys):

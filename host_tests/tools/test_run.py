@@ -7,6 +7,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import struct
 import types
 import zlib
@@ -16,7 +17,8 @@ import pytest
 from conftest import CHECKOUT, assert_one_sentence, dump_bytes, random_frames, run_cli, run_make
 from PIL import Image
 
-from fixel.board import counted, firmware, judged_run
+from fixel.bench import frame_costs
+from fixel.board import counted, firmware, judged_run, model_look, spilled
 from fixel.board import run as run_tool
 from fixel.base import scratch
 from fixel.scene import making
@@ -28,7 +30,7 @@ KEYS = {"texel_pixels", "board", "cpu", "scene", "width", "height", "frames", "p
         "pixels_unexplained", "worst_frame_differing", "max_edge_distance_px", "polygons",
         "instructions_per_frame", "frame_sha256", "host_frames_equal", "frames_empty", "visibility", "clipper", "program",
         "order_wrong_pixels", "order_judged_pixels", "driver", "wires_frames_equal", "wires_frame_sha256", "kept",
-        "frame_crc", "frame_crc_all", "sent_crc", "sent_crc_all", "cycles_per_frame", "emulator"}
+        "frame_crc", "frame_crc_all", "sent_crc", "sent_crc_all", "cycles_per_frame", "emulator", "spilled_note"}
 
 
 def walk(out, board="mps2-an385", scene=SCENE, frames=FRAMES, **changes):
@@ -376,6 +378,51 @@ def test_make_run(build, tmp_path):
     done = run_make("run", "BOARD=host", f"SCENE={SCENE}", "FRAMES=2", f"OUT={tmp_path / 'out'}")
     assert done.returncode == 0, done.stdout + done.stderr
     assert json.loads((tmp_path / "out" / "summary.json").read_text())["frames"] == 2
+
+
+def test_on_the_host_whole_frames_are_drawn_and_compared_with_those_of_narrow_bands(build, tmp_path):
+    words = "run", "BOARD=host", "SCENE=scenes/plaza.toml", "FRAMES=2"
+    for more, is_whole in (([], True), (["ROWS=24"], False)):
+        done = run_make(*words, *more, f"OUT={tmp_path / 'out'}", "FRESH=1")
+        assert done.returncode == 0, done.stdout + done.stderr
+        summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+        assert summary["host_frames_equal"] and (summary["polygons"]["spilled"] == 0) == is_whole == (summary["spilled_note"] == "")
+    assert_one_sentence(run_cli("run", "--board", "mps2-an385", "--whole-frames", "--scene", SCENE, "--out", tmp_path / "no"), "--whole-frames", "host")
+
+
+def test_what_to_open_is_the_last_line(result):
+    _, out, done = result
+    assert done.stdout.splitlines()[-1].startswith(f"open {out / 'walk.gif'}")
+
+
+def test_spilled_polygons_are_told_with_their_cost_and_the_size_that_ends_it(build, tmp_path):
+    """BOARD_LIST_BYTES that the sentence names holds every polygon, and 8 bytes less do not."""
+    done = walk(tmp_path / "out", board="netduino2", scene="scenes/plaza.toml", frames=3)
+    assert done.returncode == 0, done.stderr
+    note = json.loads((tmp_path / "out" / "summary.json").read_text())["spilled_note"]
+    assert note in done.stdout and "NaN" not in note
+    polygons, bands, times, setting = re.search(r"no room for (\d+) polygon.* (\d+) bands .*takes ([0-9.]+) times.*BOARD_LIST_BYTES := (\d+) in boards/netduino2/", note).groups()
+    making.build("scenes/plaza.toml", tmp_path / "plaza.fxls", 3)
+    room = model_look.room_of(build / "boards" / "netduino2" / "walk.elf")
+    band, number = 320 * (room.band // 320), -(-240 // (room.band // 320))
+    costs = frame_costs.load()["cores"]["m3"]
+
+    def drawn(words):
+        names, counts = frame_costs.count(build, tmp_path / "plaza.fxls", band, room.order, words, room.cache, frames=3)
+        return counts[:, names.index("spilled_faces")].sum(), frame_costs.instructions(costs, names, counts).mean()
+    assert drawn(int(setting))[0] == 0 < drawn(int(setting) - 8)[0] and number == int(bands) and int(polygons) > 0
+    assert float(times) == pytest.approx(drawn(room.list)[1] / drawn(int(setting))[1], abs=0.006)
+
+
+@pytest.mark.parametrize("changes, told", [
+    ({"polygons": 0}, ""), ({"rows": 240}, ""), ({"program": "game"}, "holds every polygon"), ({"clipper": "once"}, "holds every polygon")])
+def test_of_spilled_polygons_no_cost_is_told_that_nobody_knows(build, tmp_path, changes, told):
+    making.build("scenes/plaza.toml", tmp_path / "plaza.fxls", 3)
+    given = {"rows": None, "driver": None, "program": "walk", "clipper": None, "visibility": None, "polygons": 7} | changes
+    options = types.SimpleNamespace(board="b", build=build, frames=None, **given)
+    board = "mps2-an385" if changes.get("rows") else "netduino2"
+    said = spilled.note(options, build / "boards" / board / "walk.elf", tmp_path / "plaza.fxls", options.polygons)
+    assert told in said and bool(said) == bool(told) and "times" not in said
 
 
 def test_make_flash_and_boot(build, tmp_path):

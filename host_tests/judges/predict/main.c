@@ -2,7 +2,7 @@
 /* predict SCENE.fxls BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES LIST_MOST FRAMES
  *
  * Walks a scene's path as firmware/walk does on a board with these settings, and prints what the
- * library did in each frame, as JSON. ORDER_ENTRIES: 0: as many as the scene needs. LIST_MOST:
+ * library did in each frame, and the bytes of the display list, as JSON. ORDER_ENTRIES: 0: as many as the scene needs. LIST_MOST:
  * bytes that limit the display list alone. FRAMES: at most so many; 0: all. Exit code 0: it ran; 1:
  * the board has no room; 2: it could not. */
 #include <errno.h>
@@ -150,7 +150,7 @@ int main(int count, char **arguments)
     const uint32_t frames = settings[FRAMES] > 0 && settings[FRAMES] < run.image.frame_count
                                 ? settings[FRAMES]
                                 : run.image.frame_count;
-    printf("{\"names\": [");
+    printf("{\"list_bytes\": %" PRIu32 ",\n\"names\": [", 4 * run.memory.display_list_capacity);
     const char *const names[] = {
 #define X(name) #name,
         PREDICT_COUNTS(X)

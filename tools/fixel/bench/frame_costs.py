@@ -126,9 +126,15 @@ def core_of(flags):
     return next((cores[word] for word in words if word in cores), None)
 
 
-def count(build, image, band, order, words, cache, most=0, frames=0, name=None):
-    """(names, array of a row for each frame) of what the library does. band, words: bytes of a band and of the display
-    list; order, cache: entries; most: bytes that limit the list; name: the user's file, for messages."""
+def count(*words, **more):
+    """counted without the bytes of the display list."""
+    return counted(*words, **more)[:2]
+
+
+def counted(build, image, band, order, words, cache, most=0, frames=0, name=None):
+    """(names, array of a row for each frame) of what the library does, and the bytes of its display list. band, words: bytes of a
+    band and of the display list with what else takes of it; order, cache: entries; most: bytes that limit the list; name: the
+    user's file, for messages."""
     program = pathlib.Path(build) / "host" / "predict"
     if not program.exists():
         raise ToolError(f"{program} is not built: make predict builds it")
@@ -137,7 +143,7 @@ def count(build, image, band, order, words, cache, most=0, frames=0, name=None):
         said = done.stderr.strip().removeprefix("error: ").replace(str(image), str(name or image))
         raise (NoRoom if done.returncode == 1 else ToolError)(said or f"{program} ended with {done.returncode}")
     data = json.loads(done.stdout)
-    return data["names"], np.array(data["frames"], dtype=float)
+    return data["names"], np.array(data["frames"], dtype=float), data["list_bytes"]
 
 
 def fit(rows, wanted, weights, known=None):

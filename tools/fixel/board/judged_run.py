@@ -7,7 +7,7 @@ import sys
 import numpy
 
 from fixel.base import kept, output, picture, scratch, spent
-from fixel.board import counted, drawing, dump, emulator, firmware, frame_crc, methods, model_look, order_check, own_run, wires
+from fixel.board import counted, drawing, dump, emulator, firmware, frame_crc, methods, model_look, order_check, own_run, spilled, wires
 from fixel.model import close_faces
 from fixel.image import image as scene_image
 from fixel.base.errors import ToolError, one_line
@@ -130,12 +130,12 @@ def judged_rows(summary):
     return [["differ from double", f"{differing:,} of {pixels:,} pixels "
                                    f"({100 * differing / pixels:.5f} %), worst frame "
                                    f"{summary['worst_frame_differing']:,}"],
-            *([["by another texel", f"{summary['texel_pixels']:,}, within the bound of texture coordinates"]]
-              if summary["texel_pixels"] else []),
-            ["unexplained", f"{summary['pixels_unexplained']:,}"],
-            ["farthest from an edge", "-" if distance is None else f"{distance:.6f} pixel"],
+            *([["by another texel", f"{summary['texel_pixels']:,}: of these, they show a texel beside double's, within the bound of "
+                                    "texture coordinates"]] if summary["texel_pixels"] else []),
+            ["unexplained", f"{summary['pixels_unexplained']:,}: of these, neither near an edge nor by another texel"],
+            ["farthest from an edge", "-" if distance is None else f"{distance:.6f} pixel, of the others that differ"],
             ["wrong by the order", "not counted: the scene has billboards" if wrong is None else
-             f"{wrong:,} of {judged:,} pixels ({100 * wrong / judged:.3f} %)"]]
+             f"{wrong:,} of {judged:,} pixels ({100 * wrong / judged:.3f} %) show a face behind the nearest one"]]
 
 
 def print_summary(summary, out):
@@ -160,7 +160,11 @@ def print_summary(summary, out):
     said = f" ({empty} of {summary['frames']} frames are empty: nothing was drawn in them)" if empty else ""
     if summary["order_wrong_pixels"]:
         print(ORDER_ADVICE)
-    print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}{said}: {one_line(out)}")
+    if summary["spilled_note"]:
+        print(one_line(summary["spilled_note"]))
+    print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}{said}: {one_line(out)}", flush=True)
+    spent.tell()
+    print(own_run.line_to_open(out))
 
 
 def passes(summary):
@@ -206,22 +210,24 @@ def run(options, folder):
     output.make_folder(options.build)
     with scratch.folder("run", options.build) as work:
         # QEMU may be missing: say so before the scene takes its time.
-        name = methods.program(options)
+        name, elf = methods.program(options), methods.elf_of(options.board, options.build, methods.program_on_board(options))
         if options.board != firmware.HOST:
-            emulator.find_qemu(firmware.load(methods.elf_of(options.board, options.build, name), options.board).emulator)
-        image = model_look.scene_image(options, methods.elf_of(options.board, options.build, name), work)
+            emulator.find_qemu(firmware.load(elf, options.board).emulator)
+        image = model_look.scene_image(options, elf, work)
         methods.check_scene(options, scene_image.load(image))
         say_what_depth_confuses(image, options)
         record = work / wires.NAME if options.driver else None
         if options.driver:
             scene = scene_image.load(image)
             wires.check_size(options.driver, scene.width, scene.height)
-        file, program = walk(options.board, options, image, work, name, record)
+        file, program = walk(options.board, options, image, work, methods.program_on_board(options), record)
         drawn = dump.read_dump(file)
         if not drawn.frames:
             raise ToolError(f"{options.scene}: the path has no frames")
-        hosted, _ = walk(firmware.HOST, options, image, work, name, part="host") \
-            if options.board != firmware.HOST else (file, program)
+        twin_folder = work / "twin"
+        twin_folder.mkdir()
+        hosted, _ = walk(firmware.HOST, options, image, twin_folder, name, part="host") \
+            if options.board != firmware.HOST or options.whole_frames else (file, program)
         equal = frames_equal(drawn, dump.read_dump(hosted))
         sent = compare_wires(options, record, drawn)
         verdicts, twin = UNJUDGED, drawn
@@ -230,13 +236,16 @@ def run(options, folder):
             shutil.move(work / "double.fxld", folder / "double.fxld")
         write_pictures(folder, drawn, twin)
         shutil.move(file, folder / "board.fxld")
-    return summarise(options, program, drawn, equal) | sent | verdicts | {"kept": options.kept.parts}
+        spills = spilled.note(options, elf, image, polygon_totals(drawn.frames)["spilled"])
+    return summarise(options, program, drawn, equal) | sent | verdicts | {"kept": options.kept.parts, "spilled_note": spills}
 
 
 def command(options):
     """The command; its exit code."""
     scene_options.check(options)
     methods.check(options)
+    if options.whole_frames and (options.board != firmware.HOST or methods.program(options) != options.program):
+        raise ToolError("--whole-frames is for --board host, without a choice of rows, driver, visibility method and clipper")
     if own_run.is_own(options):
         return own_run.command(options, PATTERNS)
     options.kept = kept.Kept(options.build, options.fresh)
@@ -244,5 +253,4 @@ def command(options):
         summary = run(options, folder)
         output.write_json(folder / "summary.json", summary)
     print_summary(summary, options.out)
-    spent.tell()
     return 0 if passes(summary) else 1

@@ -45,6 +45,11 @@ def program(options):
     return f"{options.program}-{options.visibility or 'unasked'}-{options.clipper or 'view'}{rows}"
 
 
+def program_on_board(options):
+    """The name of the program that draws on --board: on the host make run has one that draws whole frames."""
+    return program(options) + ("-whole" if options.whole_frames else "")
+
+
 def check(options):
     """Refuses a choice beside what a scene is asked to be drawn as; scene_options.check comes before."""
     asked = options.target

@@ -2,7 +2,7 @@
 """How a board draws a model without a scene file: as its author made it where the board has the room, and else as much
 of that as fits (scene/look.py has the steps).
 
-A board draws a Look if it holds the whole frame; or bands of at least ROWS_MIN rows, with a display list that holds the
+A board draws a Look if it is the host or holds the whole frame; or bands of at least ROWS_MIN rows, with a display list that holds the
 frame; or if its frames are predicted to take at most DEARER_MAX times those of a palette by distance. A program's file
 says how much memory it has and what it draws. The predictions are those of make predict; where its program is not
 built, the memory alone decides. Of a board whose code bench/costs.json has no costs of, those of CORE compare two looks, and no
@@ -36,7 +36,7 @@ _ENTRY = {"order": 12, "cache": 40}     # bytes
 class Room:
     """What a program has room for: bytes of a band, of the display list and of a scene; entries of the order and of the
     cache; the targets that it draws, (bits of a pixel, bits of its depth); the core whose costs it has, or None;
-    bytes of the board's RAM, 0 where it has no end."""
+    bytes of the board's RAM; whether it is the host's, which has room for any look and draws in narrow bands by choice."""
     band: int
     order: int
     list: int
@@ -47,6 +47,7 @@ class Room:
     targets: frozenset
     core: str
     ram: int = 0
+    is_host: bool = False
 
 
 def _symbols(elf):
@@ -63,12 +64,19 @@ def room_of(elf):
     return Room(sizes["band"], sizes["order"] // _ENTRY["order"], sizes["list"], sizes["cache"] // _ENTRY["cache"],
                 IMAGE_MAX if program.hosted else program.scene_size, HOST_LIST_MOST if program.hosted else 0,
                 "fxl_attach_surfaces" in symbols, frozenset(targets), _core_of(program),
-                0 if program.hosted else fleet.sizes(elf)["ram_size"])
+                0 if program.hosted else fleet.sizes(elf)["ram_size"], program.hosted)
 
 
 def _core_of(program):
     """The core of bench/costs.json that has the code of a program, or None."""
     return None if program.code else frame_costs.core_of(f"-mcpu={program.cpu} -mfloat-abi=soft")     # as all boards have
+
+
+def band_of(room, scene, most=None):
+    """(bytes, rows) of a band of a scene in a room. most: rows at most, or None."""
+    row = scene.width * scene.pixel_bits // 8
+    rows = min(scene.height, room.band // row, most or scene.height)
+    return rows * row, rows
 
 
 @dataclass(frozen=True)
@@ -164,8 +172,7 @@ class _Chooser:
                 raise
             return Drawn(look, None, None, None, why_not=str(error))    # such as an image of more than 16 MiB
         scene, size = images.load(file), file.stat().st_size
-        row = scene.width * scene.pixel_bits // 8
-        drawn = {"look": look, "image": file, "scene": scene, "made": made, "rows": min(scene.height, self.room.band // row)}
+        drawn = {"look": look, "image": file, "scene": scene, "made": made, "rows": band_of(self.room, scene)[1]}
         why_not = _refusal(self.room, scene, size)
         if why_not:
             return Drawn(**drawn, why_not=why_not)
@@ -193,7 +200,7 @@ class _Chooser:
         """Whether a board is to draw a Look. plain: answers the Drawn of a palette by distance."""
         if drawn.why_not:
             return False
-        if drawn.is_whole or drawn.rows >= ROWS_MIN and drawn.is_held:
+        if self.room.is_host or drawn.is_whole or drawn.rows >= ROWS_MIN and drawn.is_held:
             return True
         other = plain()
         return bool(drawn.instructions and other.instructions) and drawn.instructions <= DEARER_MAX * other.instructions

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A program of the user's own on a board: its pictures, and whether the host draws the same (make run PROGRAM=my.c)."""
 
+import pathlib
 import re
 import sys
 
@@ -11,7 +12,7 @@ from fixel.base import output, picture, reading, scratch
 from fixel.base.errors import one_line
 from fixel.base.progress import Progress, steps
 from fixel.base.table import coloured, count_of, table
-from fixel.board import counted, dump, emulator, firmware, flash_memory, frame_crc, methods, model_look
+from fixel.board import counted, dump, emulator, firmware, flash_memory, frame_crc, methods, model_look, spilled
 
 PREFIX = "own-"     # of the programs' names: firmware/firmware.mk
 FRAMES = 120        # after which a program without an end is ended
@@ -25,13 +26,24 @@ def is_own(options):
     return options.program.startswith(PREFIX)
 
 
+def _palettes(made):
+    """The symbols of the palettes of exported scenes in an ELF file."""
+    symbols = made.get_section_by_name(".symtab")
+    return [symbol for symbol in (symbols.iter_symbols() if symbols else ())
+            if symbol.name.endswith(PALETTE) and symbol["st_info"]["type"] == "STT_OBJECT" and symbol["st_size"] == 768]
+
+
+def exported_name(elf):
+    """What the names of the program's exported scene begin with; "" where it has none."""
+    with reading.open_file(elf) as file:
+        return next((symbol.name.removesuffix(PALETTE) for symbol in _palettes(ELFFile(file))), "")
+
+
 def palette_of(elf):
     """The palette that an exported scene of the program has, 256 x 3; None where it has none."""
     with reading.open_file(elf) as file:
         made = ELFFile(file)
-        symbols = made.get_section_by_name(".symtab")
-        found = [symbol for symbol in (symbols.iter_symbols() if symbols else ())
-                 if symbol.name.endswith(PALETTE) and symbol["st_info"]["type"] == "STT_OBJECT" and symbol["st_size"] == 768]
+        found = _palettes(made)
         if not found:
             return None
         address, section = found[0]["st_value"], made.get_section(found[0]["st_shndx"])
@@ -66,7 +78,12 @@ def summarise(options, program, drawn, equal):
     return {"board": options.board, "cpu": program.cpu, "program": options.program, "width": drawn.width, "height": drawn.height,
             "frames": len(drawn.frames),
             **counted.summary(drawn.frames, program),
-            "host_frames_equal": equal} | frame_crc.summary(frame_crc.drawn(drawn.frames), None)
+            "host_frames_equal": equal, "polygons_spilled": sum(frame.counters["spilled"] for frame in drawn.frames)} | frame_crc.summary(frame_crc.drawn(drawn.frames), None)
+
+
+def line_to_open(out):
+    """What to open of a result."""
+    return f"open {one_line(pathlib.Path(out) / 'walk.gif')}: the frames as an animation; beside it each as frame_NNNN.png"
 
 
 def print_summary(summary, options):
@@ -78,8 +95,11 @@ def print_summary(summary, options):
                  counted.row(summary),
                  ["equal to host", summary["host_frames_equal"]],
                  ["CRC of all frames", frame_crc.both(summary["frame_crc_all"], summary["sent_crc_all"])]]))
+    if summary["polygons_spilled"]:
+        print(spilled.of_own(summary["polygons_spilled"], exported_name(methods.elf_of(options.board, options.build, options.program))))
     good = summary["host_frames_equal"]
     print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}: {one_line(options.out)}")
+    print(line_to_open(options.out))
 
 
 def run(options, folder):

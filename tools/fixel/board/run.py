@@ -20,6 +20,7 @@ def parser():
     scene_options.add_board(made)
     scene_options.add(made)
     methods.add_options(made)
+    made.add_argument("--whole-frames", action="store_true", help="with --board host: draw whole frames, not in its narrow bands")
     made.add_argument("--driver", help="a driver of a display, whose wires are recorded and read back")
     made.add_argument("--out", default="build/run", help="folder for the results")
     made.add_argument("--build", default="build", help="folder that make builds in")
