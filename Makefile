@@ -233,7 +233,7 @@ all: ## build everything, run nothing [BOARD= PROGRAM=walk VISIBILITY= CLIPPER= 
 run: ## draw a scene's path on a board, compare it with double; or run a program of your own there [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT= FRESH=1]
 	@$(SET_UP) run$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(WALK) $(HOST_WALK) $(WHOLE_FRAMES) $(BUILD)/host/judge $(BUILD)/host/raycast $(sort $(PREDICTS) $(PREDICTS_BANDS))
-	@$(TOOL) run $(DRAW_OPTIONS) $(if $(WHOLE_FRAMES),--whole-frames) --out $(BUILD)/run
+	@$(TOOL) run $(DRAW_OPTIONS) $(if $(WHOLE_FRAMES),--whole-frames) $(WALK_ROWS_MAX:%=--band-rows %) --out $(BUILD)/run
 
 view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= PORT= OPEN=1]
 	@$(SET_UP) view$(SETUP_OF_BOARD:%= %)

@@ -415,12 +415,12 @@ def test_spilled_polygons_are_told_with_their_cost_and_the_size_that_ends_it(bui
 
 
 @pytest.mark.parametrize("changes, told", [
-    ({"polygons": 0}, ""), ({"rows": 240}, ""), ({"program": "game"}, "holds every polygon"), ({"clipper": "once"}, "holds every polygon")])
+    ({"polygons": 0}, ""), ({"band_rows": 240}, ""), ({"program": "game"}, "holds every polygon"), ({"clipper": "once"}, "holds every polygon")])
 def test_of_spilled_polygons_no_cost_is_told_that_nobody_knows(build, tmp_path, changes, told):
     making.build("scenes/plaza.toml", tmp_path / "plaza.fxls", 3)
-    given = {"rows": None, "driver": None, "program": "walk", "clipper": None, "visibility": None, "polygons": 7} | changes
+    given = {"rows": None, "band_rows": None, "driver": None, "program": "walk", "clipper": None, "visibility": None, "polygons": 7} | changes
     options = types.SimpleNamespace(board="b", build=build, frames=None, **given)
-    board = "mps2-an385" if changes.get("rows") else "netduino2"
+    board = "mps2-an385" if changes.get("band_rows") else "netduino2"
     said = spilled.note(options, build / "boards" / board / "walk.elf", tmp_path / "plaza.fxls", options.polygons)
     assert told in said and bool(said) == bool(told) and "times" not in said
 

@@ -69,7 +69,7 @@ def test_the_pages_are_five_and_listed():
         assert any(kind == "type" for kind, *_ in steps(text))
 
 
-@pytest.mark.parametrize("name, picture", [("cube", "pictures/frame_0004.png"), ("model", "house/frame_0002.png"), ("game", "played/frame_0055.png")])
+@pytest.mark.parametrize("name, picture", [("cube", "pictures/frame_0004.png"), ("model", "house/frame_0001.png"), ("game", "played/frame_0055.png")])
 def test_who_follows_the_page_gets_its_picture(name, picture, tmp_path):
     assert picture.rpartition("/")[2] in page(name) and picture.partition("/")[0] in page(name)
     follow(name, tmp_path)

@@ -21,6 +21,7 @@ def parser():
     scene_options.add(made)
     methods.add_options(made)
     made.add_argument("--whole-frames", action="store_true", help="with --board host: draw whole frames, not in its narrow bands")
+    made.add_argument("--band-rows", type=int, help="the most rows of a band that the program was built with (default: what fits)")
     made.add_argument("--driver", help="a driver of a display, whose wires are recorded and read back")
     made.add_argument("--out", default="build/run", help="folder for the results")
     made.add_argument("--build", default="build", help="folder that make builds in")

@@ -9,9 +9,6 @@ from fixel.bench import frame_costs
 from fixel.board import methods, model_look
 from fixel.image import image as images, memory_needed
 
-DRIVER_ROWS = 8     # the most of a band that goes to a driver's display, where nothing else is said: firmware/firmware.mk
-
-
 @dataclass(frozen=True)
 class Lists:
     """Of a scene's path on a board: bytes of the display list that the board has, and of the least one that holds every frame;
@@ -42,7 +39,7 @@ def lists(options, room, file, band):
 def note(options, elf, file, polygons):
     """What to say of the spilled polygons of a run; "" where nothing was computed twice. polygons: how many."""
     room, scene = model_look.room_of(elf), images.load(file)
-    band, rows = model_look.band_of(room, scene, int(options.rows or (DRIVER_ROWS if options.driver else scene.height)))
+    band, rows = model_look.band_of(room, scene, options.band_rows)
     number = -(-scene.height // rows)
     if not polygons or number == 1:
         return ""
