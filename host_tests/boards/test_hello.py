@@ -13,7 +13,7 @@ import pytest
 
 from board_programs import BOARD, ROOT, built, made
 from conftest import run_make
-from fixel.scene import making
+from fixel.scene import making, target
 from fixel.board import emulator
 from fixel.board.wires import rgb565
 from test_displays import read_wires
@@ -354,13 +354,18 @@ def test_the_display_gets_the_colours_of_the_palette(page, picture):
     assert numpy.array_equal(sent[..., 0] << 8 | sent[..., 1], (red >> 3) << 11 | (green >> 2) << 5 | blue >> 3)
 
 
-def test_an_st7789_shows_the_picture(page, picture):
-    """Its program is short, and what comes over the wires is the first program's picture."""
+@pytest.mark.parametrize("pixels", ["palette", "rgb565"])
+def test_an_st7789_shows_the_path(page, tmp_path, pixels):
+    """Its program is short, and what comes over the wires are the frames of the path: at the end the last one."""
+    making.export(str(EXAMPLE / "cube.obj"), str(tmp_path / "cube_scene.h"), frames=60, asked=target.Target(pixels=pixels))
+    (tmp_path / "screen.c").write_text(BLOCKS["screen.c"], encoding="utf-8")
     mock = ROOT / "host_tests" / "boards" / "displays"
-    drawn(page, "screen.c", "wired.c", mock / "wires_mock.c", f"-I{mock}")
-    display = read_wires(page / "wires.bin")
+    drawn(tmp_path, "screen.c", page / "wired.c", mock / "wires_mock.c", f"-I{mock}")
+    display = read_wires(tmp_path / "wires.bin")
+    last = drawn(page, "whole.c").reshape(60, HEIGHT, WIDTH)[-1]
     assert display.on and display.inverted and display.access == 0x60
-    assert numpy.array_equal(display.picture(1), rgb565(palette_of(page))[picture])
+    assert f"&fxl_{pixels}," in (tmp_path / "cube_scene.h").read_text(encoding="utf-8")
+    assert numpy.array_equal(display.picture(1), rgb565(palette_of(page))[last])
     assert len([line for line in BLOCKS["screen.c"].splitlines() if line.strip()]) <= 22
 
 
