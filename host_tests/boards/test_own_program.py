@@ -12,6 +12,7 @@ from PIL import Image
 from fixel.board import dump, frame_crc, room
 from fixel.check import frozen_frames
 from fixel.scene import making, target
+from test_export_setup import write_planet
 
 HELLO = (CHECKOUT / "docs" / "hello.md").read_text(encoding="utf-8")
 BLOCKS = dict(re.findall(r"```c\n/\* ([a-z]+\.[ch])\b[^\n]*\n(.*?)```", HELLO, re.DOTALL))
@@ -89,6 +90,85 @@ int main(void)
     }
     return 0;
 }
+"""
+# What a user adds to a scene: a planet that the program turns, a light that it moves, text over each band.
+ADDED = """
+static fxl_renderer *set_up(void);
+static fxl_light_settings sun;
+static uint16_t pixels[ROWS][320];
+static fxl_status draw(fxl_renderer *renderer, const fxl_pose *eye, int frame)
+{
+    const fxl_text_style style = {&fxl_font_5x7, 1, 0};
+    const char text[] = {'O', 'R', 'B', 'I', 'T', ' ', (char)('0' + frame), 0};
+    fxl_status status = fxl_frame_begin(renderer, eye);
+    for (uint16_t y = 0; status == FXL_OK && y < 240; y += ROWS) {
+        const fxl_band band = {.pixels = (uint8_t *)pixels, .width = 320, .stride = 320, .first_row = y, .rows = ROWS, .palette = renderer->palette};
+        fxl_frame_fill(renderer, &band, scene_config.background);
+        status = fxl_frame_draw(renderer, &band);
+        if (fxl_draw_border(&band, 2, 2, 316, 236, 2) || fxl_draw_text(&band, 8, 8, text, &style)) { return FXL_E_RANGE; }
+    }
+    return status;
+}
+int main(void)
+{
+    const fxl_point up = {0, 1, 0};
+    fxl_renderer *const renderer = set_up();
+    if (renderer == NULL) { return 1; }
+    sun = scene_light;
+    for (int frame = 0; frame < 3; frame++) {
+        sun.ambient = scene_light.ambient + (frame << 27);
+        if (fxl_orientation_from_axis(&up, (uint32_t)frame * FXL_DEGREES(40), &placement.orientation) ||
+            fxl_attach_light(renderer, LIGHT, &sun) || draw(renderer, &scene_path[frame % SCENE_FRAMES], frame)) { return 2; }
+    }
+    return 0;
+}
+"""
+INCLUDES = """#include <fixel.h>
+#include <fixel/light.h>
+#include <fixel/orientation.h>
+#include <fixel/overlay.h>
+#include "scene.h"
+#define ROWS 16
+static fxl_placement placement = FXL_PLACEMENT_NONE;
+"""
+PLANET_BY_SETUP = f"""{INCLUDES}
+static fxl_setup it;
+static uint64_t memory[SCENE_SETUP_MEMORY(ROWS)];
+#define LIGHT &it.light
+{ADDED}
+static fxl_renderer *set_up(void)
+{{
+    if (fxl_setup_init(&it, &scene_setup, ROWS, memory, sizeof memory)) {{ return NULL; }}
+    it.scene.placements = &placement;
+    return &it.renderer;
+}}
+"""
+PLANET_BY_HAND = f"""{INCLUDES}
+static fxl_renderer renderer;
+static fxl_scene scene;
+static fxl_surfaces surfaces;
+static fxl_lit_surfaces lit;
+static fxl_light light;
+static fxl_billboards stars;
+static uint64_t memory[SCENE_MEMORY], cells[FXL_DEPTH_BYTES(320, ROWS, 16) / 8];
+static uint16_t palette[256];
+#define LIGHT &light
+{ADDED}
+static fxl_renderer *set_up(void)
+{{
+    fxl_config config = scene_config;
+    for (int i = 0; i < 256; i++) {{ palette[i] = FXL_RGB565(scene_palette[i][0], scene_palette[i][1], scene_palette[i][2]); }}
+    scene = scene_scene;
+    scene.placements = &placement;
+    config.target = &fxl_rgb565_depth_16;
+    config.palette = palette;
+    config.depth = cells;
+    config.depth_size = sizeof cells;
+    return fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory) ||
+           fxl_attach_surfaces(&renderer, &surfaces, &scene_surfaces, FXL_SURFACES_OF(fxl_rgb565_depth_16)) ||
+           fxl_attach_billboards(&renderer, &stars, &scene_billboards, FXL_SPRITES_OF(fxl_rgb565_depth_16)) ||
+           fxl_attach_light(&renderer, &light, &scene_light) || fxl_attach_lit(&renderer, &lit) ? NULL : &renderer;
+}}
 """
 ON_STACK = """
 #include <fixel.h>
@@ -228,6 +308,15 @@ def test_the_program_of_an_exported_scene_draws_the_frames_of_make_run(build, tm
     frames = frozen_frames.drawn_by_host(tmp_path / "scene.fxls", build, tmp_path).frames[:2]
     _, summary, _ = run(tmp_path, "own/", "BOARD=mps3-an547", "FRAMES=2")
     assert summary["frame_crc"] == frame_crc.drawn(frames).each and summary["host_frames_equal"]
+
+
+def test_a_setup_with_a_light_and_text_of_the_programs_own_draws_what_calls_by_hand_draw(tmp_path):
+    """Smooth light, textures, billboards, RGB565 and depth in bands; what moves is the program's."""
+    making.export(str(write_planet(tmp_path)), str(tmp_path / "scene.h"), "scene", 2)
+    _, one, frames = run(tmp_path, "setup.c", "BOARD=mps3-an547", text=PLANET_BY_SETUP)
+    _, other, _ = run(tmp_path, "hand.c", "BOARD=host", text=PLANET_BY_HAND)
+    assert one["host_frames_equal"] and one["frame_crc"] == other["frame_crc"] and len(set(one["frame_crc"])) == 3
+    assert all(len(numpy.unique(frame.pixels)) > 20 for frame in frames)
 
 
 def test_pictures_have_the_colours_of_the_exported_scene(folder):
