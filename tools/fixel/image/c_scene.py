@@ -238,8 +238,8 @@ def _memory(scene, name):
         *comment(f"uint64_t of memory for fxl_renderer_init. A frame has the same pixels with each of the three. {fast[1]}: any "
                  f"vertex of a model and any polygon of a frame is computed once. {moderate[1]}: {count_of(moderate[2], 'vertex')} and "
                  f"{moderate[3]:,} bytes of polygons are kept. {least[1]}, below which fxl_renderer_init answers FXL_E_CAPACITY: none "
-                 "are. What is not kept is computed again for each face and, in bands, for each band: a frame in bands takes at most as "
-                 "many times the instructions of fxl_render as it has bands. make predict says how many times for the scene."),
+                 "are. What is not kept is computed again for each face and, in bands, once before the bands and in each of N bands: at "
+                 "most N + 1 times the instructions of fxl_render. make predict says how many times for the scene."),
         f"#define {capital}_MEMORY       {moderate[0]}",
         f"#define {capital}_MEMORY_LEAST {least[0]}",
         f"#define {capital}_MEMORY_FAST  {fast[0]}", ""])
