@@ -9,41 +9,40 @@ import pytest
 from conftest import CHECKOUT
 
 from fixel.base.errors import ToolError
-from fixel.check import break_commands, break_list, breaks, bugs, clauses, trace_break
+from fixel.check import break_commands, breaks, clauses, planting, trace_break
 from fixel.check.break_commands import NAMED, PASSED, UNNAMED
 
-BREAK = """[[break]]
-id = "%s"
+BREAK = """["lib/a.c".sum.%s]
 kind = "%s"
-file = "lib/a.c"
-old = "%s"
-new = "%s"
-what = "w"
+line = "%s"
+becomes = "%s"
+why = "w"
+blind = true
 command = "%s"
 names = "%s"
 """
 SPEC = "**1.1** A sum is exact.\n"
-CODE = "/* SPEC 1.1 */\nint sum(int a, int b)\n{\n    return a + b;\n}\n"
+CODE = "int sum(int a, int b)\n{\n    /* SPEC 1.1 */\n    return a + b;\n}\n"
 TEST = "/* SPEC 1.1 */\nvoid test_sum(void)\n{\n}\n"
 
 
 @pytest.fixture
 def root(tmp_path):
     """A checkout of a clause with its code and its test, and a break that takes the tag away."""
-    for folder in ("docs/extras", "lib", "host_tests/unit", "host_tests/build/seeded_bugs", "host_tests/build/trace"):
+    for folder in ("docs/extras", "lib", "host_tests/unit", "host_tests/breaks", "host_tests/build/trace"):
         (tmp_path / folder).mkdir(parents=True)
     (tmp_path / "SPEC.md").write_text(SPEC)
     (tmp_path / "lib/a.c").write_text(CODE)
     (tmp_path / "host_tests/unit/test_a.c").write_text(TEST)
-    (tmp_path / bugs.BUGS).write_text('[[bug]]\nid = "one"\nname = "n"\nkind = "k"\nfile = "lib/a.c"\nfunction = "sum"\nwhy = "w"\n'
-                                      'line = "return a + b;"\nbecomes = "return a - b;"\ntests = []\n')
+    (tmp_path / planting.FOLDER / "b.toml").write_text('["lib/a.c".sum.one]\nwhy = "w"\nline = "return a + b;"\nbecomes = "return a - b;"\n'
+                                                       'tests = ["test_a"]\n')
     (tmp_path / clauses.RECORD).write_text(clauses.record_text(clauses.read(tmp_path)))
     listed(tmp_path, ("tag", "clause", "/* SPEC 1.1 */", "", "make trace", "SPEC 1.1"))
     return tmp_path
 
 
 def listed(root, *entries):
-    (root / break_list.LIST).write_text("".join(BREAK % entry for entry in entries))
+    (root / planting.FOLDER / "a.toml").write_text("".join(BREAK % entry for entry in entries))
 
 
 def broken(root, capsys, *options):
@@ -53,52 +52,41 @@ def broken(root, capsys, *options):
 
 
 def entry(number, kind):
-    return break_list.Break(f"{kind}-{number}", kind, "lib/a.c", "a", "b", "w", "make test", "SPEC 1.1")
+    return blind(f"{kind}-{number}", kind, "a", "make test", "SPEC 1.1")
+
+
+def blind(id_, kind, becomes, command, names, file="lib/a.c", function="sum", line="return a + b;"):
+    return planting.Break(file, function, id_, line, becomes, "w", "a.toml", kind=kind, blind=True, command=command, names=names)
 
 
 # --- the list --------------------------------------------------------------------------
 
-def test_the_list_has_eighty_breaks_that_can_be_made_and_fifteen_of_each_kind():
+def test_there_are_eighty_blind_breaks_that_can_be_made_and_fifteen_of_each_kind():
     """Where fewer can: give the entries that make breaks names the text as it stands now, with the same mistake."""
-    every = break_list.read(CHECKOUT)
-    stale = break_list.stale(CHECKOUT, every)
+    every = breaks.blind(CHECKOUT)
+    stale = planting.stale(CHECKOUT, every)
     kinds = [each.kind for each in every if each.id not in stale]
-    assert len(kinds) >= 80 and all(kinds.count(kind) >= 15 for kind in break_list.KINDS), stale
-
-
-@pytest.mark.parametrize("old, new, words", [
-    ("names =", "name =", "break 1: it needs the texts"), ('"clause"', '"claws"', "break 1: kind is one of"), ("[[break]]", "[[brake]]", "holds no"),
-    ('"make trace"', '"make tea"', "command one of"), ("[[break]]", "[[break", "cannot be read")])
-def test_a_list_that_is_wrong_is_refused(root, old, new, words):
-    text = (root / break_list.LIST).read_text()
-    (root / break_list.LIST).write_text(text.replace(old, new))
-    with pytest.raises(ToolError, match=words):
-        break_list.read(root)
-
-
-def test_two_breaks_of_one_id_are_refused(root):
-    (root / break_list.LIST).write_text((root / break_list.LIST).read_text() * 2)
-    with pytest.raises(ToolError, match="two breaks have the id 'tag'"):
-        break_list.read(root)
+    assert len(kinds) >= 80 and all(kinds.count(kind) >= 15 for kind in planting.BLIND_KINDS), stale
 
 
 # --- the draw --------------------------------------------------------------------------
 
 def test_a_seed_draws_the_same_breaks_each_time_and_as_many_of_each_kind():
-    every = [entry(number, kind) for number in range(15) for kind in break_list.KINDS]
+    every = [entry(number, kind) for number in range(15) for kind in planting.BLIND_KINDS]
     first, again, other = (breaks.draw(every, seed, 20) for seed in ("1", "1", "2"))
     assert first == again != other and len(set(first)) == 20
-    assert [each.kind for each in first] == [kind for kind in break_list.KINDS for _ in range(5)]
+    assert [each.kind for each in first] == [kind for kind in planting.BLIND_KINDS for _ in range(5)]
     assert [each.kind for each in breaks.draw(every, "1", 6)] == ["clause", "clause", "contract", "contract", "bound", "coverage"]
     assert len(breaks.draw(every, "1", 1000)) == 60
 
 
 def test_a_break_whose_text_is_there_no_more_is_named_and_not_drawn(root, capsys):
-    listed(root, ("tag", "clause", "/* SPEC 1.1 */", "", "make trace", "SPEC 1.1"), ("gone", "bound", "a * b", "a", "make test", "SPEC 1.1"),
-           ("often", "bound", "int", "long", "make test", "SPEC 1.1"))
+    listed(root, ("tag", "clause", "/* SPEC 1.1 */", "", "make trace", "SPEC 1.1"), ("gone", "bound", "return a * b;", "a", "make test", "SPEC 1.1"),
+           ("same", "bound", "return a + b;", "return a + b;", "make test", "SPEC 1.1"))
     code, said, found = broken(root, capsys)
     assert code == 0 and [each["id"] for each in found["breaks"]] == ["tag"] and found["listed"] == 3
-    assert "not drawn: gone: lib/a.c has its text 0 times" in said and "not drawn: often: lib/a.c has its text 3 times" in said
+    assert "not drawn: host_tests/breaks/a.toml: break 'gone': lib/a.c: sum has no line 'return a * b;'" in said
+    assert "not drawn: host_tests/breaks/a.toml: break 'same': it changes nothing" in said
     assert "of 3 in the list 2 are stale" in said
 
 
@@ -120,7 +108,7 @@ def test_a_break_that_a_command_names_is_noticed(root, capsys):
 
 
 def test_a_break_that_no_command_names_is_printed_with_its_harm(root, capsys, monkeypatch):
-    listed(root, ("sum", "clause", "a + b", "a - b", "make trace", "SPEC 1.1"))
+    listed(root, ("sum", "clause", "return a + b;", "return a - b;", "make trace", "SPEC 1.1"))
     monkeypatch.setattr(break_commands.Commands, "host_tests", lambda *_: break_commands.Step("make test", UNNAMED, "test_a.c:1: FAIL"))
     monkeypatch.setattr(break_commands.Commands, "proofs_of_file", lambda *_: break_commands.Step("make prove", PASSED))
     code, said, found = broken(root, capsys)
@@ -144,10 +132,9 @@ def commands_of(root, *drawn):
 
 def test_breaks_of_different_files_are_made_together_and_named_one_by_one(root):
     """Two of one file are made one after the other."""
-    (root / "lib/b.c").write_text("b\n")
-    of_a, again = (break_list.Break(name, "coverage", "lib/a.c", old, "1", "w", "make coverage", "sum")
-                   for name, old in (("one", "a + b"), ("two", "return")))
-    of_b = break_list.Break("three", "coverage", "lib/b.c", "b", "c", "w", "make coverage", "f")
+    (root / "lib/b.c").write_text("int f(void)\n")
+    of_a, again = (blind(name, "coverage", "return 1;", "make coverage", "sum") for name in ("one", "two"))
+    of_b = blind("three", "coverage", "int g(void)", "make coverage", "f", "lib/b.c", "f", "int f(void)")
     commands, seen = commands_of(root, of_a, again, of_b), []
 
     def run():
@@ -166,7 +153,7 @@ def test_a_test_without_the_tag_names_no_clause(root, monkeypatch):
     breaker = types.SimpleNamespace(try_change=lambda each, suites: {"result": "killed", "by": "test_a: words"})
     monkeypatch.setattr(break_commands.Commands, "_breaker", (tree, breaker))
     monkeypatch.setattr(trace_break.Suite, "main", lambda *_: None)
-    each = break_list.Break("one", "clause", "lib/a.c", "a + b", "a", "w", "make test", "SPEC 1.1")
+    each = blind("one", "clause", "return a;", "make test", "SPEC 1.1")
     commands = commands_of(root, each)
     step = commands.tagged_tests(each)
     assert (step.command, step.result) == ("make test BOARD=host ONLY=test_a", NAMED)
@@ -193,7 +180,7 @@ def test_a_copy_is_renewed_where_it_differs(root):
 
 
 def test_a_break_is_taken_back_where_its_command_fails(root):
-    each = break_list.Break("one", "bound", "lib/a.c", "a + b", "a", "w", "make report", "claim")
+    each = blind("one", "bound", "return a;", "make report", "claim")
     commands = commands_of(root, each)
     with pytest.raises(ToolError, match="does not build"):
         commands.report(each)

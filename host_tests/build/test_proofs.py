@@ -9,7 +9,7 @@ import pytest
 
 from conftest import CHECKOUT
 from fixel.base.errors import ToolError
-from fixel.check import bugs
+from fixel.check import planting
 from fixel.prove import cbmc, exact, functions, others, proving, recomputed, rows
 
 ARITH = """/* lib/math/arith.h:40:NC */ extern uint32_t fxl_divide_u64 (uint64_t, uint32_t, uint32_t *);
@@ -76,14 +76,14 @@ def test_constants_are_what_their_formulas_give():
 
 def test_each_room_with_rows_has_a_seeded_bug_and_there_are_thirty():
     rooms = {row.id: row.place.parent.name for row in rows.read(CHECKOUT)}
-    broken = [bug.prove for bug in bugs.of_proofs(CHECKOUT)]
+    broken = [row for bug in planting.of_rows(CHECKOUT) for row in bug.rows]
     assert {rooms[row] for row in broken} == set(rooms.values())
     assert len(set(broken)) >= 30
 
 
 def test_seeded_bugs_name_rows():
     known = {row.id for row in rows.read(CHECKOUT)}
-    assert {bug.prove for bug in bugs.of_proofs(CHECKOUT)} <= known
+    assert {row for bug in planting.of_rows(CHECKOUT) for row in bug.rows} <= known
 
 
 # --- verdicts ------------------------------------------------------------------------------

@@ -9,7 +9,7 @@ import pytest
 from conftest import CHECKOUT, run_cli, run_make, write_files
 
 from fixel.base.errors import ToolError
-from fixel.check import bugs, clauses, tags, trace, trace_break
+from fixel.check import clauses, planting, tags, trace, trace_break
 
 SAMPLE = 5
 SPEC = """# Page
@@ -46,16 +46,12 @@ void test_sum(void)
 PYTEST = '''def test_beam():
     """A beam is straight. beams 2.1."""
 '''
-BUG = """[[bug]]
-id = "one"
-name = "n"
-kind = "k"
-file = "lib/a.c"
-function = "sum"
+LEDGER = str(planting.FOLDER / "a.toml")
+BUG = """["lib/a.c".sum.one]
 line = "return a + b;"
 becomes = "return a - b;"
 why = "w"
-tests = []
+tests = ["test_a"]
 clause = "%s"
 """
 PAGES = {"SPEC", "beams"}
@@ -65,7 +61,7 @@ PAGES = {"SPEC", "beams"}
 def root(tmp_path):
     """A checkout of three clauses with their code and tests."""
     write_files(tmp_path, {"SPEC.md": SPEC, "docs/extras/beams.md": "**2.1** A beam is straight.\n", "lib/a.c": CODE,
-                           "host_tests/unit/test_a.c": TEST, "host_tests/build/test_b.py": PYTEST, bugs.BUGS: BUG % "SPEC 1.1"})
+                           "host_tests/unit/test_a.c": TEST, "host_tests/build/test_b.py": PYTEST, LEDGER: BUG % "SPEC 1.1"})
     write_files(tmp_path, {clauses.RECORD: clauses.record_text(clauses.read(tmp_path))})
     return tmp_path
 
@@ -150,8 +146,8 @@ def test_all_is_well(root, capsys):
     ("lib/a.c", "beams 2.1", "beams 2.7", "lib/a.c:11: the tag 'beams 2.7' names no clause: look up the number in docs/extras/beams.md"),
     ("host_tests/unit/test_a.c", "1.2 */", "1.2, 1.9 */", "host_tests/unit/test_a.c:1: the tag 'SPEC 1.9' names no clause"),
     ("host_tests/build/test_b.py", "2.1.", "2.1, 2.3.", "host_tests/build/test_b.py:1: the tag 'beams 2.3' names no clause"),
-    (str(bugs.BUGS), "SPEC 1.1", "SPEC 7.1", "bug 'one': clause = 'SPEC 7.1' names no clause"),
-    (str(bugs.BUGS), "SPEC 1.1", "SPEC one", "bug 'one': clause = 'SPEC one' names no clause"),
+    (LEDGER, "SPEC 1.1", "SPEC 7.1", "bug 'one': clause = 'SPEC 7.1' names no clause"),
+    (LEDGER, "SPEC 1.1", "SPEC one", "bug 'one': clause = 'SPEC one' names no clause"),
     ("SPEC.md", "**1.2** A", "**1.3** A", "SPEC.md:5: SPEC 1.3 was SPEC 1.2: give it that number again"),
     ("SPEC.md", "A sum is", "The sum is", "SPEC.md:3: SPEC 1.1 begins with other words than in"),
     ("SPEC.md", "**1.2.1** (informative) A reader may skip this one and go on.", "", "SPEC 1.2.1 is there no more"),

@@ -6,7 +6,7 @@ import hashlib
 import pathlib
 import random
 
-SOURCES = ("lib", "host_tests/unit", "host_tests/build/seeded_bugs")
+SOURCES = ("lib", "host_tests/unit", "host_tests/breaks")
 
 
 def _digest(root):

@@ -6,20 +6,18 @@ side. The last one is kept from one run to the next, with what make has built in
 each must be named for itself.
 """
 
-import contextlib
 import dataclasses
 import filecmp
 import functools
 import os
 import pathlib
-import shlex
 import shutil
 import sys
 import threading
 
 from fixel.base import children, kept
 from fixel.base.errors import ToolError
-from fixel.check import library_mutants, seeded_bugs, tags, trace, trace_break
+from fixel.check import planting, seeded_bugs, tags, trace, trace_break
 from fixel.prove import bugs as prove_bugs
 from fixel.prove import provers
 from fixel.prove import rows as prove_rows
@@ -60,19 +58,6 @@ def refresh(root, folder):
 def _renew(source, to):
     if not (os.path.exists(to) and filecmp.cmp(source, to, shallow=False)):
         shutil.copy(source, to)
-
-
-@contextlib.contextmanager
-def made(folder, breaks):
-    """Within it the breaks are made in a copy."""
-    good = {each.file: (folder / each.file).read_text(encoding="utf-8") for each in breaks}
-    try:
-        for each in breaks:
-            (folder / each.file).write_text(each.seed(good[each.file]), encoding="utf-8")
-        yield
-    finally:
-        for file, text in good.items():
-            (folder / file).write_text(text, encoding="utf-8")
 
 
 class Commands:
@@ -206,7 +191,7 @@ class Commands:
 
     def report(self, each):
         """The claim alone."""
-        with made(self._copy, [each]):
+        with planting.planted(self._copy, [each]):
             self._make("build/host/oracle")
             code, said = self._tool("report/claims.json", "report", "--only", each.names, "--samples", self._options.samples)
         lines = [line for line in said.splitlines() if "FAIL" in line]
@@ -214,7 +199,7 @@ class Commands:
         return Step(f"make report ONLY={each.names} SAMPLES={self._options.samples}", result, " ".join(lines)[:WORDS])
 
     def trace(self, each):
-        with made(self._copy, [each]):
+        with planting.planted(self._copy, [each]):
             _, said = self._tool("trace.json", "trace", "--root", self._copy)
         return _line_with("make trace", said, each.names)
 
@@ -226,7 +211,7 @@ class Commands:
         if each.id not in those:
             files = {other.file: other for other in reversed(self._drawn)
                      if other.command == each.command and other.id not in those} | {each.file: each}
-            with made(self._copy, files.values()):
+            with planting.planted(self._copy, files.values()):
                 said = run()
             those.update({other.id: said for other in files.values()})
         return those[each.id]

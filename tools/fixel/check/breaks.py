@@ -3,7 +3,7 @@
 
     fixel breaks --units DIR --cc COMMAND [--seed N] [--draw N | --only WORD] [--samples N] [--build DIR]
 
-host_tests/build/breaks.toml has breaks of four kinds. --seed draws the same number of each kind. Each is made in a copy of
+The entries of host_tests/breaks with blind = true are of four kinds. --seed draws the same number of each kind. Each is made in a copy of
 the checkout below DIR/breaks, and never in the checkout. The entry's command runs there in its narrowest form; if it
 passes, the unit tests of the host, and then the proofs of the file. A break is noticed if a command fails and names what
 the entry says. Writes DIR/breaks/breaks.json.
@@ -21,16 +21,21 @@ from fixel.base import output, spent
 from fixel.base.errors import ToolError
 from fixel.base.progress import Progress
 from fixel.base.table import coloured, table
-from fixel.check import break_commands, break_list
+from fixel.check import break_commands, planting
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 ENOUGH = 0.9        # of the breaks must be noticed
 RESULTS = (break_commands.NAMED, break_commands.UNNAMED, break_commands.PASSED)
 
 
+def blind(root):
+    """The breaks that it draws from."""
+    return [each for each in planting.entries(root) if each.blind]
+
+
 def draw(breaks, seed, count):
     """So many breaks, the same number of each kind, or one more of the first kinds; all of a kind that has fewer."""
-    drawn, kinds = [], list(break_list.KINDS)
+    drawn, kinds = [], list(planting.BLIND_KINDS)
     for place, kind in enumerate(kinds):
         those = [each for each in breaks if each.kind == kind]
         share = count // len(kinds) + (place < count % len(kinds))
@@ -54,7 +59,7 @@ def try_all(drawn, commands):
 
     def one_copy(name):
         for each in (each for each in drawn if commands.copy_of(each) == name):
-            print(f"breaks: {each.id}: {each.what}", file=sys.stderr, flush=True)
+            print(f"breaks: {each.id}: {each.why}", file=sys.stderr, flush=True)
             rows[each.id] = row(each, try_break(each, commands))
             progress(len(rows))
 
@@ -70,7 +75,7 @@ def best(steps):
 
 def row(each, steps):
     """A break as the JSON file has it."""
-    return {"id": each.id, "kind": each.kind, "file": each.file, "what": each.what, "command": each.command, "names": each.names,
+    return {"id": each.id, "kind": each.kind, "file": each.file, "what": each.why, "command": each.command, "names": each.names,
             "result": best(steps), "steps": [vars(step) for step in steps]}
 
 
@@ -106,21 +111,21 @@ def parser():
 
 def before(options):
     """Refuses a word that no break has, and a number that draws none."""
-    if options.only and not any(options.only in f"{each.id} {each.kind} {each.file}" for each in break_list.read(options.root)):
-        raise ToolError(f"no break of {break_list.LIST} has '{options.only}' in its id, kind or file")
+    if options.only and not any(each.is_called(options.only) for each in blind(options.root)):
+        raise ToolError(f"no break of {planting.FOLDER} has '{options.only}' in its id, kind or file")
     if options.draw < 1 or options.samples < 1:
         raise ToolError("DRAW= is less than 1" if options.draw < 1 else "SAMPLES= is less than 1")
 
 
 def main(argv):
     options = parser().parse_args(argv)
-    every = break_list.read(options.root)
-    stale = break_list.stale(options.root, every)
+    every = blind(options.root)
+    stale = planting.stale(options.root, every)
     ready = [each for each in every if each.id not in stale]
-    drawn = [each for each in ready if options.only in f"{each.id} {each.kind} {each.file}"] if options.only else \
+    drawn = [each for each in ready if each.is_called(options.only)] if options.only else \
         draw(ready, options.seed, options.draw)
     if not drawn:
-        raise ToolError(f"no break of {break_list.LIST} has '{options.only}' in its id, kind or file" if options.only else
+        raise ToolError(f"no break of {planting.FOLDER} has '{options.only}' in its id, kind or file" if options.only else
                         "DRAW= is less than 1")
     rows = try_all(drawn, break_commands.Commands(options, drawn))
     noticed = sum(each["result"] == break_commands.NAMED for each in rows)

@@ -3,7 +3,7 @@
 
     fixel seeded-bugs [--build DIR] [--only WORD | --sample N]
 
-Each bug of host_tests/build/seeded_bugs/bugs.toml must make a test fail; without a
+Each entry of host_tests/breaks with tests must make a test fail; without a
 bug none may. --sample tries N bugs, chosen by what the library and its tests
 hold, so that the same sources give the same sample and other sources another.
 Works on copies under DIR/seeded_bugs and never in the checkout.
@@ -11,22 +11,18 @@ Exit: 0 all caught, 1 a bug survived or does not compile (or a test fails withou
 """
 
 import argparse
-import concurrent.futures
 import dataclasses
 import json
 import os
 import pathlib
-import queue
 import shutil
 import subprocess
 import sys
-import threading
 
-from fixel.check import bugs as records
 from fixel.base import children, limits, sampling
 from fixel.base.errors import ToolError
-from fixel.base.progress import Progress
 from fixel.base.table import coloured, table
+from fixel.check import planting
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 # What make needs to build the library's tests.
@@ -42,14 +38,14 @@ RUNS = ("run/room", "run/gallery", "run/gallery/rgb565", "run/grove", "run/lands
         "run/colours/rgb565")
 RUN_FRAMES = 4          # the last one is drawn as two rectangles
 RUN_PROGRAMS = ("build/boards/host/walk", "build/host/judge", "build/host/raycast")
-RUN_SCENES = ("scenes/{}.toml", "host_tests/build/seeded_bugs/{}.toml", "host_tests/build/seeded_bugs/{}.ply")
+RUN_SCENES = ("scenes/{}.toml", "host_tests/breaks/scenes/{}.toml", "host_tests/breaks/scenes/{}.ply")
 
 
 @dataclasses.dataclass
 class Verdict:
     """Which test failed with a bug, and its first words; None where the bug survived, or, with the
     words of the compiler, where it does not compile, so that it shows nothing."""
-    bug: records.Bug
+    bug: planting.Break
     caught_by: str | None
     words: str = ""
 
@@ -139,10 +135,7 @@ def run_test(folder, test):
 
 def try_bug(folder, bug, tests, jobs):
     """Seeds a bug in a copy, runs tests until one fails, takes the bug out again."""
-    file = folder / bug.file
-    good = file.read_text(encoding="utf-8")
-    file.write_text(bug.seed(good), encoding="utf-8")
-    try:
+    with planting.planted(folder, [bug]):
         likely = [test for test in bug.tests if test in tests]
         for group in (likely, [test for test in tests if test not in likely]):
             said = build_tests(folder, group, jobs) if group else None
@@ -153,8 +146,6 @@ def try_bug(folder, bug, tests, jobs):
                 if words:
                     return Verdict(bug, test, words)
         return Verdict(bug, None)
-    finally:
-        file.write_text(good, encoding="utf-8")
 
 
 # --- all together ----------------------------------------------------------------
@@ -170,37 +161,15 @@ def check_unharmed(folder, tests, jobs):
             raise ToolError(f"{test} fails without a seeded bug: {words}", exit_code=1)
 
 
-def try_all(bugs, copies, tests):
-    """Verdicts in the order of the bugs; each copy is used by one thread at a time."""
-    free = queue.SimpleQueue()
-    for folder in copies:
-        free.put(folder)
-    done, lock = [], threading.Lock()
-
-    def one(bug):
-        folder = free.get()
-        try:
-            return try_bug(folder, bug, tests, 1)
-        finally:
-            free.put(folder)
-            with lock:
-                done.append(bug)
-                progress(len(done))
-
-    with Progress("seeded bugs", len(bugs)) as progress, \
-            concurrent.futures.ThreadPoolExecutor(len(copies)) as pool:
-        return list(pool.map(one, bugs))
-
-
 def print_verdicts(verdicts):
     """For people."""
-    rows = [[verdict.bug.name, verdict.bug.kind,
+    rows = [[verdict.bug.id, verdict.bug.kind,
              verdict.caught_by or coloured("NOT COMPILED" if verdict.words else "SURVIVED", "red")]
             for verdict in verdicts]
     print(table(rows, ["bug", "kind", "caught by"]))
     for verdict in verdicts:
         if verdict.caught_by is None:
-            print(f"{verdict.bug.file}: bug '{verdict.bug.name}' does not compile, so it shows nothing: {verdict.words}"
+            print(f"{verdict.bug.file}: bug '{verdict.bug.id}' does not compile, so it shows nothing: {verdict.words}"
                   if verdict.words else f"{verdict.bug.file}: no test sees: {verdict.bug.why}")
     caught = sum(verdict.caught_by is not None for verdict in verdicts)
     print(f"{caught} of {len(verdicts)} bugs caught")
@@ -211,7 +180,7 @@ def parser():
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     made.add_argument("--build", default="build", help="the build folder")
     made.add_argument("--root", default=str(CHECKOUT), help="the checkout to copy from")
-    made.add_argument("--only", default="", help="only bugs with this in their id, name, kind or file")
+    made.add_argument("--only", default="", help="only bugs with this in their id, kind or file")
     made.add_argument("--sample", type=int, default=0, help="so many of the bugs (all)")
     made.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     return made
@@ -219,9 +188,9 @@ def parser():
 
 def before(options):
     """The bugs that are asked for; refuses a word that none has."""
-    bugs = [bug for bug in records.read(options.root) if options.only in f"{bug.id} {bug.name} {bug.kind} {bug.file}"]
+    bugs = [bug for bug in planting.seeded(options.root) if bug.is_called(options.only)]
     if not bugs:
-        raise ToolError(f"no bug has '{options.only}' in its id, name, kind or file")
+        raise ToolError(f"no bug has '{options.only}' in its id, kind or file")
     return bugs
 
 
@@ -233,7 +202,7 @@ def main(argv):
     tests = all_tests(options.root)
     unknown = {test for bug in bugs for test in bug.tests} - set(tests)
     if unknown:
-        raise ToolError(f"{records.BUGS}: there is no {', '.join(sorted(unknown))}")
+        raise ToolError(f"{planting.FOLDER}: there is no {', '.join(sorted(unknown))}")
     scratch = pathlib.Path(options.build).resolve() / "seeded_bugs"
     copies = [scratch / str(number) for number in range(max(1, min(options.jobs, len(bugs))))]
     print("seeded bugs: building the tests as they are", file=sys.stderr, flush=True)
@@ -242,6 +211,6 @@ def main(argv):
     for folder in copies[1:]:
         shutil.rmtree(folder, ignore_errors=True)
         shutil.copytree(copies[0], folder)
-    verdicts = try_all(bugs, copies, tests)
+    verdicts = planting.try_all("seeded bugs", bugs, copies, lambda folder, bug: try_bug(folder, bug, tests, 1))
     print_verdicts(verdicts)
     return 1 if any(verdict.caught_by is None for verdict in verdicts) else 0

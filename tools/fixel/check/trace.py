@@ -21,7 +21,7 @@ from fixel.base import output, sampling, spent
 from fixel.base.errors import ToolError
 from fixel.base.table import table
 from fixel.campaign import runner
-from fixel.check import bugs, clauses, tags
+from fixel.check import clauses, planting, tags
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 FOLDER = pathlib.Path("host_tests/build/trace")
@@ -69,7 +69,7 @@ def unknown(found, code, tests, seeded):
     for bug in seeded:
         ids = clauses.ids_of(bug.clause, files) if bug.clause else []
         if ids is None or any(id_ not in found for id_ in ids):
-            wrong.append(f"{bugs.BUGS}: bug '{bug.id}': clause = '{bug.clause}' names no clause such as 'SPEC 4.5': look up "
+            wrong.append(f"{bug.ledger}: {bug}: clause = '{bug.clause}' names no clause such as 'SPEC 4.5': look up "
                          "the number")
     return wrong
 
@@ -186,7 +186,7 @@ def read(root):
     found = clauses.read(root)
     if not found:
         raise ToolError(f"{root}: none of {', '.join(clauses.PAGES)} has a clause")
-    return found, *tags.read(root, pages_of(found)), bugs.entries(root)
+    return found, *tags.read(root, pages_of(found)), planting.entries(root)
 
 
 def before(options):

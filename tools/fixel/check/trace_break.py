@@ -17,7 +17,7 @@ import shlex
 import shutil
 
 from fixel.base.errors import ToolError
-from fixel.check import library_mutants, mutate, survivors
+from fixel.check import library_mutants, mutate, planting, survivors
 
 MAIN = """#include "unity.h"
 __attribute__((weak)) void setUp(void);
@@ -37,22 +37,6 @@ COPIED = ("lib", "boards", "host_tests/unit")
 NEEDED = ((5, 4), (10, 8))      # so many mutants tried, so many of them killed
 MOST = 30                       # mutants that are looked at
 CPU_LEAST, CPU_TIMES = 5.0, 10  # a test's limit of CPU time: so many times what it takes, at least
-
-
-@dataclasses.dataclass(frozen=True)
-class Change:
-    """A seeded bug as a mutant is one: a file, and what becomes of its text."""
-    bug: object
-
-    @property
-    def file(self):
-        return self.bug.file
-
-    def apply(self, text):
-        return self.bug.seed(text)
-
-    def __str__(self):
-        return f"seeded bug '{self.bug.id}'"
 
 
 class Tree(library_mutants.Tree):
@@ -167,11 +151,8 @@ class Breaker:
 
     def try_change(self, change, suites):
         """{"change", "result", "by"} of a bug or mutant; afterwards the tree is as it was."""
-        tree, file = self._tree, self._tree.folder / change.file
-        good = file.read_text(encoding="utf-8")
-        changed = []
-        try:
-            file.write_text(change.apply(good), encoding="utf-8")
+        tree, changed = self._tree, []
+        with planting.planted(tree.folder, [change]):
             sources = tree.linked(tree.dependents(change.file), suites)
             for source in sources:
                 if tree.compile(source):
@@ -181,18 +162,11 @@ class Breaker:
                 words = suite.fails(tree, changed, change.file, CPU_LEAST + CPU_TIMES * suite.seconds)
                 if words:
                     return {"change": str(change), "result": "killed", "by": f"{suite.name}: {words}"}
-            same = isinstance(change, mutate.Mutant) and self._is_same(sources, file, good, change)
-            return {"change": str(change), "result": "same machine code" if same else "survived"}
-        finally:
-            file.write_text(good, encoding="utf-8")
-
-    def _is_same(self, sources, file, good, change):
-        """Whether the optimised machine code is what it was."""
-        codes = []
-        for text in (good, change.apply(good)):
-            file.write_text(text, encoding="utf-8")
-            codes.append([self._tree.machine_code(source) for source in sources])
-        return codes[0] == codes[1]
+            if not isinstance(change, mutate.Mutant):
+                return {"change": str(change), "result": "survived"}
+            codes = [tree.machine_code(source) for source in sources]
+        same = codes == [tree.machine_code(source) for source in sources]
+        return {"change": str(change), "result": "same machine code" if same else "survived"}
 
     def check(self, id_, suites):
         """Demands that the tests pass as they are, and notes what they take."""
@@ -207,7 +181,7 @@ class Breaker:
         self.check(id_, suites)
         tried = []
         for bug in bugs:
-            tried.append(self.try_change(Change(bug), suites))
+            tried.append(self.try_change(bug, suites))
             if tried[-1]["result"] == "killed":
                 return {"clause": id_, "shown": True, "by": tried[-1]["change"], "tried": tried}
         mutants = [mutant for key, mutant in tagged_mutants(self._tree.folder, code) if key[:3] not in self._known]

@@ -1,17 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Shows that rows can fail: each seeded bug that names a row (prove = "...") is put into a copy, and the row must fail there."""
+"""Shows that rows can fail: each entry of host_tests/breaks that names a row is put into a copy, and the row must fail there."""
 
-import concurrent.futures
 import pathlib
-import queue
 import shutil
-import threading
 
 from fixel.base import output, scratch
 from fixel.base.errors import ToolError
-from fixel.base.progress import Progress
 from fixel.base.table import coloured, table
-from fixel.check import bugs as records
+from fixel.check import planting
 from fixel.prove import proving, provers
 
 COPIED = ("lib", "host_tests/proofs")
@@ -27,19 +23,14 @@ def make_copy(root, folder):
 
 def try_bug(programs, folder, bug, row, store, versions):
     """How the row ends with the bug: {"bug", "row", "noticed", "words"}."""
-    file = folder / bug.file
-    good = file.read_text(encoding="utf-8")
-    file.write_text(bug.seed(good), encoding="utf-8")
     here = proving.placed(row, folder)
     words = "nothing fails"
-    try:
+    with planting.planted(folder, [bug]):
         for case in row.cases:
             answer = proving.prove_case(programs, folder, here, case, store, versions)
             if "failed" in answer:
                 words = answer["failed"]
                 break
-    finally:
-        file.write_text(good, encoding="utf-8")
     noticed = words != "nothing fails" and not any(each in words for each in NOTHING_SHOWN)
     return {"bug": bug.id, "row": row.id, "noticed": noticed, "words": words}
 
@@ -47,30 +38,18 @@ def try_bug(programs, folder, bug, row, store, versions):
 def command(programs, root, jobs, rows, options, store):
     """fixel prove --bugs; its exit code."""
     by_id = {row.id: row for row in rows}
-    some = records.of_proofs(root)
-    unknown = [bug for bug in some if not options.only and bug.prove not in by_id]
+    some = [(bug, row) for bug in planting.of_rows(root) for row in bug.rows]
+    unknown = [(bug, row) for bug, row in some if not options.only and row not in by_id]
     if unknown:
-        raise ToolError(f"{records.PROOFS_BUGS}: bug '{unknown[0].id}': there is no row {unknown[0].prove}")
-    some = [bug for bug in some if bug.prove in by_id]
-    versions, free, done, lock = provers.versions(programs), queue.SimpleQueue(), [], threading.Lock()
-
-    def one(bug):
-        folder = free.get()
-        try:
-            return try_bug(programs, folder, bug, by_id[bug.prove], store, versions)
-        finally:
-            free.put(folder)
-            with lock:
-                done.append(bug)
-                progress(len(done))
-
-    with scratch.folder("bugs") as copies, Progress("bugs of proofs", len(some)) as progress:
-        for number in range(jobs):
-            make_copy(root, copies / str(number))
-            free.put(copies / str(number))
-        with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-            tried = list(pool.map(one, some))
-    bare = [row.id for row in rows if row.id not in {bug.prove for bug in some}]
+        raise ToolError(f"{unknown[0][0].ledger}: {unknown[0][0]}: there is no row {unknown[0][1]}")
+    some = [(bug, by_id[row]) for bug, row in some if row in by_id]
+    versions = provers.versions(programs)
+    with scratch.folder("bugs") as folder:
+        copies = [folder / str(number) for number in range(jobs)]
+        for copy in copies:
+            make_copy(root, copy)
+        tried = planting.try_all("bugs of proofs", some, copies, lambda copy, pair: try_bug(programs, copy, *pair, store, versions))
+    bare = [row.id for row in rows if row.id not in {row.id for _, row in some}]
     output.write_json(pathlib.Path(options.build) / "prove/bugs.json", {"bugs": tried, "without": bare})
     print(table([[each["bug"], each["row"], each["words"][:90] if each["noticed"] else coloured(f"NOT NOTICED: {each['words'][:90]}", "red")]
                  for each in tried], ["bug", "row", "how the row fails"]))
