@@ -25,7 +25,7 @@ import subprocess
 
 from fixel.base import children, kept, limits, scratch
 from fixel.base.errors import ToolError
-from fixel.check import corpus, fuzz_shards, mutate, survivors
+from fixel.check import corpus, fuzz_shards, mutate, planting, survivors
 
 NAME, CAMPAIGN = "library", "library-mutants"
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
@@ -225,19 +225,21 @@ def likely_first(file, tests, names, linked, including):
                   key=lambda test: (-len(words & set(test.name.split("_"))), test.name in LAST, test.name))
 
 
-def build_mutant(tree, sources, text, good, file):
-    """None if the mutated tree may be tried; else why not: as a rule its machine code is what it was."""
+def no_mutant(tree, sources, mutant):
+    """None if a mutant may be tried; else why not: as a rule its machine code is what it was."""
     same = True
     for source in sources:
-        file.write_text(good, encoding="utf-8")
         before = tree.machine_code(source)
-        file.write_text(text, encoding="utf-8")
-        after = tree.machine_code(source)
+        with planting.planted(tree.folder, [mutant]):
+            after = tree.machine_code(source)
         if after is None:
             return "does not compile"
         same = same and before == after
-    if same:
-        return "same machine code"
+    return "same machine code" if same else None
+
+
+def build_mutant(tree, sources):
+    """None if the library of a mutated tree is built; else why not."""
     if any(tree.compile(source) for source in sources):
         return "does not compile"
     return "does not link" if tree.link() else None
@@ -245,22 +247,23 @@ def build_mutant(tree, sources, text, good, file):
 
 def try_mutant(tree, mutant, tests, linked):
     """{"result"} of a mutant, with "words" if it is none; afterwards the tree is as it was. tests: {test: its program}."""
-    file = tree.folder / mutant.file
-    good = file.read_text(encoding="utf-8")
     sources = tree.dependents(mutant.file)
     kept = {tree.object(source): tree.object(source).read_bytes() for source in sources}
     names = set().union(*map(symbols, kept))
+    said = no_mutant(tree, sources, mutant) if sources else "not compiled"
+    if said:
+        return {"result": "no mutant", "words": said}
     try:
-        said = build_mutant(tree, sources, mutant.apply(good), good, file) if sources else "not compiled"
-        if said:
-            return {"result": "no mutant", "words": said}
-        including = build_including(tree, tests, mutant.file)
-        for test in likely_first(mutant.file, tests, names, linked, including):
-            if run_test(tree, test, including.get(test, tests[test]), cpu_of(test)):
-                return {"result": "killed"}
-        return {"result": "survived"}
+        with planting.planted(tree.folder, [mutant]):
+            said = build_mutant(tree, sources)
+            if said:
+                return {"result": "no mutant", "words": said}
+            including = build_including(tree, tests, mutant.file)
+            for test in likely_first(mutant.file, tests, names, linked, including):
+                if run_test(tree, test, including.get(test, tests[test]), cpu_of(test)):
+                    return {"result": "killed"}
+            return {"result": "survived"}
     finally:
-        file.write_text(good, encoding="utf-8")
         for place, content in kept.items():
             place.write_bytes(content)
 

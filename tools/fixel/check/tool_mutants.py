@@ -16,7 +16,7 @@ import pathlib
 
 from fixel.base import kept, scratch
 from fixel.campaign import runner
-from fixel.check import lines, mutate_python, survivors, trees
+from fixel.check import lines, mutate_python, planting, survivors, trees
 
 NAME, CAMPAIGN = "tools", "tools-mutants"
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
@@ -62,28 +62,24 @@ class Trial:
             self._bad.update([test for test in tests if test not in [each["test"] for each in report]][:1])
         return code == 0
 
-    def _try(self, mutant, text, tests):
+    def _try(self, mutant, tests):
         """(exit code, report) of tests with a mutant; afterwards the tree is as it was."""
         tried = []
-        try:
-            self._tree.write(mutant.file, mutant.apply(text))
+        with planting.planted(self._tree.folder, [mutant], self._tree.write):
             for some in filter(None, (tests[:FIRST], tests[FIRST:])):
                 code, report = self._tree.run(some, cpu_of(some), "-x")
                 tried += report
                 if code != 0:
                     break
             return code, tried
-        finally:
-            self._tree.write(mutant.file, text)
 
     def run(self, mutant, tests):
         """{"result"} of a mutant; with "words" where it survived though it was not tried."""
-        text = (self._tree.folder / mutant.file).read_text(encoding="utf-8")
         while True:
             tests = [test for test in tests if test not in self._bad]
             if not tests:
                 return {"result": "survived", "words": "no test that passes without it executes it"}
-            code, report = self._try(mutant, text, tests)
+            code, report = self._try(mutant, tests)
             if code == 0:
                 return {"result": "survived"}
             failed = [each["test"] for each in report if not each["passed"]]
