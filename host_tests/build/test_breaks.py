@@ -3,6 +3,7 @@
 
 import argparse
 import json
+import pathlib
 import types
 
 import pytest
@@ -145,6 +146,23 @@ def test_breaks_of_different_files_are_made_together_and_named_one_by_one(root):
     commands._cover = run
     assert [commands.coverage(each).result for each in (of_a, again, of_b)] == [NAMED, NAMED, PASSED]
     assert seen == [[True, True], [True, False]] and (root / "build/breaks/checkout/lib/a.c").read_text() == CODE
+
+
+def test_a_break_of_a_clause_is_tried_with_the_tests_that_have_its_tag(root, monkeypatch):
+    """In a copy of the sources."""
+    def fails(_suite, tree, changed, file, _cpu):
+        """Of a source that is compiled with the break in it."""
+        return (tree.folder / file).read_text().count("return a;") and changed == [tree.object(pathlib.Path(file))] and "test_a.c:1: FAIL"
+
+    (root / "boards").mkdir()
+    monkeypatch.setattr(trace_break.Tree, "linked", lambda _, sources, __: sources)
+    monkeypatch.setattr(trace_break.Tree, "compile", lambda *_: None)
+    monkeypatch.setattr(trace_break.Suite, "main", lambda *_: None)
+    monkeypatch.setattr(trace_break.Suite, "fails", fails)
+    each = blind("one", "clause", "return a;", "make test", "SPEC 1.1")
+    step = commands_of(root, each).tagged_tests(each)
+    assert (step.command, step.result, step.words) == ("make test BOARD=host ONLY=test_a", NAMED, "test_a: test_a.c:1: FAIL")
+    assert (root / "build/breaks/units/lib/a.c").read_text() == CODE
 
 
 def test_a_test_without_the_tag_names_no_clause(root, monkeypatch):

@@ -90,8 +90,7 @@ class Commands:
 
     @functools.cached_property
     def _breaker(self):
-        [tree] = trace_break.make_trees(self._build / "breaks/units", self._options.cc, pathlib.Path(self._options.units).resolve(),
-                                        self._root, 1)
+        tree = trace_break.Tree(self._build / "breaks/units", self._options.cc, pathlib.Path(self._options.units).resolve(), self._root)
         return tree, trace_break.Breaker(tree, {})
 
     @functools.cached_property
