@@ -205,6 +205,7 @@ endif
 ifneq ($(and $(filter gdb screen,$(MAKECMDGOALS)),$(BOARD_HOSTED.$(BOARD_CHOSEN))),)
 $(error BOARD=$(BOARD) is this machine, which has no emulator: name an emulated board)
 endif
+# place board: COSTS_BOARDS, without which make predict refuses it; then make costs
 ifneq ($(and $(filter flash,$(MAKECMDGOALS)),$(filter openocd,$(value PROBE)),$(if $(BOARD_OPENOCD.$(BOARD_CHOSEN)),,none)),)
 $(error PROBE=openocd: BOARD=$(BOARD) has no configuration of OpenOCD; the boards that have one are: $(strip $(foreach board,$(BOARDS),$(if $(BOARD_OPENOCD.$(board)),$(board)))))
 endif

@@ -43,6 +43,7 @@ CORE_OUT := $(BUILD)/core
 
 # --- settings ------------------------------------------------------------------
 
+# place driver: DRIVERS_OF_COLOUR or DRIVERS_OF_PAGES; DRIVER_DEFINES if not 16 bits, 320 columns
 # Drivers that DRIVER= may name, which a board's memory may look at.
 DRIVERS_OF_COLOUR := st7789 ili9341 ili9488 st7735 st7796 gc9a01 ssd1351
 DRIVERS_OF_PAGES := ssd1306 ssd1309 sh1106 sh1107
@@ -156,6 +157,7 @@ PROGRAM_SOURCES.game := $(filter-out %/act_path.c %/targets.c,$(PROGRAM_SOURCES.
 PROGRAM_OBJECTS_OF = $(PROGRAM_SOURCES.$(2):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
 PROGRAM_FILE_OF = $(FIRMWARE_OUT)/$(1)/$(2)$(if $(BOARD_HOSTED.$(1)),,.elf)
 
+# place clipper: CLIPPERS: the names that CLIPPER= takes
 # What a program draws with, where CLIPPER= or VISIBILITY= is given: then it is another program,
 # walk-<visibility>-<clipper>, that differs in three objects: board.mk may set memory by VISIBILITY.
 CLIPPERS := view world normalised once half-spaces triangles near left
@@ -181,6 +183,7 @@ WALK_METHODS_FILES := methods surfaces targets
 # A board's memory.ld may ask for it: a program with surfaces is larger.
 WALK_METHODS_LINK := $(VISIBILITY:%=-Wl,--defsym=fxl_visibility_is_$(subst -,_,$(VISIBILITY))=1)
 
+# place pixel-format: PIXELS_KNOWN; the checks against VISIBILITY=, PROGRAM=, CHECK_ROOM
 # What a scene is drawn as, in the place of what its [view] says: tools/fixel/scene/target.py.
 PIXELS_KNOWN := palette rgb565
 ORDERS_KNOWN := distance tree

@@ -4,6 +4,7 @@
 import struct
 
 from fixel.image import fields
+# place field: images that are broken, and the sections of an image
 from scene_sections import ENTRY, bodies, joined, laid, sealed, summed
 
 UNKNOWN = len(fields.SECTIONS) + 1      # the first kind that no reader knows

@@ -202,6 +202,7 @@ static void project(const listing_polygon *in, real focal, const listing_screen 
     out->count = in->count;
 }
 
+/* place fill-rule: the chapter's code, with a first_centre of its own */
 /* The first row (column) whose centre is at or past a coordinate: the ceiling
  * of coordinate - 1/2, for coordinates that clipping left at or above 0, where
  * cutting off is rounding down. Ties go as they should but for the constant. */

@@ -11,6 +11,7 @@
  * signs, the fill rule (pixel centres, top-left), near and far (none: four
  * planes through the eye leave nothing behind it) are as Fixel's or said here.
  * Movement is not part of it. */
+/* place fill-rule: the chapter's code, with a first_centre of its own */
 #ifndef LISTING_H
 #define LISTING_H
 

@@ -6,6 +6,7 @@ BOARD_CPU := cortex-m3
 # For size, but not FXL_SMALL: this is the board that draws with the compact kernels.
 BOARD_CORE := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access -Os
 BOARD_QEMU := -M netduino2
+# place board: in the copy: flags of the core, arguments of QEMU, memory, parts
 BOARD_OPENOCD := -f interface/stlink.cfg -f target/stm32f2x.cfg
 
 # Of 128 KiB, the stacks taking 10: half of a 320 x 240 frame, objects for any

@@ -62,6 +62,7 @@ static void compare_spans(const fxl_screen_point *points, uint32_t count, const 
                   core.outline_end == portable.outline_end);
 }
 
+/* place fill-rule: random corners within a unit of a centre */
 /* Anywhere, near the band, or on a centre of it or beside one. */
 static fxl_q16_16 any_place(uint32_t extent)
 {

@@ -23,6 +23,7 @@ fxl_status __wrap_fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *
 int __real_main(int argc, char **argv);
 int __wrap_main(int argc, char **argv);
 
+/* place pixel-format: the frames of a program of the user's own */
 /* The frame that is shown, and the dump that it goes to. */
 static struct {
     bool is_open, in_frame, is_whole; /* is_whole: the frame was drawn in one band */

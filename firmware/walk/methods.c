@@ -8,6 +8,7 @@
 #define WALK_CLIPPER fxl_clipper_view
 #endif
 
+/* place pixel-format: whether the program links a target for the scene */
 /* What fxl_renderer_init_with has chosen already: a small program chooses nothing. */
 #if defined WALK_WITHOUT_BSP && defined WALK_WITHOUT_DEPTH && defined WALK_WITHOUT_RGB565 && \
     !defined WALK_TARGET && !defined WALK_BY_TREE && (!defined WALK_DEPTH_BITS || WALK_DEPTH_BITS == 0)

@@ -25,6 +25,7 @@
 #endif
 #endif
 
+/* place pixel-format: the targets of the program, each behind WALK_WITHOUT_... */
 #if defined WALK_WITHOUT_RGB565 || defined WALK_WITHOUT_RGB565_DEPTH
 #define HAS_RGB565_DEPTH 0
 #else

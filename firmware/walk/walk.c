@@ -130,6 +130,7 @@ static int open_scene(fxl_scene_image *image)
     return SYSTEM_EXIT_DONE;
 }
 
+/* place pixel-format: rows of a band that fit; what the program says without a target */
 /* How many rows of a band fit into its memory, or fewer if the build says so. */
 static uint32_t band_rows(uint16_t width)
 {

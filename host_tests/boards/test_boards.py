@@ -66,6 +66,7 @@ def test_the_keys_that_others_read(everything):
         assert board["instructions_per_frame"] > 1000
 
 
+# place board: nothing: these are the tests of all boards
 def test_boards_draw_what_is_asked_for(tmp_path):
     """A board without room for it says so, and fails nothing."""
     for board in ("host/walk", "microbit/walk.elf", "stm32vldiscovery/walk.elf"):

@@ -26,6 +26,7 @@ WIRES = {
     "320x240": ("ili9341", "0cafa88305c89422467eafc354ef0e4cdff6ce765503a305a63fb5fb8ab38738"),
     SMALL: ("ssd1306", "4ceade738b0c655ab48cf1fb824a7d8adbcdb9553c348ba0d0dd52b450e1ab57"),
 }
+# place board: with little memory: TOO_SMALL, and the boards on which the game has RGB565
 TOO_SMALL = {"stm32vldiscovery"}    # 8 KiB
 BOARDS = [firmware.HOST, *sampled("game", [board for board in EVERY_BOARD if board not in TOO_SMALL], 3)]
 

@@ -23,6 +23,7 @@ def run_driver(out, driver, screen, board="host", frames=6, more=(), **changes):
                    "--driver", driver, "--out", out, *more, **changes)
 
 
+# place driver: drivers and screens
 @pytest.mark.parametrize("driver, screen", [("st7789", "320x240"), ("st7789", "240x320"), ("ili9341", "101x37"),
                                             ("st7735", "160x128"), ("st7735", "128x160"), ("ssd1306", "128x32"),
                                             ("sh1106", "128x64"), ("sh1106", "77x41"),
@@ -61,6 +62,7 @@ def test_a_board_of_16_kib_sends_row_by_row(tmp_path):
     assert json.loads((tmp_path / "out" / "summary.json").read_text())["wires_frames_equal"] == 3
 
 
+# place board: with little memory: the boards of little flash that have room for a driver
 @pytest.mark.parametrize("board, driver", [("lm3s6965evb", "ili9341"), ("microbit", "ili9341"), ("netduino2", "ili9341"),
                                            ("netduinoplus2", "ili9341"), ("lm3s6965evb", "ili9488"), ("netduino2", "ili9488"),
                                            ("lm3s6965evb", "st7796")])

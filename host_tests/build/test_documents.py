@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What CONTRIBUTING.md and DESIGN.md say of files, where files can tell: the fill rule, a new board, the reference renderer."""
+"""What the recipes and DESIGN.md say of files, where files can tell: the fill rule, a new board, the reference renderer."""
 
 import os
 import re
@@ -7,36 +7,19 @@ import shutil
 import subprocess
 
 from conftest import CHECKOUT, environment
-
-CONTRIBUTING = (CHECKOUT / "CONTRIBUTING.md").read_text(encoding="utf-8")
-
-
-def recipe(name):
-    """What CONTRIBUTING.md says of one change, up to the next one."""
-    return CONTRIBUTING.split(f"\n### {name}\n", 1)[1].split("\n### ", 1)[0].split("\n## ", 1)[0]
+from fixel.check import recipes
 
 
-def test_whoever_asks_for_pixel_centres_or_dividends_is_named():
+def test_whoever_asks_for_pixel_centres_or_dividends_is_a_place_of_the_fill_rule():
     """The files that obey the fill rule, as DESIGN.md says."""
     asks = re.compile(r'^#include "(?:[\w./]*/)?(pixel_centre|edge|edge_divide)\.h"', re.MULTILINE)
-    named = recipe("The fill rule")
+    known, _ = recipes.load()
+    places = {tag.file for tag in recipes.tags(known) if tag.word == "fill-rule"} | set(known["fill-rule"].beside)
     asked = {file: asks.findall(file.read_text(encoding="utf-8")) for file in (CHECKOUT / "lib").rglob("*.[ch]")}
-    users = [file for file, headers in asked.items() if headers]
+    users = [file.relative_to(CHECKOUT).as_posix() for file, headers in asked.items() if headers]
     assert {header for headers in asked.values() for header in headers} == {"pixel_centre", "edge", "edge_divide"}
     assert len(users) > 6
-    assert not [file.name for file in users if f"`{file.name}`" not in named and f"/{file.name}`" not in named]
-
-
-def test_the_recipes_are_those_of_ten_changes_and_name_files_that_are_there():
-    recipes = CONTRIBUTING.split("\n## Recipes\n", 1)[1].split("\n## ", 1)[0]
-    names = re.findall(r"^### (.*)$", recipes, re.MULTILINE)
-    assert len(names) == 10
-    listed = subprocess.run(["git", "ls-files"], cwd=CHECKOUT, capture_output=True, text=True, check=True).stdout.splitlines()
-    missing = [text for name in names for text in re.findall(r"`((?:[\w-]+/)*[\w-]+\.(?:c|h|S|py|toml|md|mk|ld))`", recipe(name))
-               if not any(file == text or file.endswith("/" + text) for file in listed)]
-    assert missing == []
-    for name in names:
-        assert re.search(r"`make \w+( [A-Z]+=|`)", recipe(name)), f"{name} names no command that shows it"
+    assert [file for file in users if file not in places] == []
 
 
 def test_nobody_has_a_grid_of_pixel_centres_of_his_own():

@@ -13,6 +13,7 @@ def test_what_was_written_is_what_the_table_says(file):
     assert (CHECKOUT / file).read_text(encoding="utf-8") == formats.texts()[file], "fixel formats renews it"
 
 
+# place field: that fixel formats has been run
 def test_another_field_changes_all_that_is_written(monkeypatch):
     other = fields.Section("other", "other table", (fields.Field("3i", "x", "an x"),), 7, record="fxl_point")
     before = formats.texts()

@@ -244,6 +244,7 @@ def test_a_board_is_exactly_one(value):
     assert done.stdout == ""
 
 
+# place pixel-format: the values that make takes
 @pytest.mark.parametrize("setting", ["PROGRAM=%", "PROGRAM=walk game", "CLIPPER=%", "CLIPPER=view world", "VISIBILITY=%",
                                      "VISIBILITY=box spans", "PIXELS=%", "PIXELS=palette rgb565", "ORDER=%", "ORDER=distance tree", "DEPTH=%", "DEPTH=0 16", "ROWS=%", "ROWS=8 16", "DRIVER=%", "DRIVER=ssd1306 sh1106",
                                      "CORE=%", "CORE=cortex-m0 cortex-m3", "COSTS_CORES=%", "COSTS_BOARDS=%"])

@@ -1,79 +1,120 @@
 # SPDX-License-Identifier: MIT
-"""The recipes of CONTRIBUTING.md: each names all places of its change (fixel.check.recipes)."""
+"""The recipes: each place of a change has its tag (fixel.check.recipes), and CONTRIBUTING.md tells each change."""
 
-import fnmatch
+import json
 import re
 
 import pytest
 
-from conftest import write_files
-from fixel.check.recipes import (COMMAND, NEVER_PLACES, commands, found_by, listed, named_places, names, recipes, section, unnamed)
+from conftest import CHECKOUT, run_cli, write_files
+from fixel.base.errors import ToolError
+from fixel.check import recipes
 
-RECIPES = section()
-FILES = listed("ls-files", "--cached", "--others", "--exclude-standard")
-
-
-COMMANDS = [(title, command) for title, text in recipes().items() for command in commands(text)]
-
-
-def test_each_recipe_has_a_command_before_all_else():
-    titles = re.findall(r"^### (.*)$", RECIPES, re.MULTILINE)
-    assert len(titles) == 10
-    assert [title for title in titles if not any(name.startswith(title) for name in recipes())] == []
-    for title, text in recipes().items():
-        assert COMMAND.search(text.strip().split("\n\n")[0]), f'CONTRIBUTING.md, "{title}": its first paragraph has no command'
+CONTRIBUTING = (CHECKOUT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+KNOWN, NEVER = recipes.load()
+LIGHT = '[light]\ntitle = "Light"\nfinds = [{ pattern = "tint_of" }, { pattern = "[0-9] lamps", paths = ["*.md"] }]\n'
+HEAD = '[never]\n"the recipes" = ["host_tests/build/*"]\n' + LIGHT
 
 
-@pytest.mark.parametrize("title, command", COMMANDS)
-def test_a_recipe_names_all_places(title, command):
-    found = unnamed(recipes()[title], command)
-    assert not found, f'CONTRIBUTING.md, "{title}": name these files in a table, or after "Not places:": {found}'
+def tag(word, what, comment="/* {} */"):
+    return comment.format(f"place {word}: {what}") + "\n"
 
 
-@pytest.mark.parametrize("title, command", COMMANDS)
-def test_a_command_finds_places(title, command):
-    assert len(found_by(command)) > 1, f'CONTRIBUTING.md, "{title}": {command} finds nothing'
+def checkout(folder, record, texts):
+    """A checkout with these recipes and files."""
+    write_files(folder, {recipes.RECORD: record, **texts})
+    recipes.listed("init", "--quiet", folder=folder)
+    known, never = recipes.load(folder)
+    return known, never, lambda: recipes.wrong(known["light"], recipes.tags(known, folder), never, folder)
 
 
-@pytest.mark.parametrize("title", recipes())
-def test_what_a_recipe_names_is_there(title):
-    assert [name for name in names(recipes()[title]) if not fnmatch.filter(FILES, name)] == []
+@pytest.fixture(scope="module")
+def tags():
+    return recipes.tags(KNOWN)
 
 
-@pytest.mark.parametrize("title", recipes())
-def test_a_recipe_has_code_then_tests_then_documents(title):
-    kinds = []
-    for line in recipes()[title].splitlines():
-        if line.startswith("| | "):
-            kinds.append([])
-        elif line.startswith("| ") and not line.startswith("| --- "):
-            kinds[-1].append(line.split("|")[1].strip())
-    assert list(dict.fromkeys(kinds[0])) == ["code", "tests", "documents"]
-    for table in kinds:     # the others are of changes that not every one makes
-        assert table == sorted(table, key=("code", "tests", "documents").index)
+@pytest.mark.parametrize("word", KNOWN)
+def test_each_place_has_its_tag_and_each_tag_a_place(word, tags):
+    assert "\n".join(recipes.wrong(KNOWN[word], tags, NEVER)) == ""
 
 
-def test_what_is_never_a_place_is_said():
-    above = RECIPES.split("\n### ", 1)[0]
-    for pattern in NEVER_PLACES:
-        assert f"`{pattern}`" in above, pattern
+@pytest.mark.parametrize("word", KNOWN)
+def test_a_recipe_without_its_tags_fails_for_each_place(word, tags):
+    """The control: without tags each file that is a place is named, with the tag that it needs."""
+    places = {each.file for each in tags if each.word == word}
+    said = recipes.wrong(KNOWN[word], [], NEVER)
+    assert len(places) > 4 and len([words for words in said if f"the recipe '{word}'" in words]) == len(places)
 
 
-def test_a_file_that_is_not_named_is_seen(tmp_path):
-    text = ("Find: `git grep -lE 'first_(one|two)'` and `git grep -lE '\\+ 7\\b' -- '*.[chS]'`.\n\n"
-            "| | files | about |\n| --- | --- | --- |\n| code | `lib/a/`: `x.c`, `y_*.c`; `docs/z.md` | |\n\nNot places: `lib/c/used.c`.\n\nThen `lib/b/x.c`.\n")
-    assert names(text) == ["lib/a/x.c", "lib/a/y_*.c", "docs/z.md", "lib/c/used.c"]
-    assert named_places(text) == ["lib/a/x.c", "lib/a/y_*.c", "docs/z.md"]
-    contents = {"lib/a/x.c": "first_one", "lib/b/x.c": "first_two", "lib/a/y_1.c": "first_one", "lib/a/other.c": "one",
-                "lib/c/used.c": "first_two", "lib/b/number.S": "a + 7", "lib/b/more.c": "a + 77", "lib/b/text.md": "a + 7",
-                "CHANGELOG.md": "first_one"}
-    write_files(tmp_path, {path: content + "\n" for path, content in contents.items()})
-    listed("init", "--quiet", folder=tmp_path)
-    names_of, numbers_of = commands(text)
-    assert unnamed(text, names_of, tmp_path) == ["lib/b/x.c"]
-    assert unnamed(text, numbers_of, tmp_path) == ["lib/b/number.S"]
+@pytest.mark.parametrize("word", KNOWN)
+def test_each_pattern_finds_files(word):
+    for pattern in KNOWN[word].finds:
+        assert len(recipes.found_by(recipes.dataclasses.replace(KNOWN[word], finds=(pattern,)))) > 1, pattern
 
 
-@pytest.mark.parametrize("title, command", COMMANDS)
-def test_a_recipe_without_its_names_fails_for_each_command(title, command):
-    assert unnamed("", command), title
+def test_a_new_file_that_a_pattern_finds_is_told_which_tag_to_write_and_where(tmp_path):
+    texts = {"lib/a.c": "int a;\nint tint_of(int a);\n", "tools/b.py": "tint_of = 1\n", "docs/c.md": "Text.\n\nIt has 2 lamps.\n", "d.json": '"tint_of"\n'}
+    *_, wrong = checkout(tmp_path, HEAD, texts)
+    said = wrong()
+    assert [words.split(" ")[0] for words in said] == ["d.json:1", "docs/c.md:3", "lib/a.c:2", "tools/b.py:1"]
+    for words, needed in zip(said, ["[light.no_comment]", "'<!-- place light: ", "'/* place light: ", "'# place light: "]):
+        assert needed in words and "[light.not_places] of host_tests/build/recipes.toml" in words
+    write_files(tmp_path, {"lib/a.c": tag("light", "its sign") + texts["lib/a.c"], "tools/b.py": tag("light", "the sum", "# {}") + texts["tools/b.py"],
+                           "docs/c.md": tag("light", "how many", "<!-- {} -->") + texts["docs/c.md"],
+                           recipes.RECORD: HEAD + '[light.no_comment]\n"the figure" = ["d.json"]\n'})
+    *_, wrong = checkout(tmp_path, (tmp_path / recipes.RECORD).read_text(encoding="utf-8"), {})
+    assert wrong() == []
+
+
+def test_a_tag_that_no_pattern_finds_fails_also_where_only_a_tag_has_the_words(tmp_path):
+    *_, wrong = checkout(tmp_path, HEAD, {"lib/a.c": "int a;\n" + tag("light", "tint_of"), "lib/b.c": "tint_of\n" + tag("light", "b")})
+    assert [words.split(" ")[0] for words in wrong()] == ["lib/a.c:2:"]
+
+
+def test_a_file_is_either_a_place_or_none(tmp_path):
+    none = '[light.not_places]\n"only use it" = ["lib/*.c", "tools/gone.py"]\n'
+    *_, wrong = checkout(tmp_path, HEAD + none, {"lib/a.c": "tint_of\n", "lib/b.c": tag("light", "b") + "tint_of\n"})
+    said = wrong()
+    assert [words.split(" ")[0] for words in said] == ["lib/b.c:1:", f"{recipes.RECORD}:"] and "tools/gone.py" in said[1]
+
+
+def test_what_no_pattern_finds_is_there_and_is_found_by_none(tmp_path):
+    beside = '[light.beside]\n"the sum" = ["lib/a.c", "lib/b.c", "lib/gone.c"]\n'
+    *_, wrong = checkout(tmp_path, HEAD + beside, {"lib/a.c": "tint_of\n" + tag("light", "a"), "lib/b.c": "int b;\n"})
+    assert [re.search(r"lib/\w+\.c", words)[0] for words in wrong()] == ["lib/gone.c", "lib/a.c"]
+
+
+@pytest.mark.parametrize("text", [tag("lihgt", "the sum"), "/* place light: open\n"])
+def test_a_tag_of_no_recipe_or_of_another_form_is_refused(tmp_path, text):
+    known, *_ = checkout(tmp_path, HEAD, {"lib/a.c": "tint_of\n" + text})
+    with pytest.raises(ToolError, match=r"lib/a\.c:2: .*WORD"):
+        recipes.tags(known, tmp_path)
+
+
+def test_the_command_prints_each_place_and_what_changes_there(tags, tmp_path):
+    done = run_cli("places", "driver", "--json", tmp_path / "places.json")
+    assert done.returncode == 0, done.stderr
+    places = [each for each in tags if each.word == "driver"]
+    for each in places:
+        assert f": {each.file}{f':{each.line}' if each.line else ''}: {each.what}\n" in done.stdout
+    assert len(done.stdout.splitlines()) == len(places) + len(KNOWN["driver"].beside)
+    assert len(json.loads((tmp_path / "places.json").read_text(encoding="utf-8"))) == len(places)
+    every = run_cli("places")
+    assert every.returncode == 0 and [line.split()[0] for line in every.stdout.splitlines()[2:]] == list(KNOWN)
+
+
+def test_the_command_refuses_a_word_that_is_no_recipe():
+    done = run_cli("places", "dirver")
+    assert done.returncode == 2 and "driver" in done.stderr and "dirver" in done.stderr
+
+
+@pytest.mark.parametrize("word", KNOWN)
+def test_the_story_of_a_recipe_is_short_and_names_its_commands(word):
+    story = re.search(rf"^####? {re.escape(KNOWN[word].title.split(': ')[-1])}\n(.*?)(?=^#|\Z)", CONTRIBUTING, re.MULTILINE | re.DOTALL)[1]
+    assert f"`fixel places {word}`" in story and re.search(r"`make \w+( [A-Z]+=|`)", story)
+    assert len([line for line in story.splitlines() if line.strip()]) <= 10
+    assert all((CHECKOUT / name).exists() for name in re.findall(r"`((?:[\w-]+/)+[\w.-]+\.\w+)`", story))
+
+
+def test_there_is_a_story_of_each_change():
+    assert len(re.findall(r"^### ", CONTRIBUTING.split("\n## Recipes\n")[1].split("\n## ")[0], re.MULTILINE)) == 11

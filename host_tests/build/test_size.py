@@ -194,6 +194,7 @@ def test_the_firmwares_figure_is_not_below_what_a_run_shows(build):
     assert int(figure.removeprefix("at least ").replace(",", "")) >= found["stack_measured"]
 
 
+# place pixel-format: the size of a program
 @pytest.mark.parametrize("row, beams", [("surfaces, lit ones or with holes", False), ("surfaces and light beams", True)])
 def test_the_stack_with_a_depth_buffer_is_what_its_page_says(build, tmp_path, row, beams):
     """The scene that is deepest by a tree, with a depth buffer instead, and in RGB565 with holes, which is deeper."""

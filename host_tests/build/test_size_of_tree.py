@@ -40,8 +40,10 @@ def test_functions_are_counted_once_wherever_they_are_declared(tmp_path):
     assert size_of_tree.count_interface(texts, tmp_path) == {"public headers": 2, "public functions": 2}
 
 
-def test_a_place_is_found_and_named(tmp_path):
-    text = "\n## Recipes\n\n### One\n\nFind: `git grep -lE 'one'`.\n\n| | files | |\n| --- | --- | --- |\n| code | `lib/*.c` | |\n\nNot places: `docs/a.md`.\n"
-    write_files(tmp_path, {"CONTRIBUTING.md": text, "lib/a.c": "one", "lib/b.c": "two", "docs/a.md": "one", "tools/c.py": "one"})
+def test_a_place_is_a_file_with_the_tag(tmp_path):
+    """A file counts once, however many tags of the recipe it has."""
+    record = '[one]\ntitle = "One"\nfinds = [{ pattern = "one" }]\n[one.no_comment]\n"a figure" = ["lib/c.json"]\n'
+    tag = "/* place {}: what */\n"
+    write_files(tmp_path, {recipes.RECORD: record, "lib/a.c": tag.format("one") * 2, "lib/b.c": "one\n", "lib/c.json": "one\n"})
     recipes.listed("init", "--quiet", folder=tmp_path)
-    assert size_of_tree.count_places(tmp_path) == {"places of One": 1}
+    assert size_of_tree.count_places(tmp_path) == {"places of One": 2}

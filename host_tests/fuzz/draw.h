@@ -38,6 +38,7 @@ void draw_attach(fxl_renderer *renderer, draw_parts *parts, const fxl_surface_se
                  const fxl_painter *painter, bool is_lit);
 void draw_detach(fxl_renderer *renderer);
 
+/* place pixel-format: random input */
 /* Frames of 16 bits a pixel of a renderer's scene, with a set of surfaces and what only such frames
  * have: whole, in bands, and in another workspace. The renderer has no attachments before and after. */
 void draw_rgb565(fxl_renderer *renderer, draw_parts *parts, const fxl_surface_set *from,

@@ -48,6 +48,7 @@ static void attach(attached *to, uint32_t set)
     }
 }
 
+/* place pixel-format: random input */
 /* The frame that fxl_render has drawn, as another core would draw it: the same pixels. */
 static void draw_as_another(const attached *to)
 {

@@ -23,6 +23,7 @@ enum {
     ATTACHED = 16
 };
 
+/* place pixel-format: the list of targets */
 static const fxl_target *const targets[] = {&fxl_palette, &fxl_palette_depth_16, &fxl_rgb565,
                                             &fxl_rgb565_depth_32, &fxl_palette_spans};
 static const fxl_clipper *const clippers[] = {&fxl_clipper_view, &fxl_clipper_once,

@@ -41,6 +41,7 @@ static fxl_setup_plan plan_of(const fxl_scene *scene, const fxl_config *config,
     return plan;
 }
 
+/* place pixel-format: random input */
 /* The pixels that two renderers draw of one scene are the same. */
 static void demand_same(fxl_renderer *by_setup, fxl_renderer *by_hand, const fxl_pose *pose,
                         const fxl_config *config)

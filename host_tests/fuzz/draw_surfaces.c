@@ -58,6 +58,7 @@ static size_t texel_bytes(const fxl_texture *texture)
     return texels >> least;
 }
 
+/* place pixel-format: random input */
 static void make_texture(made_surfaces *made, uint32_t number, fuzz_input *in)
 {
     fxl_texture *texture = &made->textures[number];
@@ -326,6 +327,7 @@ static void set_plain_light(fxl_renderer *renderer, fxl_light *light)
     DEMAND(fxl_attach_light(renderer, light, &settings) == FXL_OK);
 }
 
+/* place clipper: only if a random clipper is to draw surfaces: a list of four */
 static void draw_made(const fxl_scene *scene, made_surfaces *made, fuzz_input *in)
 {
     static const fxl_clipper *const clippers[] = {&fxl_clipper_view, &fxl_clipper_triangles,

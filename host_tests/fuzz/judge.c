@@ -145,6 +145,7 @@ void judge_plane_distance(const fxl_plane *plane, const fxl_point *point, fxl_q1
     DEMAND(distance == exact_dot(&plane->normal, point->x, point->y, point->z) - plane->distance);
 }
 
+/* place fill-rule: definition: edge_winding */
 /* +1, 0 or -1: what the edge a -> b adds to the winding number about a centre.
  * SPEC.md, section 5, in products below 2^60. */
 static int edge_winding(const fxl_screen_point *a, const fxl_screen_point *b, int64_t cx,

@@ -29,6 +29,7 @@ void judge_transform(const fxl_camera *camera, const fxl_point *point, const fxl
 /* A plane's distance of a point against sums in 128 bits. */
 void judge_plane_distance(const fxl_plane *plane, const fxl_point *point, fxl_q18_46 distance);
 
+/* place fill-rule: definition: edge_winding */
 /* Every pixel of the band against the winding number of the outline about its
  * centre; pixels hold 1 where a span was, 0 elsewhere. */
 void judge_coverage(const fxl_screen_polygon *polygon, const fxl_band *band);

@@ -13,6 +13,7 @@ enum {
     ROWS = 4
 };
 
+/* place pixel-format: random input */
 /* The bytes of all levels; one after another they lie in the image. */
 static uint32_t sum_texels(const fxl_texture *texture)
 {

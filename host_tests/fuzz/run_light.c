@@ -11,6 +11,7 @@ static fxl_q2_30 any_fraction(fuzz_input *in)
     return fuzz_below(in, 16) ? fuzz_between(in, 0, FXL_Q2_30_ONE) : fuzz_any(in);
 }
 
+/* place light: a new setting: random settings */
 static fxl_light_settings any_settings(fuzz_input *in)
 {
     fxl_light_settings made;

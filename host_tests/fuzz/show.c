@@ -15,6 +15,9 @@ enum {
     GUARD = 0x5A
 };
 
+/* place driver: drivers */
+/* place pixel-format: random input */
+/* place converter: the list of formats */
 static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb565_low,
                                                   &fxl_pixels_rgb332, &fxl_pixels_rgb666,
                                                   &fxl_pixels_grey4,  &fxl_pixels_mono_rows,

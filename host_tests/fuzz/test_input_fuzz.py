@@ -202,6 +202,8 @@ def _keys():
     return sorted(found)
 
 
+# place key: only if the fuzzer has no values of the key's kind
+# place light: a new setting: random settings
 def test_the_keys_are_those_of_all_that_reads_scenes():
     assert {*toml_object.KEYS, *toml_scene.TOP_KEYS, *toml_texture.KEYS, *toml_motion.KEYS, *toml_light.KEYS,
             *toml_billboard.OBJECT_KEYS, "pattern", "wrap", "key", "anchor", "yaw", "offset", "facing", "fog", "visibility",

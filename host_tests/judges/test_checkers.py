@@ -9,6 +9,7 @@ import pytest
 
 import section_mutants
 from conftest import CHECKOUT
+# place field: images that all refuse alike
 from scene_sections import bodies, entries, joined, replaced, sealed, section
 from section_mutants import put
 from fixel.scene import making

@@ -34,6 +34,7 @@ LEAST = 5           # per cent of the frame that an attribute must change
 LINE, BORDER = 1, 2     # palette indices
 WIDTH, HEIGHT = 64, 48
 
+# place pixel-format: TARGETS: what each target draws with each extra
 TARGETS = {f"{pixels}{f', depth {bits}' if bits else ''}": (pixels, bits) for pixels in ("palette", "rgb565") for bits in (0, 16, 32)}
 WAYS = [(order, name) for order in ("distance", "tree") for name in TARGETS if order == "distance" or not TARGETS[name][1]]
 

@@ -13,6 +13,7 @@ FRAMES = 6
 # By distance, without a depth buffer and with one; and a scene with a tree, by it and without it.
 SCENES = [*((f"scenes/{scene}", ("--depth", depth)) for scene in ("gallery", "room", "car", "grove") for depth in ("0", "16")),
           ("scenes/knot", ("--order", "tree")), ("scenes/knot", ("--order", "distance", "--depth", "16"))]
+# place pixel-format: MATRIX: the scenes and the targets that are drawn on boards
 # Texels of RGB565 and colours that are added, which frames of a palette cannot show.
 TEXELS = [("host_tests/fuzz/scenes/texels", ("--depth", depth)) for depth in ("0", "16")]
 MATRIX = [*((board, scene, pixels, words) for board in BOARDS for scene, words in SCENES for pixels in ("palette", "rgb565")),

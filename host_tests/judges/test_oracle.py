@@ -40,6 +40,7 @@ def test_pieces_are_watertight_but_where_rounding_turned_one_over(build):
     assert found["cut_pieces"] > 20_000
 
 
+# place clipper: the clippers of which a claim holds
 @pytest.mark.parametrize("clipper", ("half-spaces", "near", "near-box", "left", "triangles"))
 def test_no_gaps_by_any_clipper(build, clipper):
     """clippers 7.2."""

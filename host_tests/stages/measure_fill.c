@@ -5,6 +5,7 @@
 #include "stages/bridge.h"
 #include "stages/measure.h"
 
+/* place fill-rule: the pixels that a design has wrong */
 stages_tally stages_fill_tally(const char *input)
 {
     return (stages_tally){

@@ -216,6 +216,7 @@ fxl_view_point stages_random_view_point(stages_random *random, const fxl_lens *l
                             view_coordinate(random, z)};
 }
 
+/* place fill-rule: random corners within a unit of a centre, where ties are */
 static fxl_q16_16 screen_coordinate(stages_random *random, uint32_t kind, int size)
 {
     switch (kind) {

@@ -7,6 +7,7 @@ import subprocess
 import pytest
 
 SAMPLES = 20_000
+# place clipper: the errors that are claimed
 # Claims hold as they stand; a face that is not quite flat has no corners to within a unit, and
 # the sliver rule moves outlines on purpose.
 CLAIMED = ("normalised", "once_triangle", "half_spaces", "near_and_guard", "left_and_guard",

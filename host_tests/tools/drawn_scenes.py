@@ -7,6 +7,7 @@ import random
 import scene_head
 
 COUNT = 30
+# place pixel-format: scenes that are drawn at random
 FEATURES = ("surfaces", "light", "depth", "rgb565", "billboards", "tree")
 SOLIDS = {"box": "", "octahedron": "", "dodecahedron": "", "tetrahedron": "", "prism": "sides = {sides}\n",
           "cone": "sides = {sides}\n", "sphere": "sides = {sides}\nrings = 5\n"}

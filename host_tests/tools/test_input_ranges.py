@@ -10,6 +10,7 @@ from PIL import Image
 import pytest
 
 from conftest import CHECKOUT, run_cli, without_progress
+# place field: images that are broken, for the tools
 from scene_sections import replaced
 from test_input_bounds import LITTLE, assert_ended, run_bounded
 from test_input_work import noise, scene, textures

@@ -94,6 +94,7 @@ def result(built, tmp_path_factory):
     return folder, json.loads((folder / "out/report.json").read_text()), done
 
 
+# place claim: test_every_claim_is_measured: the list
 def test_every_claim_is_measured(result):
     """accuracy 3.1."""
     _, report, done = result

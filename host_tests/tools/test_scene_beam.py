@@ -14,6 +14,7 @@ from conftest import CHECKOUT, run_make
 from fixel.image import image, image_beam
 from fixel.scene import toml_scene
 from fixel.base.errors import ToolError
+# place field: images that are broken, for the tools
 from scene_sections import entry_at, replaced, section
 from test_scene_image import patched
 

@@ -11,6 +11,7 @@ from conftest import CHECKOUT, run_cli
 from fixel.board import dump
 from fixel.image import image
 from fixel.base.errors import ToolError
+# place field: images that are broken, for the tools
 from scene_sections import section
 from scene_text import build
 

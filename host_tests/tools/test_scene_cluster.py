@@ -17,6 +17,7 @@ from fixel.model import clusters
 from fixel.scene import making, toml_scene
 from fixel.base.errors import ToolError
 from fixel.board.programs import run_program
+# place field: images that are broken, for the tools
 from scene_sections import entry_at, replaced, section
 from test_scene_image import patched
 

@@ -12,6 +12,7 @@ from conftest import run_cli
 from fixel.image import fields, image, image_keys, image_lens
 from fixel.base.errors import ToolError
 from fixel.image.image import Face, Model, Object, SceneImage
+# place field: images that are broken, for the tools
 from scene_sections import bodies, entry_at, joined, replaced, section
 
 UP = (0, 1 << 30, 0)

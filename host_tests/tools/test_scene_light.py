@@ -9,6 +9,7 @@ from conftest import CHECKOUT
 from fixel.image import image, image_light
 from fixel.scene import light_palette, toml_scene
 from fixel.base.errors import ToolError
+# place field: images that are broken, for the tools
 from scene_sections import section
 from scene_text import build
 
@@ -52,6 +53,7 @@ def test_what_is_not_given_has_a_default(tmp_path):
     assert light.fog == (0, 0) and light.points == [] and len(light.ramp) == 9
 
 
+# place light: the ramp that the tools make
 def test_a_ramp_goes_from_dark_to_the_colour_itself(tmp_path):
     scene = build(tmp_path, LIGHT + 'dark = "#102030"\n' + BOX)
     [colour] = colours_of(scene)

@@ -11,6 +11,7 @@ from fixel.image import image, image_placement
 from fixel.scene import toml_scene
 from fixel.base.errors import ToolError
 from fixel.scene import compiler
+# place field: images that are broken, for the tools
 from scene_sections import section
 from scene_text import build
 

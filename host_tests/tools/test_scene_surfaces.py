@@ -12,6 +12,7 @@ from conftest import CHECKOUT, run_cli
 from fixel.image import image, image_surface
 from fixel.scene import light_palette, surfaces, texture, toml_scene
 from fixel.base.errors import ToolError
+# place field: images that are broken, for the tools
 from scene_sections import section
 from scene_text import build
 
@@ -284,6 +285,7 @@ def test_levels_are_means_of_the_level_before(tmp_path):
 
 # --- colours and light ---------------------------------------------------------------------------
 
+# place light: the ramp that the tools make
 @pytest.mark.parametrize("bits", [4, 8])
 def test_the_tools_light_shades_a_texture_for_each_direction(tmp_path, bits):
     scene = build(tmp_path, TEXTURE + f"bits = {bits}\n" + BOX)

@@ -273,6 +273,7 @@ def unnamed_keys(keys, page):
     return {key for key in keys if not re.search(rf"\b{key}\b", code)}
 
 
+# place key: what a key does, each value refused, that the page has a row of each
 def test_the_document_names_every_key():
     modules = sorted((ROOT / "tools" / "fixel" / "scene").glob("toml_*.py"))
     keys = set(image.KEYS).union(*(keys_of(module.read_text(encoding="utf-8")) for module in modules))

@@ -74,6 +74,7 @@ def test_a_scene_that_asks_for_nothing_is_drawn_by_distance(build, tmp_path):
     assert pixels(drawn(build, image_file, "unasked")) == pixels(drawn(build, image_file, "sorted", "--hidden", "sorted"))
 
 
+# place pixel-format: what the image says of pixels
 def test_the_image_has_the_wish_in_one_byte(tmp_path):
     blobs = [image.pack(toml_scene.compile_file(str(scene_of(tmp_path, SOLIDS % text)))[0])
              for text in ("", 'visibility = "default"\npixels = "palette"\ndepth = 0', 'visibility = "depth"', "depth = 16",

@@ -15,6 +15,7 @@ from fixel.scene.target import Target
 TINY, KNOT = CHECKOUT / "scenes/tiny.toml", CHECKOUT / "scenes/knot.toml"
 
 
+# place pixel-format: the values of PIXELS=
 def asked_of(scene):
     """(bits of a pixel, bits of its depth, whether by distance) that an image asks for."""
     return scene.pixel_bits, scene.depth_bits, scene.by_distance

@@ -10,6 +10,7 @@ enum {
     CLIPPERS = 6
 };
 
+/* place clipper: the list of the unit tests and of the fuzzer */
 static const fxl_clipper *const clippers[CLIPPERS] = {
     &fxl_clipper_normalised, &fxl_clipper_once, &fxl_clipper_half_spaces,
     &fxl_clipper_triangles,  &fxl_clipper_near, &fxl_clipper_left};

@@ -3,6 +3,7 @@
 
 #include "unit.h"
 
+/* place driver: the model in C; those of colour come first */
 /* Columns and rows of each controller's memory; of an ST7735 that is strapped for 128 x 160. */
 static const uint16_t sizes[][2] = {{240, 320}, {240, 320}, {128, 160}, {320, 480}, {320, 480},
                                     {240, 240}, {128, 64},  {128, 64},  {132, 64},  {128, 128}};

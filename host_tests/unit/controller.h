@@ -8,6 +8,7 @@
 #include "fixel/display.h"
 #include "transfer.h"
 
+/* place driver: the model in C; those of colour come first */
 enum {
     CONTROLLER_ST7789,
     CONTROLLER_ILI9341,

@@ -31,6 +31,7 @@ static double held(double value)
     return value < 0 ? 0 : value > 1 ? 1 : value;
 }
 
+/* place light: definition: light; a new setting too */
 /* The brightness of a face, by its middle and normal. */
 double exact_brightness(const fxl_light_settings *of, const fxl_camera *camera, exact_vector middle,
                         exact_vector normal)

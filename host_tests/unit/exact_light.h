@@ -23,6 +23,7 @@ exact_vector exact_minus(exact_vector a, exact_vector b);
 double exact_brightness(const fxl_light_settings *of, const fxl_camera *camera, exact_vector middle,
                         exact_vector normal);
 
+/* place light: definition: the unit tests */
 /* Random settings, whose point lights are near and far of a point of the world. */
 fxl_light_settings exact_light_any(const uint8_t *ramp, const fxl_point *about);
 

@@ -97,6 +97,7 @@ void picture_check(const double *points, uint8_t count, const char *const *rows)
     picture_expect(&canvas, rows);
 }
 
+/* place fill-rule: definition: picture_winding */
 int32_t picture_winding(const fxl_screen_polygon *polygon, int32_t column, int32_t row)
 {
     int64_t cx = (int64_t)column * 65536 + 32768, cy = (int64_t)row * 65536 + 32768;

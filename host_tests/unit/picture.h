@@ -29,6 +29,7 @@ fxl_screen_polygon picture_polygon(const double *coordinates, uint8_t count);
 /* Compares with rows of text; prints both pictures where they differ. */
 void picture_expect(const picture *canvas, const char *const *rows);
 
+/* place fill-rule: definition: picture_winding */
 /* Whether SPEC.md, section 5, covers the pixel: the winding number by its
  * definition, exact. Below 2^59: coordinates are below 2^28 and half a pixel. */
 int32_t picture_winding(const fxl_screen_polygon *polygon, int32_t column, int32_t row);

@@ -4,6 +4,7 @@
 #ifndef QUAD_SCENE_H
 #define QUAD_SCENE_H
 
+/* place light: pictures of lit surfaces */
 #include "exact_light.h"
 
 enum {

@@ -24,6 +24,7 @@ uint32_t segment_any(void)
     return segment.state;
 }
 
+/* place sampling: definition: texels of lit surfaces, segments, divided pixels, RGB565 */
 void segment_choose_size(uint32_t log_width, uint32_t log_height)
 {
     segment.paint.level.log_width = (uint8_t)log_width;

@@ -7,6 +7,8 @@ enum {
     PIXELS = 64
 };
 
+/* place sampling: if billboards change too: the walk; the texel that is picked */
+/* place fill-rule: definition: the pixels of a billboard */
 /* The texel in which the centre of a pixel falls, and what is left, both exact. */
 static void expect_place(const fxl_texel_walk *walk, fxl_q16_16 from, int32_t pixel,
                          uint32_t texels)

@@ -92,6 +92,7 @@ static rectangle exact_rectangle(double scale)
     return at;
 }
 
+/* place sampling: definition: exact_texel */
 /* The texel at a pixel's centre, or -1; -2 where a corner's rounding may decide. */
 static int exact_texel(double at, double from, double end, int texels_of_side)
 {

@@ -49,6 +49,7 @@ static void set_errors(fxl_slope *slope, int32_t good)
     }
 }
 
+/* place fill-rule: pictures; columns of edges; corners on centres */
 /* The bits that every kernel must have, by their definition. */
 static void expect_quotient(uint32_t height, int32_t dividend)
 {

@@ -182,6 +182,7 @@ static bool has_pixels(const fxl_screen_polygon *screen)
     return fxl_scan_next(&scan, &span);
 }
 
+/* place fill-rule: definition: has_one_column and has_one_row */
 /* All vertices have the same first centre from them on, in a row and in a column. */
 static bool has_one_column(const fxl_screen_polygon *screen)
 {

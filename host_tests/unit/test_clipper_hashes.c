@@ -85,6 +85,7 @@ static uint32_t hash_of_faces(const fxl_clipper *clipper)
     return hash;
 }
 
+/* place clipper: a hash of each clipper */
 void test_the_outlines_of_faces_are_those_on_record(void)
 {
     static const struct {

@@ -76,6 +76,7 @@ void test_what_is_outside_has_no_intersections(void)
     TEST_ASSERT_EQUAL_UINT32(0, account.intersections);
 }
 
+/* place clipper: the workspace that spoil breaks */
 /* Half-spaces measure a vertex by all planes, once, and not where no plane can matter. */
 void test_half_spaces_measure_a_vertex_once(void)
 {

@@ -292,6 +292,7 @@ void test_one_colour_at_all_corners(void)
     }
 }
 
+/* place light: definition: light of colours at corners */
 /* Light from a direction: it is multiplied at the corners, whose products are linear. */
 /* SPEC 9.8 */
 void test_light_at_the_corners(void)

@@ -28,6 +28,7 @@ typedef struct {
     bool columns_mirrored, rows_mirrored, is_inverted, is_blue_first;
 } module;
 
+/* place driver: rows in colours or oleds, memories; the glass in assert_colours */
 static const module colours[] = {{&fxl_st7789, CONTROLLER_ST7789, false, false, true, false},
                                  {&fxl_ili9341, CONTROLLER_ILI9341, true, false, false, true},
                                  {&fxl_st7735, CONTROLLER_ST7735, true, true, false, false},

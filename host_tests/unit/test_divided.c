@@ -2,6 +2,7 @@
 /* The kernel of pixels that are each divided: against the exact coordinates in double, and the
  * segments that it takes. */
 #include "paint/paint_divided.h"
+/* place sampling: definition: texels of lit surfaces, segments, divided pixels, RGB565 */
 #include "paint/texel_place.h"
 #include "segment_unit.h"
 

@@ -43,6 +43,7 @@ static fxl_screen_polygon any_outline(void)
     return outline;
 }
 
+/* place fill-rule: pictures; columns of edges; corners on centres */
 /* Whether a row of the band has a centre between the highest and the lowest point. */
 static bool reaches(const fxl_screen_polygon *outline, int32_t first, int32_t rows)
 {

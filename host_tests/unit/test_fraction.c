@@ -98,6 +98,7 @@ void test_quotients_and_remainders(void)
     }
 }
 
+/* place fill-rule: pictures; columns of edges; corners on centres */
 /* whole.fraction is floor(2^32 dividend / height) + 1: more than the exact quotient, by 2^-32 at
  * most. In 64 bits: height whole.fraction is more than 2^32 dividend, by height at most. */
 static void expect_edge_quotient(int32_t dividend, uint32_t height)

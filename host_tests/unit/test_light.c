@@ -42,6 +42,7 @@ static fxl_camera any_camera(void)
 
 static double worst;
 
+/* place light: that the library keeps to FXL_LIGHT_ERROR_MAX */
 /* The brightness and its level are within the bound of the exact ones. */
 static void expect_level(const fxl_light_settings *of, double exact, uint32_t level)
 {

@@ -25,6 +25,7 @@ typedef struct {
     bool columns_mirrored, rows_mirrored, is_blue_first, is_inverted;
 } facts;
 
+/* place driver: facts of its modules; other commands: a test as test_ssd1351.c */
 static const facts colours[] = {
     {&fxl_module_ili9341_240x320, CONTROLLER_ILI9341, 240, 320, 0, 0, 240, 320, true, false, true,
      false},

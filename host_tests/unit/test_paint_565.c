@@ -19,6 +19,8 @@ static fxl_gradients gradients;
 static fxl_paint paint;
 static fxl_paint_row row;
 
+/* place light: definition: left_of, the part in RGB565; rows of it */
+/* place pixel-format: the new format has a file like this one */
 void setUp(void)
 {
     memset(&gradients, 0, sizeof gradients);
@@ -49,6 +51,7 @@ static void paint_row(uint16_t *to)
     fxl_paint_pixels_565(&paint, &row, 0, COLUMNS);
 }
 
+/* place sampling: definition: texels of lit surfaces, segments, divided pixels, RGB565 */
 /* A texture of 32 x 32, whose coordinates go along both sides. */
 static void choose_texture(uint8_t flags)
 {

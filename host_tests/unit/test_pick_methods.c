@@ -16,6 +16,7 @@ enum {
     LIST_WORDS = 60 /* a part of the frame's polygons */
 };
 
+/* place pixel-format: picking in a frame of the format */
 static uint8_t frame[HEIGHT][WIDTH];
 static uint16_t row_565[WIDTH], palette[256];
 static fxl_picked by_order[HEIGHT][WIDTH];
@@ -411,6 +412,7 @@ void test_by_a_tree_its_order_is_picked(void)
     TEST_ASSERT_TRUE(others > 20 && cut > 0);
 }
 
+/* place sampling: if billboards change too: the walk; the texel that is picked */
 /* The sprite has a hole in its middle. Of a billboard the face is 0, and the colour the texel's. */
 /* billboards 4.3 */
 void test_a_texel_of_a_billboard_is_picked(void)

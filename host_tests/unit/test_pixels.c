@@ -6,6 +6,7 @@
 #define ROWS   11u
 #define GUARD  0xA5u
 
+/* place pixel-format: what a band of the format is converted to */
 static uint8_t palette[768];
 static uint8_t frame[ROWS * (WIDEST + 3u) + 4u];
 static uint32_t out_words[(3u * WIDEST * ROWS + 8u) / 4u];
@@ -14,6 +15,7 @@ static uint16_t frame_565[ROWS * (WIDEST + 3u) + 4u];
 static const uint16_t colours[256]; /* of a band of RGB565; no conversion reads them */
 static fxl_pixels pixels;
 
+/* place converter: formats, got, expected (the formula in C) and sizes */
 static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb565_low,
                                                   &fxl_pixels_rgb332, &fxl_pixels_rgb666,
                                                   &fxl_pixels_grey4,  &fxl_pixels_mono_rows,

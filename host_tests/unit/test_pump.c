@@ -10,6 +10,7 @@ enum {
     NEVER = 1000
 };
 
+/* place pixel-format: what is sent of a band of the format */
 static uint64_t block[160], memory[(8 * WIDTH * 16 + 7) / 8];
 static uint8_t palette[768], whole[HEIGHT * WIDTH];
 static uint16_t palette_565[256], whole_565[HEIGHT * WIDTH];
@@ -139,6 +140,7 @@ static void assert_frames(void)
     }
 }
 
+/* place converter: formats */
 static void assert_every_format_and_height(void)
 {
     static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb332,

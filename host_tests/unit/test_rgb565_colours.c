@@ -64,6 +64,7 @@ static int sum(int above, int beneath, int largest)
     return above + beneath > largest ? largest : above + beneath;
 }
 
+/* place pixel-format: the new format has a file like this one */
 /* Without a number it is half. */
 /* rgb565 2.2 */
 void test_sixteenths_of_each_channel(void)
@@ -118,6 +119,7 @@ void test_light_takes_a_part_of_each_channel(void)
     }
 }
 
+/* place light: definition: left_of, the part in RGB565; rows of it */
 /* What is left of a colour in a light without direction. */
 static uint16_t left_of(uint16_t colour, uint16_t dark, double brightness)
 {

@@ -143,6 +143,7 @@ void test_off_the_screen_is_cut(void)
     CHECK_PICTURE(POINTS(0, 5, 4, 5, 4, 9, 0, 9), ROWS("....", "....", "...."));
 }
 
+/* place fill-rule: pictures; columns of edges; corners on centres */
 static fxl_q16_16 random_coordinate(int32_t pixels)
 {
     const int32_t range = pixels * 65536;

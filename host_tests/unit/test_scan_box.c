@@ -31,6 +31,7 @@ static void draw(const fxl_screen_polygon *polygon, const fxl_band *band, bool b
     }
 }
 
+/* place fill-rule: pictures; columns of edges; corners on centres */
 static fxl_q16_16 coordinate(uint32_t kind)
 {
     switch (kind) {

@@ -142,6 +142,7 @@ static fxl_pose make_scene(uint32_t with)
     return pose;
 }
 
+/* place light: hashes of frames */
 static void add_light(void)
 {
     const fxl_light_settings settings = {.ambient = FXL_Q2_30_ONE / 8,

@@ -38,6 +38,7 @@ static void entry_word(fxl_status status, uint32_t table, uint32_t at, uint32_t 
     expect_image_entry_word(status, make(), table, at, value);
 }
 
+/* place light: a new setting: the setting out of an image */
 /* The settings are those of the image, to the last member. */
 /* formats 1.11 */
 void test_light_is_used_in_place(void)

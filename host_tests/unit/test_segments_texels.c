@@ -2,6 +2,7 @@
 /* Light in textured segments, the kinds of their texels, and pixels that no kernel paints. */
 #include <stdlib.h>
 
+/* place sampling: definition: texels of lit surfaces, segments, divided pixels, RGB565 */
 #include "paint/texel_place.h"
 #include "segment_unit.h"
 
@@ -107,6 +108,7 @@ void test_light_beyond_the_levels_is_limited(void)
     }
 }
 
+/* place stipple: definition: the numbers of the pattern */
 /* The pixels of a kind of texels, where `plain` has those of the same texels of 8 bits, in light
  * that is the same everywhere or in none. */
 static void check_kind_in_light(const uint8_t *plain, int32_t x0, const uint8_t *colours)

@@ -61,6 +61,7 @@ static void make_texture(quad_scene *quad, uint32_t number)
     }
 }
 
+/* place light: hashes of frames */
 static void make_light(quad_scene *quad)
 {
     const fxl_point origin = {0, 0, 0};

@@ -34,6 +34,7 @@ static int log_of(int log, int level, int least)
     return log > level + least ? log - level : least;
 }
 
+/* place sampling: definition: exact_texel */
 /* The colour of a texel of a level, repeated. */
 static uint8_t exact_texel(bool of_4_bits, int level, double u, double v)
 {
@@ -71,6 +72,7 @@ static void check_levels(const quad_scene *quad, bool of_4_bits, int level)
     }
 }
 
+/* place light: pictures of lit surfaces */
 /* The level is that of the definition, and so is each texel of it. */
 /* SPEC 9.4, surfaces 3.1, 3.2 */
 void test_a_face_takes_the_level_of_its_nearest_vertex(void)
@@ -339,6 +341,7 @@ void test_a_blend_table_that_is_none_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_surfaces_check(&quad->set, &quad->scene, 8, NULL));
 }
 
+/* place stipple: definition: the table of a blend */
 /* A grey of a palette of greys, some of them twice, blended with another. */
 /* surfaces 4.3 */
 void test_a_blend_table_has_the_nearest_colours(void)

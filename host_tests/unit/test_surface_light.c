@@ -31,6 +31,7 @@ void tearDown(void)
 {
 }
 
+/* place light: pictures of lit surfaces */
 /* Light with its sources about the face. */
 static fxl_light_settings any_settings(void)
 {

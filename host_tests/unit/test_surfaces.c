@@ -34,6 +34,7 @@ void tearDown(void)
 
 static const fxl_pose eye = {{0, 0, 0}, 40u << 23, 0u - (12u << 23), 0};
 
+/* place sampling: definition: exact_texel */
 /* The texel under a pixel's centre in double, or -1; *edge: how far its coordinates are from where
  * the texel would be another, in texels. */
 static int exact_texel(int x, int y, double *edge)

@@ -74,6 +74,7 @@ void test_a_tiny_triangle_covers_what_the_scan_finds(void)
     TEST_ASSERT_GREATER_THAN(0, others);
 }
 
+/* place fill-rule: pictures; columns of edges; corners on centres */
 /* Two triangles that share an edge through centres cover each pixel of a square once. */
 void test_tiny_triangles_that_share_an_edge_cover_each_pixel_once(void)
 {

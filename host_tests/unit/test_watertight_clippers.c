@@ -22,6 +22,7 @@ void test_through_all_planes_at_once(void)
     expect_through(&fxl_clipper_once, UNIT_REPEAT / 4);
 }
 
+/* place clipper: a test of each clipper */
 void test_through_half_spaces(void)
 {
     expect_through(&fxl_clipper_half_spaces, UNIT_REPEAT / 4);

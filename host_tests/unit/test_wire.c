@@ -121,6 +121,7 @@ void test_either_way_is_the_same(void)
     }
 }
 
+/* place fill-rule: definition: the pixels of a line */
 /* The rule itself, pixel by pixel: the point of the line over the centre of a column, or
  * beside that of a row, lies in the pixel. |products| < 2^60. */
 static bool covers(const fxl_screen_point *a, const fxl_screen_point *b, int x, int y)
@@ -205,6 +206,7 @@ static void make(fxl_wire_clipper clipper)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_init(&wire, &tiny->scene, &lens, clipper));
 }
 
+/* place pixel-format: lines in the format */
 /* The same pixels in RGB565, each of the colour that the band's palette has for it. */
 static void assert_same_in_rgb565(void)
 {

@@ -4,6 +4,7 @@
 #ifndef TINY_H
 #define TINY_H
 
+/* place field: small images, each field broken */
 #include "scene/scene_sections.h"
 #include "unit.h"
 

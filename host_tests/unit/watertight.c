@@ -8,6 +8,7 @@
 #include "placements.h"
 #include "view/placement.h"
 
+/* place fill-rule: definition: outline_winding */
 /* The outline around both: all edges but those that one walks one way and the
  * other the other. Its winding number says what the two must cover. */
 typedef struct {

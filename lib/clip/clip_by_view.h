@@ -30,6 +30,7 @@ fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_f
 #define FXL_VERTEX_COLUMN 0x000FFF00u
 #define FXL_VERTEX_ROW    0xFFF00000u
 
+/* place fill-rule: the first centres of a vertex */
 static inline uint32_t fxl_vertex_place_flags(const fxl_screen_point *screen)
 {
     uint32_t column = (uint32_t)fxl_first_centre_from(screen->x);

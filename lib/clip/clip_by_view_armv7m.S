@@ -81,6 +81,7 @@ fxl_clip_by_view:
     add     sp, sp, #16
     pop     {r4-r12, pc}
 
+/* place fill-rule: the first centres of a vertex for Armv7-M, which adds 0x7FFF itself */
     /* r0-r3 after both calls: as transform_vertex_armv7m.S and project_inside_armv7m.S say. */
 .Lmiss:
     ldr     r0, [sp]

@@ -69,6 +69,7 @@ static bool is_beside_screen(const fxl_lens *lens, const fxl_screen_point *corne
            corners[0].y >= lens->height * 65536;
 }
 
+/* place fill-rule: the rows of a billboard */
 /* billboards 4.1 */
 static fxl_rows rows_of(const fxl_screen_point *corners, uint32_t height)
 {

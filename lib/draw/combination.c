@@ -29,6 +29,7 @@ void fxl_renderer_attach(fxl_renderer *renderer, uint32_t rank, fxl_shader *shad
 
 /* --- conflicts ------------------------------------------------------------------------------ */
 
+/* place pixel-format: what cannot be drawn together */
 /* The first that a renderer has is named. */
 static const fxl_conflict conflicts[] = {
     {FXL_HAS_TREE, FXL_HAS_DEPTH},

@@ -3,6 +3,7 @@
  * program which does not ask for them does not link them. */
 #include "renderer.h"
 
+/* place pixel-format: what cannot be drawn together */
 bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2])
 {
     /* In the order of FXL_HAS_...; C++ has no designators of elements. */

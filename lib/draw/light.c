@@ -82,6 +82,7 @@ static const fxl_light_settings *settings_of(const fxl_shader *shader)
     return &((const fxl_light *)(const void *)shader)->settings;
 }
 
+/* place light: normal and middle of a face in the world, and its colour */
 /* In a palette: the entry of the ramp. */
 /* light 3.1 */
 static uint8_t colour(const fxl_shader *shader, const fxl_traversal *traversal,
@@ -92,6 +93,7 @@ static uint8_t colour(const fxl_shader *shader, const fxl_traversal *traversal,
     return settings->ramp[256u * fxl_light_level(brightness, settings->levels) + full];
 }
 
+/* place pixel-format: asks: the colour of a lit face */
 /* In RGB565: the same colour, of which a part is left. */
 /* light 3.1, 5.1 */
 static uint8_t shade(const fxl_shader *shader, const fxl_traversal *traversal,

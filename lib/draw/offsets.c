@@ -115,6 +115,7 @@ AT(fxl_projection, factor_17, PROJECTION_FACTOR_17);
 AT(fxl_projection, centre_x, PROJECTION_CENTRE_X);
 AT(fxl_projection, centre_y, PROJECTION_CENTRE_Y);
 
+/* place sampling: the places of members that assembly reads */
 AT(fxl_segment_face, weight_step, SEGMENT_FACE_WEIGHT_STEP);
 AT(fxl_segment_face, u_step, SEGMENT_FACE_U_STEP);
 AT(fxl_segment_face, v_step, SEGMENT_FACE_V_STEP);

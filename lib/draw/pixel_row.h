@@ -6,6 +6,7 @@
 
 #include "../raster/fill.h"
 
+/* place pixel-format: the type of a pixel, fxl_pixel, and what fills it, fxl_filling */
 #if FXL_TARGET_PIXEL_BITS == 8
 
 typedef uint8_t fxl_pixel;

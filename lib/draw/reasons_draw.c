@@ -42,6 +42,7 @@ const char fxl_billboards_reasons[] =
     ON_RADIUS "radius of a model with a billboard must reach all corners of the billboard "
     "from its anchor\0";
 
+/* place light: a new setting: the sentence about its range */
 const char fxl_light_reasons[] =
     ON_ARGUMENT "renderer, light, settings->ramp, palette, dark and ramp must not be null\0"
     ON_RANGE "settings->ambient, strength and those of points must be 0..FXL_Q2_30_ONE, "
@@ -54,6 +55,7 @@ const char fxl_light_reasons[] =
     ON_NORMAL "settings->direction must be of unit length where settings->strength is not "
     "0: FXL_Q2_30_ONE is 1\0";
 
+/* place pixel-format: what functions refuse, as sentences */
 const char fxl_render_reasons[] =
     ON_ARGUMENT "renderer, scene, lens, memory and its tables, config, config->target, "
     "clipper, workspace and band must not be null; workspace must not be the "

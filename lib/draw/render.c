@@ -324,6 +324,7 @@ void fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t 
     renderer->target->fill(band, colour);
 }
 
+/* place pixel-format: asks: the band that is drawn */
 /* rgb565 3.2 */
 static bool is_band_of(const fxl_lens *lens, const fxl_band *band)
 {

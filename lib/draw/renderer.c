@@ -154,6 +154,7 @@ static fxl_status check_memory(const void *memory, uint32_t size, uint32_t neede
     return memory != NULL ? FXL_OK : FXL_E_ARGUMENT;
 }
 
+/* place pixel-format: asks: which palette a renderer takes */
 static fxl_status check_palette(const fxl_config *config)
 {
     if (config->target->pixel_bits != 16) {

@@ -67,6 +67,7 @@ uint32_t fxl_cache_entries(const fxl_scene *scene, size_t bytes);
 
 /* --- what goes together -------------------------------------------------------------------- */
 
+/* place pixel-format: what cannot be drawn together */
 /* Bits of what a renderer has. conflict.c has the names. */
 enum {
     FXL_HAS_TREE,       /* fxl_by_tree */

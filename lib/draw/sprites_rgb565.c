@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* place pixel-format: a new file beside it */
 #define FXL_TARGET            fxl_rgb565
 #define FXL_TARGET_SPRITES    fxl_rgb565_sprites
 #define FXL_TARGET_PIXEL_BITS 16

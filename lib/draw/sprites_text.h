@@ -13,6 +13,7 @@
 #include "../raster/columns.h"
 #include "pixel_row.h"
 
+/* place pixel-format: the texts of all targets */
 #if FXL_TARGET_PIXEL_BITS == 8
 #define PIXEL_OF(band, colour) (colour)
 #else

@@ -174,6 +174,7 @@ static inline run_memory *run_memory_of(fxl_scan *scan)
 /* A kernel of rows: fxl_paint_runs. */
 typedef bool run_kernel(fxl_plain_runs *runs);
 
+/* place pixel-format: the texts of all targets */
 /* The kernel for the rows of a face; null: none. */
 static inline run_kernel *run_kernel_of(const fxl_paint *paint, const fxl_segment_face *segments)
 {

@@ -6,6 +6,7 @@
 #include "submit.h"
 #include "../math/arith.h"
 #include "../scene/placement_code.h"
+/* place light: the corners of a lit surface, with a level_of of its own */
 #include "../paint/light_level.h"
 
 /* A corner of a face of an instance in the world. Points of the world are within

@@ -10,6 +10,7 @@
 #include "../paint/texture_level.h"
 #include "surface_polygon.h"
 
+/* place pixel-format: the texts of all targets */
 #if FXL_TARGET_PIXEL_BITS == 8
 #define PAINT_PIXELS fxl_paint_pixels
 #define PAINT_ROWS   fxl_paint_rows
@@ -26,6 +27,7 @@
 
 #if FXL_TARGET_PIXEL_BITS == 16
 
+/* place light: RGB565: the part of a colour that light leaves of a lit surface */
 /* Requires paint->ramp. */
 static inline void mix_light(const fxl_surfaces *surfaces, fxl_paint *paint)
 {
@@ -34,6 +36,7 @@ static inline void mix_light(const fxl_surfaces *surfaces, fxl_paint *paint)
     paint->of_565.dark = surfaces->light->settings.dark;
 }
 
+/* place stipple: a blend: what a surface says of it, in RGB565 */
 static void paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,
                      const fxl_band *band, fxl_paint *paint)
 {

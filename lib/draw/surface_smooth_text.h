@@ -9,6 +9,7 @@
 
 #if FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
 
+/* place pixel-format: the texts of all targets */
 #if FXL_TARGET_PIXEL_BITS == 16
 #define DRAW_SMOOTH fxl_draw_smooth_outline_16
 #else

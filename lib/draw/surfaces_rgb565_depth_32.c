@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* place pixel-format: a new file beside it */
 #define FXL_TARGET            fxl_rgb565_depth_32
 #define FXL_TARGET_SURFACES   fxl_rgb565_depth_32_surfaces
 #define FXL_TARGET_PIXEL_BITS 16

@@ -16,6 +16,7 @@
 
 #if FXL_TARGET_DEPTH_BITS == 0
 
+/* place pixel-format: the texts of all targets */
 /* fxl_row_painter. */
 static inline __attribute__((always_inline)) void
 paint_row(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)

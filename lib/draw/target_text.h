@@ -21,6 +21,7 @@
 
 #if FXL_TARGET_DEPTH_BITS == 0
 
+/* place pixel-format: the texts of all targets */
 /* A face goes from the clipper straight to here where it can (render.c). */
 static bool flat(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band)
 {

@@ -280,6 +280,7 @@ static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_
 
 /* --- billboards ----------------------------------------------------------------------------- */
 
+/* place pixel-format: asks: the colour of a face that is picked */
 /* The entry of the palette that a pixel shows: in RGB565 the first of its colour. */
 /* pick 2.3 */
 static uint8_t colour_of(const probe *of, uint32_t pixel)

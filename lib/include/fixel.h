@@ -13,6 +13,7 @@
  * Far-to-near order is right only for convex instances that are far enough apart. Nothing is
  * promised about input that breaks a stated requirement of a function without a status.
  */
+/* place fill-rule: the rule in a header */
 #ifndef FIXEL_H
 #define FIXEL_H
 

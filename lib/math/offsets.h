@@ -140,6 +140,7 @@
 #define SEGMENT_FACE_TABLE       88
 #define SEGMENT_FACE_KIND        92
 
+/* place sampling: the places of members that assembly reads */
 /* fxl_divided_face */
 #define DIVIDED_FACE_WEIGHT_STEP  0
 #define DIVIDED_FACE_U_STEP       8

@@ -5,6 +5,7 @@
 
 #include "fixel/types.h"
 
+/* place fill-rule: the first row or column at or past a coordinate; the centre of a pixel */
 #define FXL_HALF_PIXEL 32768
 
 /* The first row (or column) whose centre is at or past a coordinate. Requires

@@ -39,6 +39,7 @@ static fxl_q16_16 within(fxl_q16_16 y, int32_t first, int32_t end)
     return y < first * 65536 ? first * 65536 : y >= end * 65536 ? end * 65536 - 1 : y;
 }
 
+/* place fill-rule: the rows of an outline */
 /* Requires a polygon that reaches a row. */
 /* wire 3.1 */
 static void draw_edges(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,

@@ -165,6 +165,7 @@ typedef struct {
     int32_t rise;     /* change across from `from` to `to`, no larger than to - from */
 } major_line;
 
+/* place fill-rule: the pixels of a line, with a first_centre of its own */
 /* The first pixel whose centre is not before a coordinate. So the pixels with centres from a
  * (included) to b (excluded) are first_centre(a) .. first_centre(b) - 1. */
 /* wire 2.2 */

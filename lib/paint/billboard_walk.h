@@ -7,6 +7,7 @@
 #include "../math/pixel_centre.h"
 #include "sprite_texel.h"
 
+/* place sampling: if billboards change too: a billboard's texel, its value, the sprite */
 /* The texels along a side, pixel by pixel: texel + rest / length is the exact place, where length
  * is that of the side in 1/65536 pixel, 1..2^29. */
 typedef struct {
@@ -40,6 +41,7 @@ static inline void fxl_take_step(fxl_texel_walk *walk)
     }
 }
 
+/* place fill-rule: the columns of a billboard, and the texel at the first centre */
 /* The pixels of low <= pixel < high whose centres lie in from <= centre < end. */
 /* billboards 3.1 */
 static inline fxl_rows fxl_pixels_between(fxl_q16_16 from, fxl_q16_16 end, int32_t low,

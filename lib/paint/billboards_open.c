@@ -4,6 +4,7 @@
 #include "../math/memory.h"
 #include "../scene/scene_check.h"
 #include "fixel/billboards.h"
+/* place sampling: if billboards change too: a billboard's texel, its value, the sprite */
 #include "sprite_texel.h"
 
 /* formats 1.13 */
@@ -39,6 +40,7 @@ static fxl_status make_sprite(const fxl_scene_billboard *from, const fxl_scene_b
     return FXL_OK;
 }
 
+/* place field: what sets the pointer to billboards; their checks */
 /* billboards 5.1 */
 FXL_COLD fxl_status fxl_billboards_open(const fxl_scene_image *image, fxl_sprite *sprites,
                                         fxl_billboard *boards, uint32_t capacity,

@@ -4,6 +4,7 @@
 #include "rgb565_colour.h"
 #include "fixel/surfaces.h"
 
+/* place stipple: a blend: the table of a palette */
 /* surfaces 4.3 */
 fxl_status fxl_blend_make_table(const uint8_t *palette, uint32_t sixteenths, uint32_t first,
                                 uint32_t count, uint8_t *table)

@@ -25,6 +25,7 @@ void fxl_corner_colours(const fxl_mapped_face *mapped, int32_t (*values)[3])
     }
 }
 
+/* place light: what light leaves of colours at corners */
 /* Light less the half is at most 63 2^16, and a part of a level at most 2^26: their product is
  * below 2^48, and 2^42 (1 + 2^-20) at most. A channel differs by less than 2^22 from the middle, so
  * 64 times that is below 2^28. Errors: of the part 2^-20 of it and 2^-26, so 2^-14 of a level; of

@@ -130,6 +130,7 @@ from_point(const fxl_point_light *light, const fxl_lit_place *place)
                        fading(square, range_square));
 }
 
+/* place light: the brightness; from it a level of the ramp, or in RGB565 a part */
 /* What fog leaves of the light: 1 before fog_near, 0 beyond fog_far. Coordinates of the face's
  * middle from the eye, doubled, are below 2^31 + 2, so the depth is below 2^62. Error: 1. */
 /* light 2.4 */

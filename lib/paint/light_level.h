@@ -12,6 +12,7 @@ typedef struct {
     fxl_point middle;     /* of its bounding box, doubled: in units of 2^-17, each below 2^30 + 2 */
 } fxl_lit_place;
 
+/* place light: the brightness; from it a level of the ramp, or in RGB565 a part */
 /* The brightness of a face, in 2.30, 0..1. Requires settings that were checked, and a camera.
  * Error: below FXL_LIGHT_ERROR_MAX. */
 fxl_q2_30 fxl_light_brightness(const fxl_light_settings *settings, const fxl_camera *camera,

@@ -11,6 +11,7 @@
 extern "C" {
 #endif
 
+/* place sampling: the masks of a level */
 /* One level of a texture, ready to be looked up. */
 typedef struct {
     const uint8_t *texels;
@@ -21,6 +22,8 @@ typedef struct {
     uint8_t key;
 } fxl_texture_level;
 
+/* place light: RGB565: the part of a colour that light leaves of a lit surface */
+/* place pixel-format: fxl_paint_565 and fxl_paint_pixels_565: the pixels of a surface */
 /* What pixels of 16 bits depend on beside that. */
 typedef struct {
     const uint16_t *palette;

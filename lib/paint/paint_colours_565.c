@@ -41,12 +41,14 @@ static inline bool is_within(const colour_run *run, int32_t count)
     return ((ends[0] | ends[2] | ends[1] >> 1) >> (FRACTION + 5)) == 0;
 }
 
+/* place pixel-format: colours at corners: their attributes, and the pixels between */
 /* rgb565 2.4 */
 static inline uint32_t hold(int32_t channel, int32_t most)
 {
     return (uint32_t)(channel < 0 ? 0 : channel > most ? most : channel) >> FRACTION;
 }
 
+/* place stipple: what a pixel does of a face with colours at its corners */
 static inline bool is_opaque(const fxl_paint *paint)
 {
     return paint->opacity == 16 && paint->of_565.sixteenths == 0 && !paint->of_565.adds;

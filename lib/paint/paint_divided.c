@@ -5,6 +5,7 @@
 #include "../math/arith.h"
 #include "../math/family.h"
 
+/* place stipple: the pattern's bits of pixels that are each divided */
 /* What a pixel does with its texel; returns false if it is more than one of the kinds. */
 static bool find_kind(const fxl_paint *paint, fxl_divided_face *face)
 {
@@ -34,6 +35,7 @@ static bool find_kind(const fxl_paint *paint, fxl_divided_face *face)
     return true;
 }
 
+/* place sampling: pixels that are each divided: both coordinates in words of their own */
 /* What leads from coordinates to a texel. u is U 2^shift / W in 16.16. */
 static void find_place(const fxl_paint *paint, fxl_divided_face *face)
 {

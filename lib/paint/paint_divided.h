@@ -42,6 +42,7 @@ extern "C" {
  * are rounded down it is still 2^30. */
 #define FXL_DIVIDED_LEAST 0x40004000u
 
+/* place sampling: pixels that are each divided: both coordinates in words of their own */
 /* What the kernel needs of a face. The slopes are those of a pixel, the steps those of 16. U is
  * shifted to the left by u_shift and the leading zeros of the larger weight, V by v_shift. */
 typedef struct {

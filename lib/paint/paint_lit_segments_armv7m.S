@@ -530,6 +530,7 @@ fxl_paint_lit_runs:
     ldr     last, [sp, #FRAME_LAST]
     go_on
 
+/* place sampling: the kernels of Armv7-M; texel_offset has the shift and mask of both */
     /* 26 bytes a pixel, and less for the last one, which no pixel follows. The texel takes the place
      * of the light's fraction: level and colour. */
     .macro  lit_texel log, at, light, next

@@ -18,6 +18,8 @@ static inline uint8_t replaced(const fxl_paint *paint, uint8_t colour, uint8_t b
     return number < paint->blend_count ? paint->blend[256u * number + beneath] : colour;
 }
 
+/* place stipple: what a pixel does, in a palette */
+/* place sampling: the loops; paint_repeated is that for textures that repeat */
 /* A pixel whose attributes are known. */
 /* SPEC 9.6, beams 6.4 */
 static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,

@@ -5,6 +5,8 @@
 #include "texture_level.h"
 #include "rgb565_colour.h"
 
+/* place sampling: the loops; paint_repeated is that for textures that repeat */
+/* place pixel-format: fxl_paint_565 and fxl_paint_pixels_565: the pixels of a surface */
 /* The colour of a texel. False: it is the key. */
 /* beams 6.2, rgb565 1.3 */
 static inline bool look_up(const fxl_paint *paint, int32_t i, int32_t j, uint16_t *colour)
@@ -22,6 +24,7 @@ static inline bool look_up(const fxl_paint *paint, int32_t i, int32_t j, uint16_
     return !is_keyed || index != level->key;
 }
 
+/* place light: RGB565: the part of a colour that light leaves of a lit surface */
 /* How much of 256 parts of a colour light leaves. light: in 16.16 levels, and a half. Held within
  * the ramp and with 8 bits after the point it is below 2^14, and 2^24 times the part of a level at
  * most: that is 2^16 / (levels - 1), whose rounding costs 1/8 of 1/256. */
@@ -34,6 +37,7 @@ static inline uint32_t part_of_light(const fxl_paint *paint, int32_t light)
     return (level * paint->of_565.part_of_level + 32768u) >> 16;
 }
 
+/* place stipple: what a pixel does, in RGB565 */
 /* A pixel whose attributes are known. */
 /* surfaces 4.1 */
 static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,

@@ -21,6 +21,7 @@ void fxl_paint_lit_segments(const fxl_segment_face *face, const fxl_paint_row *r
 
 #else
 
+/* place sampling: positions in a segment, and their texels: keys, patterns, 4 bits too */
 /* Texels that are not plain. */
 FXL_APART void paint_special(const fxl_segment_face *face, const fxl_paint_row *row,
                              const fxl_texel_run *run, uint32_t x, uint32_t count)

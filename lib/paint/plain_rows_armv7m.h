@@ -379,6 +379,7 @@ RUNS:
 
 /* --- pixels ----------------------------------------------------------------------------------- */
 
+/* place sampling: the kernels of Armv7-M; texel_offset has the shift and mask of both */
 /* The code of 16 pixels of a texture of 2^log columns. No pixel follows the last one. */
     .macro  sixteen log, pixel
     .irp    i, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16

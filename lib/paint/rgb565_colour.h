@@ -9,6 +9,7 @@
 extern "C" {
 #endif
 
+/* place pixel-format: the parts of a colour, how two are mixed, how light takes a part */
 /* The channels of a colour, where they are. */
 #define FXL_RED_565   0xF800u
 #define FXL_GREEN_565 0x07E0u
@@ -22,6 +23,7 @@ static inline uint32_t fxl_spread_565(uint32_t colour)
     return (colour | colour << 16) & FXL_SPREAD_565;
 }
 
+/* place stipple: a blend: how two colours of RGB565 are mixed */
 /* (colour * sixteenths + beneath * (16 - sixteenths)) / 16 of each channel, rounded down. The sum
  * is 16 times a channel's largest value at most: in the uppermost place below 63 * 2^25. Requires
  * sixteenths <= 16. */
@@ -127,6 +129,7 @@ static inline uint8_t fxl_nearest_colour(const uint8_t *palette, const int32_t *
     return (uint8_t)found;
 }
 
+/* place light: fxl_mix_colours: a level of the ramp between dark and full */
 /* The number of the entry that is nearest to from + (to - from) * part / whole, each of the three
  * rounded to nearest, halves upward. Requires 0 <= part <= whole, 1 <= whole <= 63. The quotient's
  * numerator is below 2 * 255 * 63 + 64; its offset makes it positive. */

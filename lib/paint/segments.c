@@ -31,6 +31,7 @@ static bool is_common(const fxl_paint *paint)
     return level->texels != NULL && level->log_width >= FXL_SEGMENT_LOG_MIN;
 }
 
+/* place stipple: the pattern as bits, 4 x 4; what kernels paint */
 uint32_t fxl_stipple_of(uint32_t opacity)
 {
     uint32_t pattern = 0;
@@ -78,6 +79,7 @@ static bool find_least(const fxl_paint *paint, fxl_segment_face *face)
     return face->least[3] < INT32_MAX;
 }
 
+/* place sampling: positions in a segment, and their texels: keys, patterns, 4 bits too */
 static bool find(const fxl_paint *paint, fxl_segment_face *face)
 {
     const fxl_gradients *gradients = paint->gradients;
@@ -155,6 +157,7 @@ bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)
             find_kind(paint, flags, paint->level.key, paint->in_beam == NULL, face));
 }
 
+/* place pixel-format: the kernels of opaque textures, in C and for Armv7-M */
 bool fxl_segments_find_565(const fxl_paint *paint, fxl_segment_face *face)
 {
     const fxl_paint_565 *of = &paint->of_565;

@@ -54,6 +54,7 @@ extern "C" {
  * of its coordinates beyond those of U and V. */
 #define FXL_ROW_BITS 12
 
+/* place pixel-format: the kernels of opaque textures, in C and for Armv7-M */
 /* What a pixel does with its texel. All but plain ones have no ramp; keyed and stippled ones of 16
  * bits have texels of RGB565. */
 enum {
@@ -71,6 +72,7 @@ enum {
 /* Whether the pixels of a kind may be left out. */
 #define FXL_TEXELS_HAVE_HOLES(kind) ((kind) == FXL_TEXELS_KEYED || (kind) == FXL_TEXELS_STIPPLED)
 
+/* place sampling: positions in a segment, and their texels: keys, patterns, 4 bits too */
 /* What the kernel needs of a face. The steps are those of 16 columns; of light, the upper word. A
  * value's upper word times the reciprocal of the weight is a product of 64 bits, whose upper word,
  * shifted to the right by the drop less the leading zeros of the weight, is U, V or the light. */
@@ -103,6 +105,7 @@ struct fxl_segment_face {
     uint8_t kind;         /* FXL_TEXELS_PLAIN and so on; others than that have form 0 */
 };
 
+/* place stipple: the order of the pattern's bits, which the kernels read */
 /* The pixels that an opacity draws, as bits: `stipple`. */
 uint32_t fxl_stipple_of(uint32_t opacity);
 

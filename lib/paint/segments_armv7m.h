@@ -63,6 +63,7 @@
     adc     lr, lr, r9
     .endm
 
+/* place sampling: the kernels of Armv7-M; texel_offset has the shift and mask of both */
 /* offset = that of the texel at a position, in a texture of 2^log columns that is no higher. */
     .macro  texel_offset offset, mask, position, log
     .if     \log == 8

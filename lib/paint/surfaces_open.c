@@ -16,6 +16,7 @@ static uint32_t level_side(uint32_t log_side, uint32_t level, uint32_t log_least
     return 1u << (log_side > level + log_least ? log_side - level : log_least);
 }
 
+/* place pixel-format: which textures a frame of the format takes */
 /* Bytes of the texels of all levels: at most 9 times 2^17. */
 /* formats 1.12 */
 static uint32_t texel_bytes(const fxl_scene_texture *texture)
@@ -66,6 +67,7 @@ static void make_texture(const fxl_scene_texture *from, const uint8_t *texels, f
     to->key_565 = from->key_565;
 }
 
+/* place field: what sets the pointer to surfaces; their checks */
 /* formats 1.12 */
 FXL_COLD fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures,
                                       uint32_t capacity, fxl_surface_set *set,

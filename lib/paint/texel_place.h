@@ -5,6 +5,7 @@
 
 #include "paint.h"
 
+/* place stipple: the numbers of the pattern */
 /* Whether an opacity draws a pixel: of a square of 4 x 4 those whose number is below it. Neighbours
  * in number are far apart, so the pattern is even at every opacity. */
 /* SPEC 9.6, surfaces 4.2 */
@@ -20,6 +21,7 @@ static inline uint32_t fxl_limited(int32_t coordinate, uint32_t last)
     return coordinate < 0 ? 0 : (uint32_t)coordinate > last ? last : (uint32_t)coordinate;
 }
 
+/* place sampling: the texel of a column and a row, for any texture */
 /* The number of the texel in column i and row j, repeated or clamped. */
 /* SPEC 9.5 */
 static inline uint32_t fxl_texel_place(const fxl_texture_level *level, int32_t i, int32_t j)

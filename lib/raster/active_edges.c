@@ -7,6 +7,7 @@
 #include "columns.h"
 #include "edge.h"
 
+/* place fill-rule: the winding number */
 /* Finds the edges that cross the row, and the first crossing. An edge is always divided from its
  * top, so both polygons of an edge get the same bits. */
 static void find_edges(fxl_active_edges *edges)

@@ -5,6 +5,7 @@
 
 #if !FXL_KERNELS_ARMV7M || !FXL_SCANS_BY_CHAINS
 
+/* place fill-rule: outlines of two chains, which need no winding number */
 /* Goes down a chain to the edge that crosses a row, and sets the edge on that row. */
 static void begin_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_edge *edge)
 {

@@ -25,6 +25,7 @@
     .type fxl_scan_next_trapezoid, %function
     .thumb_func
 
+/* place fill-rule: outlines and rows for Armv7-M; half a pixel is a number here */
 /* Input: r0: scan. In the loop over the two sides, r2: the least end row so far, r3: scan + 4
  * times the side, lr: the y of the row's centres in 16.16. */
 fxl_scan_next_trapezoid:

@@ -28,6 +28,7 @@ static inline bool fxl_band_is_within(const fxl_band *band, uint32_t width, uint
            band->rows >= 1 && (uint32_t)band->first_row + band->rows <= height;
 }
 
+/* place pixel-format: asks: where a column is */
 /* Whether the pixels and the palette of a band of RGB565 begin at even addresses. A band of bytes has
  * no palette, and may begin anywhere. */
 static inline bool fxl_band_is_aligned(const fxl_band *band)

@@ -5,6 +5,7 @@
  * lib/raster/edge_divide.h. An outline is drawn here if it is scanned between two chains,
  * which survey in lib/raster/scan.c defines; fxl_draw_by_active_edges draws any other, and all
  * outlines into a band that has some columns alone. */
+/* place fill-rule: outlines and rows for Armv7-M; half a pixel is a number here */
 #include "../math/family.h"
 #include "../math/offsets.h"
 #include "draw_frame_armv7m.h"

@@ -34,6 +34,7 @@ bool fxl_edge_set_near(const fxl_screen_point *top, const fxl_screen_point *bott
 
 #else
 
+/* place fill-rule: the first column of an edge in a row */
 /* Sets an edge on the first row that it crosses, and its step. Returns false, with edge untouched,
  * if the edge does not hold from there to the row that is `last` rows below: see fxl_edge_set_far.
  * Requires two rows or more, so a height above 65535, and what fxl_edge_set requires. The dividends

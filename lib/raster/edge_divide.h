@@ -20,6 +20,7 @@ extern "C" {
 #define FXL_EDGE_HEIGHT_MAX   ((1 << 26) - 1)
 #define FXL_EDGE_DIVIDEND_MAX ((1 << 27) + (1 << 17))
 
+/* place fill-rule: the first column of an edge in a row */
 /* A height as a divisor. */
 typedef struct {
     uint32_t height;

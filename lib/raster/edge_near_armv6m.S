@@ -60,6 +60,7 @@ dx          .req r12
 
     .section .text.fxl_edge_set_near, "ax", %progbits
 
+/* place fill-rule: the first column of an edge in a row, for Armv6-M */
 /* fxl_edge_divide. Input: r0: the dividend. Results: r1: whole, r2: fraction. Overwrites r0, r3
  * and r7. */
     .type divide, %function

@@ -282,6 +282,7 @@ FILL_ROWS:
     exchange_edges
     b       .Lrow
 
+/* place fill-rule: outlines and rows for Armv7-M; half a pixel is a number here */
     /* If both whole steps are 0 and no fraction will carry, every row has the same span. The
      * test pays from 32 bytes on. The step of an upright edge is 2^-32
      * (lib/raster/edge_divide.h). */

@@ -75,6 +75,7 @@
     bne     .Lother
     .endm
 
+/* place fill-rule: outlines and rows for Armv7-M; half a pixel is a number here */
 /* The survey: r0: points, r1: their end, r4: x + 1/2 - 2^-16 is below this, r5: row of the vertex
  * before, r6: first row, r7: last row plus 1, r8: rows of the downward edges, r9: one past the
  * highest vertex, r10: the next vertex. */

@@ -35,6 +35,7 @@ static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
     return FXL_OK;
 }
 
+/* place fill-rule: the winding number */
 /* Looks at every vertex of an outline. The outline is scanned between two chains if
  * - the rows of its downward edges add up to its height, so it never goes down again
  *   after it went up. Then two edges cross each row between its top and its bottom, one

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Scan conversion: from a polygon of the screen to the pixels that it covers.
- * This states the fill rule; CONTRIBUTING.md lists the code that obeys it.
+ * This states the fill rule; `fixel places fill-rule` prints the code that obeys it.
  *
  * A polygon covers a pixel if the winding number of its outline about the pixel's
  * centre (i + 1/2, j + 1/2) is not zero. Ties follow the top-left rule: a centre
@@ -75,6 +75,8 @@ const fxl_trapezoid *fxl_scan_next_of_active_edges(fxl_scan *scan);
 /* Right of every crossing. */
 #define FXL_NO_CROSSING INT32_MAX
 
+/* place fill-rule: the winding number */
+/* place fill-rule: the rule in a header */
 /* Begins a scan. Requires an outline and a band as fxl_scan_begin does. first_row and end_row are
  * fxl_first_centre_from of the highest and of the lowest vertex. The points must outlive the
  * scan. */

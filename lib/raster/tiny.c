@@ -18,6 +18,7 @@ static inline void extend(fxl_q16_16 *low, fxl_q16_16 *high, fxl_q16_16 place)
     *high = place > *high ? place : *high;
 }
 
+/* place fill-rule: the edge functions of triangles of at most 4 x 4 centres */
 /* Finds the box. Returns false if the triangle has more centres than FXL_TINY_SIDE, of the band or
  * not, in a row or a column: *box is undefined then. So its points are less than FXL_TINY_SIDE + 1
  * pixels apart. */

@@ -6,6 +6,7 @@
 #include "scene_check.h"
 #include "placement_code.h"
 
+/* place field: the check of a tree's values */
 /* The object: its model is sorted, so that who knows no tree can draw it, and no
  * other object's, so that nothing else is to be clipped to the tree with it. It has no
  * clusters, because the nodes take its faces in turn. What is

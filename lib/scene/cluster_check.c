@@ -13,6 +13,7 @@ typedef struct {
     const uint16_t *indices;   /* of the scene */
 } cluster_faces;
 
+/* place field: the check of a cluster's values */
 /* Whether a model may say that it has clusters. */
 static FXL_COLD fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
 {

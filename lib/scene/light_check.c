@@ -10,6 +10,7 @@ static bool is_fraction(fxl_q2_30 value)
     return value >= 0 && value <= FXL_Q2_30_ONE;
 }
 
+/* place light: a new setting: its check */
 /* formats 1.11 */
 static bool is_fog(const fxl_light_settings *settings)
 {
@@ -25,6 +26,7 @@ static bool is_point_light(const fxl_point_light *light)
            light->range <= FXL_COORDINATE_MAX && is_fraction(light->strength);
 }
 
+/* place field: the check of light's values */
 /* formats 1.11 */
 fxl_status fxl_light_check(const fxl_light_settings *settings, fxl_scene_fault *fault)
 {

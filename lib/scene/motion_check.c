@@ -52,6 +52,7 @@ static bool key_in_range(const fxl_motion *motion, const fxl_motion_key *key)
            key->scale <= motion->scale_high;
 }
 
+/* place field: the check of a motion's values */
 /* formats 1.10 */
 static FXL_COLD fxl_status check_keys(const fxl_motion_set *set, const fxl_motion *motion,
                                       fxl_scene_fault *fault)

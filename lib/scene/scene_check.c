@@ -16,6 +16,7 @@ static bool count_in(uint32_t count, uint32_t low, uint32_t high)
     return count >= low && count <= high;
 }
 
+/* place field: the check of a table's values */
 /* formats 1.4 */
 static FXL_COLD fxl_status check_counts(const fxl_scene *scene, fxl_scene_fault *fault)
 {

@@ -31,6 +31,7 @@ static inline bool fxl_motion_limits_in_range(const fxl_motion_limits *limits)
            limits->speed_max <= FXL_MOTION_MAX && limits->turn <= FXL_ANGLE_QUARTER;
 }
 
+/* place field: the check of its values, in the file of its table */
 /* The status, and where it is not FXL_OK what of the scene is at fault; fault may be null. */
 static inline fxl_status fxl_fault_at(fxl_scene_fault *fault, const char *what, uint32_t index,
                                       fxl_status status)

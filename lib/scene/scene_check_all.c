@@ -4,6 +4,7 @@
 #include "scene_check.h"
 #include "fixel/scene.h"
 
+/* place field: the check of its values, in the file of its table */
 static fxl_status check_beams(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (scene->beam_count == 0) {

@@ -13,6 +13,7 @@
 extern "C" {
 #endif
 
+/* place field: a field of the header: fxl_image_header */
 /* The header of an image. */
 typedef struct {
     uint32_t magic;

@@ -7,6 +7,7 @@
 #include "scene_check.h"
 #include "scene_sections.h"
 
+/* place field: what sets the pointer */
 /* Of a section, which need not be there: its first entry, else null; and how many there are. */
 static __attribute__((noinline)) const void *first_of(const fxl_image_header *head, uint32_t kind)
 {
@@ -33,6 +34,7 @@ static FXL_COLD fxl_status check_lens(const fxl_image_header *head, fxl_lens *le
     return status == FXL_OK && lens->off_centre == NULL ? FXL_E_RESERVED : status;
 }
 
+/* place pixel-format: target of the image's header */
 /* Lens, start pose and motion limits. */
 /* formats 1.1 */
 static FXL_COLD fxl_status check_settings(const fxl_image_header *head, fxl_scene_image *opened,

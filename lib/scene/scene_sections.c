@@ -10,6 +10,7 @@
 
 #define MAGIC 0x534C5846u /* "FXLS" */
 
+/* place field: a section that goes with others */
 /* formats 1.1 */
 static FXL_COLD fxl_status check_envelope(const fxl_image_header *head, size_t size)
 {

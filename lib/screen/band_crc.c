@@ -3,6 +3,7 @@
 #include "fixel/crc.h"
 #include "overlay_band.h"
 
+/* place pixel-format: asks: the bytes of which a frame has the CRC */
 /* Pixels of RGB565 whose bytes are put in order at a time: 32 bytes of stack. */
 #define TURNED_MAX 16u
 

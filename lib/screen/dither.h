@@ -20,6 +20,7 @@ static inline uint32_t fxl_dithered(uint32_t entry, const uint8_t *dither, uint3
     return (entry + dither[x & 7u]) >> 7;
 }
 
+/* place pixel-format: the grey of a colour of 16 bits */
 /* The level, 0..highest, of a pixel of a row: a palette index of prepared pixels, or a colour of
  * RGB565. */
 /* formats 4.2 */

@@ -10,6 +10,7 @@ static void prepare(uint16_t *entries, const uint8_t *palette)
     fxl_grey_table(entries, palette, HIGHEST);
 }
 
+/* place pixel-format: asks: what a band is converted from */
 /* formats 4.4 */
 static void convert(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out)
 {

@@ -21,6 +21,7 @@
         &fxl_sh1107, width, 128, 0, 0, 128, 128, 0x00, false, 0, (128 - (first)) & 127, 0, NULL \
     }
 
+/* place driver: records of its modules */
 const fxl_display_module fxl_module_ili9341_240x320 =
     COLOURS(fxl_ili9341, 240, 320, 0, 0, 240, 320, 0x48, false);
 const fxl_display_module fxl_module_st7789_240x320 =

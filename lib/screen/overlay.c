@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../math/arith.h"
 #include "../paint/rgb565_colour.h"
+/* place sampling: if billboards change too: sprites over a picture, which read the same texels */
 #include "../paint/sprite_texel.h"
 #include "../raster/columns.h"
 #include "../raster/draw_outline.h"
@@ -101,6 +102,7 @@ static size_t place_of(const fxl_band *band, int32_t row, int32_t column)
            ((size_t)column - band->first_column);
 }
 
+/* place pixel-format: asks: what is drawn over a band */
 /* Pixels of a row of the band, at least one. */
 /* overlay 1.3 */
 static void fill_row(const fxl_band *band, int32_t row, const fxl_stretch *columns, uint8_t colour)

@@ -8,6 +8,7 @@ static size_t align(size_t size)
     return (size + 7u) & ~(size_t)7u;
 }
 
+/* place pixel-format: asks: what is sent */
 /* Bytes of a band as it is drawn. */
 static size_t drawn_size(const fxl_pump_config *config, uint32_t rows)
 {

@@ -12,6 +12,7 @@ static void prepare(uint16_t *entries, const uint8_t *palette)
     }
 }
 
+/* place pixel-format: asks: what a band is converted from */
 /* The same bits of a pixel of RGB565. */
 static uint32_t entry_of_rgb565(uint32_t colour)
 {
@@ -30,4 +31,5 @@ static void convert(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out
     }
 }
 
+/* place converter: a new file beside it */
 const fxl_pixel_format fxl_pixels_rgb332 = {8, 1, prepare, convert};

@@ -35,6 +35,7 @@ static bool core_has_red_first(void)
     return *(const uint8_t *)&red != 0;
 }
 
+/* place pixel-format: asks: what a band is converted from */
 /* Copies pixels of RGB565 with their bytes swapped: two at a time where both are aligned alike.
  * Compilers know the expression of a word: an instruction on cores that have it. */
 static void copy_swapped(uint16_t *out, const uint16_t *pixels, uint32_t count)

@@ -12,6 +12,7 @@ static void prepare(uint16_t *entries, const uint8_t *palette)
     }
 }
 
+/* place pixel-format: asks: what a band is converted from */
 /* A byte a channel, red first. Below the bits of RGB565 stand its upper ones again, so that white
  * is 255 in each. */
 static void write_bytes(uint8_t *out, uint32_t colour)

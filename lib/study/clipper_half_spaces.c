@@ -68,5 +68,6 @@ static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *fa
     return fxl_clip_common_face(model_view, face, screen, &steps, FXL_PLANES_ALL);
 }
 
+/* place clipper: a new file beside it: the code and its record */
 const fxl_clipper fxl_clipper_half_spaces = {
     .clip = clip, .workspace_size = sizeof(fxl_volume_workspace), .by_points = &fxl_rounded_faces};

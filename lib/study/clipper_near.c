@@ -11,4 +11,5 @@ static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *fa
     return fxl_clip_with_guard_band(model_view, face, FXL_PLANES_DEPTH, screen);
 }
 
+/* place clipper: a new file beside it: the code and its record */
 const fxl_clipper fxl_clipper_near = {.clip = clip, .workspace_size = sizeof(fxl_volume_workspace)};

@@ -25,6 +25,8 @@ typedef struct {
     fxl_varying_polygon in;
 } fxl_once_workspace;
 
+/* place clipper: the declaration of the new one */
+/* place clipper: only if its workspace is of a new type */
 /* The workspace of fxl_clipper_half_spaces, fxl_clipper_near and fxl_clipper_left. */
 typedef struct {
     fxl_clip_workspace clip;

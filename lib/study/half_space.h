@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Clips polygons to half-spaces: one clipper for planes of the world and of the view, and for the
  * planes of a volume. Source: notes on homogeneous view volumes (D5), and C7. */
+/* place clipper: only if it needs another part that clippers share */
 #ifndef FXL_STUDY_HALF_SPACE_H
 #define FXL_STUDY_HALF_SPACE_H
 

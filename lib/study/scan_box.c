@@ -10,6 +10,7 @@ static int32_t clamped(int32_t value, int32_t low, int32_t high)
     return value < low ? low : value > high ? high : value;
 }
 
+/* place fill-rule: the scan by bounding box */
 void fxl_scan_box_begin(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                         fxl_scan_box *scan)
 {

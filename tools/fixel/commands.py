@@ -58,6 +58,7 @@ ROOMS = {
         "fuzz": ("fixel.check.fuzz", "fuzz the library and the tools' input"),
         "kills": ("fixel.check.kills", "kill commands at random moments"),
         "mutants": ("fixel.check.mutants", "put random small mistakes into the library and the tools"),
+        "places": ("fixel.check.places", "print the places of a recipe of CONTRIBUTING.md"),
         "prove": ("fixel.prove.prove", "prove properties of the library for every input"),
         "rules": ("fixel.check.rules", "check the library by the rules of MISRA C:2012"),
         "size-of-tree": ("fixel.check.size_of_tree", "count files, lines, places and build steps against a record"),

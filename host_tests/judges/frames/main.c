@@ -17,6 +17,7 @@
 #include "path.h"
 #include "study/targets.h"
 
+/* place pixel-format: the option pixels, the targets, frames as files */
 typedef struct {
     const char *scene, *out;
     const named_clipper *clipper;

@@ -5,6 +5,7 @@
 #include "study/clippers.h"
 #include "study/targets.h"
 
+/* place clipper: clippers: the names of firmware.mk, for the host */
 static const named_clipper clippers[] = {
     {"view", &fxl_clipper_view, NULL},
     {"world", &fxl_clipper_world, NULL},

@@ -98,6 +98,7 @@ static fxl_status light_all(session *run, const fxl_light_settings *settings)
     return status == FXL_OK ? fxl_attach_lit(renderer, &run->lit) : status;
 }
 
+/* place pixel-format: the option pixels, the targets, frames as files */
 /* The six targets, and what draws into them. */
 static const struct {
     const fxl_target *target;
@@ -203,6 +204,7 @@ fxl_status session_set_up(session *run, const session_settings *settings)
     return status;
 }
 
+/* place light: a new setting: who draws with settings by name */
 fxl_status session_light(session *run, const named_light *light)
 {
     fxl_light_settings settings;

@@ -9,6 +9,7 @@
 #include "lights/named.h"
 #include "study/clippers.h"
 
+/* place pixel-format: the option pixels, the targets, frames as files */
 /* How frames are drawn. In session_reserve: the largest that session_set_up is given. */
 typedef struct {
     const fxl_clipper *clipper;

@@ -34,6 +34,7 @@ void judge_showing_add(judge_showing *found, uint16_t colour)
     found->colours[found->count++] = colour;
 }
 
+/* place pixel-format: which colours a pixel may have */
 /* --- ranges of RGB565 ----------------------------------------------------------------------- */
 
 static judge_range range_of_colour(uint16_t colour)
@@ -132,6 +133,7 @@ static void add_range(judge_beneath *to, const judge_range *range)
     to->ranges[to->count++] = *range;
 }
 
+/* place stipple: a blend: what a pixel may show over what is beneath it */
 static void blend_ranges(judge_beneath *of, const ref_surface_view *look,
                          const judge_showing *found, judge_choice made)
 {

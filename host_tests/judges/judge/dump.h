@@ -7,6 +7,7 @@
 #include "reference/render.h"
 #include "reference/scene.h"
 
+/* place pixel-format: frames as files, and their twins */
 typedef struct {
     int width, height, pixel_bits; /* 8: entries of the palette; 16: RGB565 */
     uint32_t frame_count;

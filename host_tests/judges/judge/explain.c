@@ -78,6 +78,8 @@ typedef struct {
     ref_place low, high;
 } span;
 
+/* place sampling: add_texels: each texel that a place may be in, rounded down by itself */
+/* place pixel-format: which colours a pixel may have */
 /* One texel at every level of light. */
 static void add_texel(const ref_surface_view *look, const span *values, int texel,
                       judge_showing *found)
@@ -133,6 +135,7 @@ static void add_other_texels(const ref_surface_view *look, const ref_lens *lens,
     }
 }
 
+/* place light: the parts that a pixel may have in RGB565 */
 /* The parts of its colour that light may leave at a place of an RGB565 frame. */
 static void find_parts(const ref_surface_view *look, const span *values, double part,
                        judge_showing *found)

@@ -19,6 +19,7 @@ judge_box judge_box_of_drawn(const ref_drawn *drawn);
 /* Returns the distance in pixels from a point to the nearest edge of an outline. */
 double judge_edge_distance(const ref_screen_polygon *polygon, double x, double y);
 
+/* place pixel-format: which colours a pixel may have */
 /* What is to be explained at the centre of a pixel. */
 typedef struct {
     int x, y;

@@ -239,6 +239,7 @@ static int open_inputs(const options *wanted, session *run)
     return 0;
 }
 
+/* place pixel-format: frames as files, and their twins */
 static int judge(options *wanted, session *run)
 {
     int code = open_inputs(wanted, run);

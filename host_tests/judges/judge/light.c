@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "judge/light.h"
 
+/* place pixel-format: which colours a pixel may have */
 #include "reference/rgb565.h"
 
 static double q16(int32_t value)
@@ -13,6 +14,7 @@ static double q30(int32_t value)
     return value / 1073741824.0;
 }
 
+/* place light: a new setting: who judges by settings by name */
 void judge_light(ref_scene_image *image, const named_light *named, ref_light *light)
 {
     *light = (ref_light){

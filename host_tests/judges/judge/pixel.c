@@ -12,6 +12,7 @@ judge_box *judge_boxes_of(const ref_display_list *list)
     return boxes;
 }
 
+/* place pixel-format: which colours a pixel may have */
 judge_reason judge_pixel(const ref_renderer *renderer, const judge_box *boxes, uint8_t background,
                          int line, int x, int y, uint16_t colour, double limit)
 {

@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <string.h>
 
+/* place light: a new setting: settings by name */
 typedef struct {
     const char *name;
     int32_t ambient, strength, direction[3]; /* 2.30 */

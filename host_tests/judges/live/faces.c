@@ -39,6 +39,7 @@ static double distance_at(const ref_renderer *renderer, const ref_drawn *drawn, 
     return 1 / ref_nearness(&plane, &renderer->lens, x, y);
 }
 
+/* place sampling: the texel under the mouse */
 static void put_face(const ref_renderer *renderer, const ref_drawn *drawn, double x, double y,
                      uint8_t *to)
 {

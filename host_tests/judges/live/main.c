@@ -58,6 +58,7 @@ enum {
     IS_BEYOND_THE_BOUND
 };
 
+/* place pixel-format: the frames of the live window */
 typedef struct {
     ref_scene_image image;
     uint8_t *bytes; /* of the image */

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # build/host/loader: what the loader says of many images, for the test of the checker in Python.
 
+# place field: images that all refuse alike
 LOADER_OBJECTS := $(addprefix $(BUILD)/host/objects/judges/,loader/main.o loader/rays.o frames/read_file.o raycast/scene_sections.o \
     raycast/file.o)
 HOST_TOOLS += $(BUILD)/host/loader

@@ -59,6 +59,7 @@ static fxl_status open_all(const uint8_t *image, uint32_t size, fxl_scene_fault 
     return status == FXL_OK ? open_billboards(&opened, fault) : status;
 }
 
+/* place field: images that all refuse alike */
 static bool library_takes(const uint8_t *image, uint32_t size)
 {
     const fxl_image_header *head = (const fxl_image_header *)(const void *)image;

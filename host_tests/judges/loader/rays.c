@@ -3,6 +3,7 @@
 
 #include <setjmp.h>
 
+/* place field: images that all refuse alike */
 #include "raycast/scene_sections.h"
 
 /* The ray-cast judge refuses by `unusable`, which ends a program. The linker puts

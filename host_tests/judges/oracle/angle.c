@@ -199,6 +199,7 @@ const oracle_claim oracle_matrix_entry_instance = {
     .judge = judge_instance,
 };
 
+/* place claim: a claim in the file of its stage: how a sample is drawn and judged */
 /* --- sine_cosine ------------------------------------------------------------- */
 
 /* A step that visits every angle once in 2^32 samples, evenly spread at all times. One sample in

@@ -44,6 +44,7 @@ typedef struct {
     oracle_outcome (*judge)(const oracle_input *input, FILE *words, oracle_verdict *verdict);
 } oracle_claim;
 
+/* place claim: the claim's record */
 extern const oracle_claim oracle_matrix_entry, oracle_matrix_entry_instance, oracle_sine_cosine,
     oracle_orientation_angles, oracle_orientation_axis, oracle_orientation_look_at,
     oracle_orientation_product, oracle_orientation_parents, oracle_vertex_unclipped,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* corner_colour: one pixel of a triangle with colours at its corners, as the library draws it in
  * RGB565, against the exact channels there (SPEC.md, section 9.8). */
+/* place pixel-format: the claim of colours at corners */
 #include <math.h>
 
 #include "oracle/surface_sample.h"

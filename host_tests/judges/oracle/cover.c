@@ -3,6 +3,7 @@
 
 #include "oracle/setup.h"
 
+/* place fill-rule: definition: the claims coverage and watertight */
 typedef struct {
     int column; /* the first column whose centre is at or right of the edge */
     int winding;

@@ -16,6 +16,7 @@ enum {
     ORACLE_COVER_EDGES = 96
 };
 
+/* place fill-rule: definition: the claims coverage and watertight */
 /* Adds 1 to row[x] for each pixel of row y, 0 <= x < width, if the winding number of the closed
  * outline about its centre is not 0. At most ORACLE_COVER_EDGES points; bits is 0 or 32. */
 void oracle_cover_row(const oracle_spot *points, int count, int bits, int y, int width,

@@ -97,6 +97,7 @@ static uint64_t compare_row(const uint8_t *got, const uint8_t *exact, int width,
     return off;
 }
 
+/* place fill-rule: what the two claims count */
 /* Tests the reference renderer, and the oracle's own rows, pixel by pixel. */
 static void judge_others(const oracle_spot *points, int count, const uint8_t *exact, int width,
                          int y, oracle_verdict *verdict)

@@ -14,6 +14,7 @@ double oracle_from_segment(const oracle_spot *p, const oracle_spot *a, const ora
  * or by a 64th of itself. */
 double oracle_hausdorff(const oracle_spot *a, int a_count, const oracle_spot *b, int b_count);
 
+/* place fill-rule: what the two claims count */
 /* Measures an outline against an empty one: returns an upper bound of its Hausdorff distance to
  * a stroke, forth and back, between the two of its own vertices that are the farthest apart. A
  * stroke has the winding number 0 everywhere, so it covers no pixel, like an empty outline. */

@@ -17,6 +17,7 @@
 #include "oracle/grid.h"
 #include "oracle/tally.h"
 
+/* place claim: the list of claims */
 static const oracle_claim *const claims[] = {
     &oracle_matrix_entry,
     &oracle_matrix_entry_instance,

@@ -37,6 +37,7 @@ static int64_t about(oracle_random *random, int size)
     return oracle_between(random, -4 * 65536, (size + 4) * 65536);
 }
 
+/* place fill-rule: random corners on pixel centres, where ties are */
 static int64_t centre(oracle_random *random, int size)
 {
     return oracle_between(random, -1, size) * 65536 + 32768;

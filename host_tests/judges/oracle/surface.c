@@ -23,6 +23,7 @@ static int is_steep(const surface_sample *sample, int attribute, int64_t exact)
            1024;
 }
 
+/* place sampling: the claims of texels */
 /* accuracy 5.3 */
 static oracle_outcome judge_texel(const oracle_input *input, FILE *words, oracle_verdict *verdict,
                                   uint8_t division)
@@ -172,6 +173,7 @@ const oracle_claim oracle_texel_affine = {
     .judge = judge_affine,
 };
 
+/* place light: the claim light_level: pixels of lit surfaces */
 const oracle_claim oracle_light_level = {
     .id = "light_level",
     .unit = "level",

@@ -48,10 +48,12 @@ int surface_sample_draw(surface_sample *sample, const fxl_texture *texture,
                         const fxl_surface *surface, const fxl_direction normals[3],
                         const fxl_light_settings *light);
 
+/* place pixel-format: the claim of colours at corners */
 /* The colour of RGB565 that the pixel shows of a face with colours at its corners, divided every 16
  * columns or more often; or -1. Colours: 65536 red + 256 green + blue. */
 int surface_sample_draw_colours(surface_sample *sample, const uint32_t colours[3]);
 
+/* place sampling: the claims of texels */
 /* The texel of u (attribute 0) or of v (1) that the pixel shows, of a texture of 2^log texels that
  * repeats; or -1. log is at most 7. */
 int surface_sample_texel(surface_sample *sample, int attribute, int log, uint8_t division);

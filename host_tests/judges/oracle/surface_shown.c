@@ -10,6 +10,7 @@
 /* u on a texture whose columns differ, v on one whose rows differ, of 1 to 128 of them. */
 static uint8_t texels[2][128 * 128];
 
+/* place sampling: the claims of texels */
 int surface_sample_texel(surface_sample *sample, int attribute, int log, uint8_t division)
 {
     const int other = log < 4 ? 0 : 4; /* as the kernel for most textures takes them */
@@ -79,6 +80,8 @@ void surface_sample_put_light(oracle_random *random, oracle_input *input)
                           : (int64_t)oracle_spread(random, 65536, depth * 4 + 65537));
 }
 
+/* place light: the claim light_level: pixels of lit surfaces */
+/* place light: a new setting: the settings of the claim */
 /* The settings of the library and of the reference: from 10 numbers, a direction first. */
 static void read_light(const int64_t *n, fxl_light_settings *settings, ref_light *light)
 {

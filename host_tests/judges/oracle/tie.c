@@ -198,6 +198,7 @@ static bool edge_tied(const oracle_tie_view *view, const int32_t *from, const in
     return any && is_zero(view, weights) && passes_in_sight(view, a, b, ray);
 }
 
+/* place fill-rule: definition: whether a centre is on a tie */
 bool oracle_tied(const oracle_tie_view *view, const int32_t *vertices, int count, int column,
                  int row)
 {

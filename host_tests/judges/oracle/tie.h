@@ -15,6 +15,7 @@
  * an edge of the near or far plane is judged by its distance.
  *
  * Links with -lm only. */
+/* place fill-rule: definition: whether a centre is on a tie */
 #ifndef ORACLE_TIE_H
 #define ORACLE_TIE_H
 

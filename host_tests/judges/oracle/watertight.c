@@ -162,6 +162,7 @@ static int near_rim(const partition *pieces, int x, int y)
     return 0;
 }
 
+/* place fill-rule: what the two claims count */
 /* The sum over all pieces is the winding number of the outline around them. It is 0 where a
  * folded piece covers another. */
 static int exact_winding(const partition *pieces, int x, int y)

@@ -177,6 +177,7 @@ extern bool begins_listed, draws_listed;
 /* Whether one with such a plane is listed, if its scan is by chains. */
 bool is_listed(const fxl_depth_plane *plane);
 
+/* place pixel-format: what is counted */
 /* The frame is of RGB565: its pixels are wide. */
 extern bool is_wide;
 

@@ -8,6 +8,7 @@
 
 #include "fixel/scene.h"
 
+/* place pixel-format: what is counted */
 /* What motions, beams, light, surfaces, billboards and a palette of RGB565 take. */
 uint32_t taken_bytes(const fxl_scene_image *image);
 

@@ -163,6 +163,7 @@ double area_between(const fxl_screen_point *points, uint32_t count, double top, 
     return fabs(twice) / 2;
 }
 
+/* place fill-rule: definition: the rows that an outline has, ⌈y − 1/2⌉ */
 double rows_between(const fxl_screen_point *points, uint32_t count, double top, double bottom)
 {
     double first = bottom, end = top;
@@ -187,6 +188,7 @@ WRAPPED(bool, fxl_draw_outline,
     return __real_fxl_draw_outline(scan, polygon, band, colour);
 }
 
+/* place pixel-format: what is counted */
 /* Is under way: fxl_draw_outline_rgb565, which fills by fxl_fill_trapezoid_rgb565. */
 static bool draws_outline;
 

@@ -30,6 +30,8 @@ static double of_point(const uint8_t *point, const light_face *face)
                : 0;
 }
 
+/* place light: definition: the ray-cast oracle */
+/* place light: a new setting: the ray-cast oracle's reader */
 uint8_t light_colour(const light_tables *light, const light_face *face, vector eye, vector forward)
 {
     const uint8_t *base = light->base;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "file.h"
+/* place field: the ray-cast oracle's reader: sizes */
 #include "scene_sections.h"
 
 enum {

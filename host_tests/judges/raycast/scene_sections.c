@@ -72,6 +72,7 @@ static void check_set(const char *path, const uint8_t *bytes, const table *s)
     need(path, s[KIND_BLEND_TABLE].count || get_u32(bytes + 88) == 0, "a colour of no blend table");
 }
 
+/* place field: the ray-cast oracle's reader: sizes */
 static void find(const char *path, const uint8_t *bytes, uint32_t size, table *sections)
 {
     const uint32_t count = get_u16(bytes + 6);

@@ -5,6 +5,8 @@
 
 #include "file.h"
 
+/* place field: the ray-cast oracle's reader: sizes */
+/* place field: a field of the header: SECTIONS_AT */
 enum {
     SECTIONS_AT = 92, /* the table of sections follows the header */
     KIND_PALETTE = 1,

@@ -198,6 +198,7 @@ static inline double box_entry(const search *s, const world_node *node, double f
     return enter <= leave ? enter : (double)INFINITY;
 }
 
+/* place fill-rule: definition: winding and ties of the ray-cast oracle */
 /* Projecting along the ray flattens the polygon to two dimensions and the ray to the origin. The
  * ray meets the polygon where the outline's winding number about the origin is not 0. */
 static bool outline_holds_ray(const search *s, const world_polygon *polygon)

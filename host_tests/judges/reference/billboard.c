@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "reference/project.h"
+/* place field: the reference's reader: sizes of entries, and offsets as numbers */
 #include "reference/sections.h"
 #include "reference/transform.h"
 #include "reference/placement.h"

@@ -6,6 +6,7 @@
 
 #define DEPTHS (1u << REF_PLANE_NEAR | 1u << REF_PLANE_FAR)
 
+/* place clipper: which sides each clipper cuts */
 static const struct {
     const char *name;
     unsigned planes;

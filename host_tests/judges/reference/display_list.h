@@ -6,6 +6,7 @@
 #include "reference/depth_buffer.h"
 #include "reference/surface.h"
 
+/* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
 /* A polygon that was drawn: its outline in the reference renderer, the rows that it reaches, and
  * the face that it came from. */
 typedef struct {

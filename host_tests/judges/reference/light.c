@@ -52,6 +52,8 @@ static double q30(const uint8_t *bytes)
     return ldexp(ref_i32(bytes), -30);
 }
 
+/* place light: the reference */
+/* place light: a new setting: the reference's reader */
 void ref_light_read(ref_light *light, const uint8_t *base, const uint8_t *points, int point_count,
                     const uint8_t *ramp, int levels)
 {

@@ -16,6 +16,8 @@ typedef struct {
     double range, strength;
 } ref_point_light;
 
+/* place light: the reference */
+/* place light: a new setting: the reference's reader */
 struct ref_light {
     double ambient, strength;
     ref_point direction;

@@ -26,6 +26,7 @@ uint16_t ref_colour_of(const int values[REF_CHANNELS])
     return (uint16_t)colour;
 }
 
+/* place pixel-format: the definition of its colours */
 void ref_rgb565_make(ref_rgb565 *made, const uint8_t *palette, uint16_t dark)
 {
     for (int i = 0; i < 256; i++) {
@@ -36,6 +37,7 @@ void ref_rgb565_make(ref_rgb565 *made, const uint8_t *palette, uint16_t dark)
     made->dark = dark;
 }
 
+/* place light: who asks the reference, and the part in RGB565 */
 double ref_rgb565_part(const ref_light *light, double level)
 {
     const double most = light->levels - 1;

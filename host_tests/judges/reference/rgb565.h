@@ -9,6 +9,7 @@ enum {
     REF_CHANNELS = 3
 };
 
+/* place pixel-format: the definition of its colours */
 /* What frames of 16 bits a pixel are drawn with. */
 typedef struct {
     uint16_t palette[256];
@@ -23,6 +24,7 @@ int ref_channel(uint16_t colour, int channel);
 int ref_channel_most(int channel);
 uint16_t ref_colour_of(const int channels[REF_CHANNELS]);
 
+/* place light: who asks the reference, and the part in RGB565 */
 /* The part of a colour that is left at a place of the ramp, in levels, of which the nearest is what
  * is below: 0..1. */
 double ref_rgb565_part(const ref_light *light, double level);

@@ -23,6 +23,7 @@ static bool edge_is_left(const ref_screen_point *upper, const ref_screen_point *
     return exact_across <= exact_down;
 }
 
+/* place fill-rule: definition: the reference */
 bool ref_scan_covers(const ref_screen_polygon *polygon, double cx, double cy)
 {
     int winding = 0;

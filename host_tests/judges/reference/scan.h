@@ -6,6 +6,7 @@
 
 #include "reference/record.h"
 
+/* place fill-rule: definition: the reference */
 /* Tells whether the winding number about (cx, cy) is not 0. Exact where points and centre are
  * multiples of 1/65536 within 4095 pixels. */
 bool ref_scan_covers(const ref_screen_polygon *polygon, double cx, double cy);

@@ -2,6 +2,7 @@
 #include "reference/scene.h"
 
 #include "reference/scene_parts.h"
+/* place field: the reference's reader: sizes of entries, and offsets as numbers */
 #include "reference/sections.h"
 #include "reference/billboard.h"
 #include "reference/surface.h"
@@ -260,6 +261,7 @@ static bool read_lens(const uint8_t *bytes, ref_lens *lens)
            inset >= 0 && inset <= 1 && near_z + 2 * inset < far_z && read_centre(bytes, lens);
 }
 
+/* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
 static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image *image)
 {
     const char *wrong = ref_sections_check(bytes, size);

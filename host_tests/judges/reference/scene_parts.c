@@ -2,6 +2,7 @@
 #include "reference/scene_parts.h"
 
 #include "reference/light.h"
+/* place field: the reference's reader: sizes of entries, and offsets as numbers */
 #include "reference/sections.h"
 
 #include <math.h>

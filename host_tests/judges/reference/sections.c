@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <string.h>
 
+/* place field: the reference's reader: sizes of entries, and offsets as numbers */
+/* place field: a field of the header: HEADER_BYTES */
 enum {
     HEADER_BYTES = 92,
     ENTRY_BYTES = 12,

@@ -120,6 +120,7 @@ ref_surface_view ref_surface_with_level(const ref_surface_view *view,
     return changed;
 }
 
+/* place light: who asks the reference, and the part in RGB565 */
 static int level_of(const ref_texture *texture, double twice)
 {
     int level = 0;
@@ -165,6 +166,7 @@ static void spread_values(ref_surface_view *view, double at[3][REF_VALUES])
     }
 }
 
+/* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
 /* A channel of a corner's colour, of 8 bits and a half, of which light leaves a part; the rest is the
  * middle of what is dark. */
 static void find_colours(const ref_surface_view *view, const ref_mapped_face *mapped, int corner,
@@ -321,6 +323,7 @@ static int64_t within(int64_t number, int64_t count, bool clamps)
     return (number % count + count) % count;
 }
 
+/* place sampling: the reference */
 int ref_surface_texel(const ref_surface_view *view, int64_t column, int64_t row)
 {
     const ref_texture *texture = view->texture;
@@ -366,6 +369,7 @@ uint16_t ref_surface_full(const ref_surface_view *view, int texel)
                : view->rgb565->palette[in_beam(view, (uint8_t)texel)];
 }
 
+/* place stipple: definition: the pattern, and what a blend shows */
 bool ref_surface_mixes(const ref_surface *surface)
 {
     return surface->blends || surface->adds;

@@ -18,6 +18,7 @@ enum {
     REF_CLEAR = -1 /* the colour of what is not drawn */
 };
 
+/* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
 /* What varies over a face. With colours at its corners: red, green and blue in levels of RGB565, of
  * which a pixel shows the one below. */
 enum {
@@ -113,6 +114,7 @@ void ref_surface_find_range(const ref_surface_view *view, const ref_lens *lens, 
 ref_surface_view ref_surface_with_level(const ref_surface_view *view,
                                         const ref_texture_level *level);
 
+/* place sampling: the reference */
 /* The colour of the texel in a column and a row, repeated or clamped; or REF_CLEAR. Without a
  * texture: the face's own. */
 int ref_surface_texel(const ref_surface_view *view, int64_t column, int64_t row);
@@ -135,6 +137,7 @@ uint16_t ref_surface_full(const ref_surface_view *view, int texel);
 /* Whether what is beneath a surface has a part in what it shows. */
 bool ref_surface_mixes(const ref_surface *surface);
 
+/* place stipple: what the judge asks of the pattern and of blends */
 /* What a colour shows over another one. */
 uint8_t ref_surface_over(const ref_surface_view *view, uint8_t colour, uint8_t beneath);
 

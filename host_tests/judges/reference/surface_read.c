@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* place field: the reference's reader: sizes of entries, and offsets as numbers */
 #include "reference/sections.h"
 #include "reference/surface.h"
 
@@ -35,6 +36,7 @@ static bool read_level(const texel_source *from, uint32_t at, ref_texture_level 
     return level->colours != NULL;
 }
 
+/* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
 static bool read_texture(const uint8_t *p, const uint8_t *texels, uint32_t bytes,
                          ref_texture *texture)
 {
@@ -85,6 +87,7 @@ static bool read_textures(const uint8_t *bytes, ref_surfaces *surfaces)
     return true;
 }
 
+/* place stipple: a blend: its flag in an image */
 static bool read_surfaces(const uint8_t *bytes, ref_surfaces *surfaces)
 {
     const uint8_t *p =

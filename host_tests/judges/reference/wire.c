@@ -109,6 +109,7 @@ static major_line major_line_of(const ref_screen_line *line, bool upright)
     return of;
 }
 
+/* place fill-rule: definition: the pixels of a line */
 void ref_wire_line(const ref_screen_line *line, const ref_band *band)
 {
     const major_line of = major_line_of(line, is_upright(line));

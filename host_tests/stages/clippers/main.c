@@ -17,6 +17,7 @@ typedef struct {
     void (*measure)(clipper_tally *tally, const clipper_case *of);
 } clipper;
 
+/* place clipper: the error of each clipper against the reference */
 static clipper clippers[] = {
     {{.clipper = "normalised", .claimed = 1.25}, measure_normalised},
     {{.clipper = "once", .claimed = 1.25}, measure_once},

@@ -31,6 +31,7 @@ typedef struct {
     double carried;                       /* what rides along, in 1/65536 */
 } clipper_tally;
 
+/* place clipper: the error of each clipper against the reference */
 /* Each counts one case. */
 void measure_normalised(clipper_tally *tally, const clipper_case *of);
 /* A face is flat to within units, and so are its corners: a triangle is flat. */

@@ -77,6 +77,7 @@ static void measure(clipper_tally *tally, const clipper_case *of, uint32_t scree
     count_result(tally, of, cut, result, planes);
 }
 
+/* place clipper: the error of each clipper against the reference */
 void measure_half_spaces(clipper_tally *tally, const clipper_case *of)
 {
     measure(tally, of, (1u << FXL_PLANE_COUNT) - 1);

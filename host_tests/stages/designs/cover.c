@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+/* place fill-rule: definition: the exact design */
 static int8_t windings[FXL_SCREEN_MAX * FXL_SCREEN_MAX];
 
 designs_edge designs_edge_of(const fxl_screen_polygon *outline, int number)

@@ -6,6 +6,7 @@
 
 #include "designs/design.h"
 
+/* place fill-rule: definition: the exact design */
 /* An edge of an outline from top to bottom; winding is +1 where the outline
  * walks it downward, -1 upward. */
 typedef struct {

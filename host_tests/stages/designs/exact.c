@@ -198,6 +198,7 @@ static int64_t first_column(const fxl_screen_point *top, const fxl_screen_point 
     return divide_up((top->x - 32768) * dy + dx * (centre_y - top->y), 65536 * dy);
 }
 
+/* place fill-rule: definition: the exact design */
 /* The winding rule of SPEC.md, section 5. */
 void exact_fill(const fxl_screen_polygon *outline, const designs_bitmap *bitmap)
 {

@@ -65,6 +65,7 @@ static void fixel_fill(const fxl_screen_polygon *outline, const designs_bitmap *
     }
 }
 
+/* place sampling: the texel of a pixel in other arithmetic */
 static int fixel_texel(designs_surface *face, uint8_t division)
 {
     return surface_sample_texel(&face->sample, 0, DESIGNS_TEXEL_LOG, division);

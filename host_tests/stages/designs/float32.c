@@ -104,6 +104,7 @@ static designs_screen float32_clip(const designs_input *input)
     return show(input, &cut);
 }
 
+/* place fill-rule: definition: the designs in 16.16 and in float */
 static void float32_fill(const fxl_screen_polygon *outline, const designs_bitmap *bitmap)
 {
     designs_cover_begin(bitmap);

@@ -94,6 +94,7 @@ static designs_screen naive_clip(const designs_input *input)
     return show(input, &cut);
 }
 
+/* place fill-rule: definition: the designs in 16.16 and in float */
 /* An edge stepped by its slope, from its first row's centre. */
 static void naive_fill(const fxl_screen_polygon *outline, const designs_bitmap *bitmap)
 {

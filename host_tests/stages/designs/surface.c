@@ -149,6 +149,7 @@ void designs_sample_surface(enum designs_stage stage, const designs_plan *plan,
 
 /* --- errors --------------------------------------------------------------------------------- */
 
+/* place sampling: the texel of a pixel in other arithmetic */
 static void measure_texel(enum designs_stage stage, designs_surface *face,
                           double errors[DESIGNS_COUNT])
 {

@@ -6,6 +6,7 @@
 #include "designs/sample.h"
 #include "designs/stage.h"
 
+/* place sampling: the texel of a pixel in other arithmetic */
 int naive_texel(designs_surface *face, uint8_t division);
 int naive_level(designs_surface *face);
 int naive_nearer(const depth_sample *faces, bool wide);

@@ -60,6 +60,7 @@ static int whole_of(float value)
     return isnan(value) ? 0 : (int)floorf(fminf(fmaxf(value, -1e9f), 1e9f));
 }
 
+/* place sampling: the texel of a pixel in other arithmetic */
 int float32_texel(designs_surface *face, uint8_t division)
 {
     float values[3];

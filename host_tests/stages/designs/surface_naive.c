@@ -59,6 +59,7 @@ static fixed value_of(const designs_surface *face, const fixed values[3], uint8_
     return held((int64_t)from + multiply(held((int64_t)to - from), part));
 }
 
+/* place sampling: the texel of a pixel in other arithmetic */
 int naive_texel(designs_surface *face, uint8_t division)
 {
     fixed values[3];

@@ -33,6 +33,7 @@ typedef struct {
 /* What paints billboards into a target: FXL_SPRITES_OF. Members are internal. */
 typedef struct fxl_sprite_painter fxl_sprite_painter;
 
+/* place pixel-format: the records of painters of billboards */
 /* Those of each target. FXL_SPRITES_OF(fxl_palette) is the address of one. */
 extern const fxl_sprite_painter fxl_palette_sprites, fxl_palette_depth_16_sprites,
     fxl_palette_depth_32_sprites, fxl_rgb565_sprites, fxl_rgb565_depth_16_sprites,

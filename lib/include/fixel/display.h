@@ -38,6 +38,7 @@ typedef struct {
  * (fixel/driver.h). A program links those that it names. */
 typedef struct fxl_display_driver fxl_display_driver;
 
+/* place driver: its declaration, the table of memories, names of controllers */
 extern const fxl_display_driver fxl_st7789;      /* 240 x 320, RGB565 */
 extern const fxl_display_driver fxl_ili9341;     /* 240 x 320, RGB565 */
 extern const fxl_display_driver fxl_st7735;      /* 128 x 160, RGB565 */

@@ -2,6 +2,7 @@
 /* Light and fog at run time: each flat face gets one level of a ramp of its colour, in RGB565 a
  * part of it. docs/extras/light.md. The settings, and their check, are in fixel/scene.h: an image
  * may have a light. */
+/* place pixel-format: what light leaves of a colour */
 #ifndef FXL_LIGHT_H
 #define FXL_LIGHT_H
 
@@ -14,6 +15,7 @@ extern "C" {
 /* Bytes of a ramp of so many levels. */
 #define FXL_LIGHT_RAMP_BYTES(levels) (256u * (levels))
 
+/* place light: FXL_LIGHT_ERROR_MAX */
 /* The bound of a face's brightness, in units of 2^-30: it is this near to the exact value of
  * docs/extras/light.md, section 2. So a face has another level than the exact one only where the
  * exact brightness is this near to the boundary between two levels. */

@@ -11,6 +11,7 @@
 extern "C" {
 #endif
 
+/* place driver: the modules of a driver */
 extern const fxl_display_module fxl_module_ili9341_240x320;          /* 2.4", 2.8" */
 extern const fxl_display_module fxl_module_st7789_240x320;           /* 2.0" */
 extern const fxl_display_module fxl_module_st7789_240x240;           /* 1.3", 1.54" */

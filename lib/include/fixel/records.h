@@ -194,6 +194,7 @@ typedef struct {
     uint32_t height;     /* in 1/65536 pixel */
 } fxl_slope;
 
+/* place fill-rule: the winding of an edge's record */
 /* An edge that crosses the current row. */
 typedef struct {
     fxl_slope slope;

@@ -236,6 +236,8 @@ typedef struct {
     fxl_q2_30 strength; /* 0..1 */
 } fxl_point_light;
 
+/* place light: a new setting: fxl_light_settings, fxl_light_base, fxl_light_settings_of */
+/* place pixel-format: pixel_bits of an image: what the scene asks for */
 /* What lights a frame (docs/extras/light.md). */
 typedef struct {
     fxl_q2_30 ambient;       /* the brightness that every face has, 0..1 */

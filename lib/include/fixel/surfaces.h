@@ -24,6 +24,7 @@ typedef struct {
     fxl_q16_16 u, v;
 } fxl_texel;
 
+/* place pixel-format: the records of painters, and formats of texels */
 enum {
     FXL_TEXTURE_8 = 0,  /* a byte a texel: its palette index */
     FXL_TEXTURE_4 = 1,  /* two texels a byte, the left one in the lower bits: an index into
@@ -197,6 +198,7 @@ typedef struct {
  * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_attach_lit(fxl_renderer *renderer, fxl_lit_surfaces *lit);
 
+/* place stipple: a blend: its flag, and what makes its table */
 /* Makes a blend table for the colours first..first + count - 1 of a palette of 256 colours of three
  * bytes, red, green, blue. The entry of a colour over another is the one of the palette that is
  * nearest to beneath + (colour - beneath) * sixteenths / 16, each of the three rounded to nearest,

@@ -32,6 +32,7 @@ typedef struct fxl_target_extras {
                     const fxl_band *band);
 } fxl_target_extras;
 
+/* place pixel-format: pixel_bits, and the records of the targets */
 /* A target. Members are internal. By itself it draws faces of one colour. */
 typedef struct fxl_target {
     uint8_t pixel_bits; /* 8: a palette index; 16: RGB565 */

@@ -21,6 +21,7 @@ OWN = ("", "_sphere", "_surfaces", "_rooms", "_lights", "_lamps", "_turned", "_t
 TEXTURED = ("bench/scenes/tqa.toml", "bench/scenes/tqp.toml", "bench/scenes/crates.toml")
 MORE = (*(f"bench/costs{name}.toml" for name in OWN), *TEXTURED, "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml",
         "scenes/landscape.toml")
+# place pixel-format: what is counted (wide_...), and what it costs
 # Scenes of these drawn as something else: RGB565, with a depth buffer, and by a tree of all their layers.
 WIDE = tuple(f"bench/costs{name}.toml" for name in ("", "_surfaces", "_rooms", "_lights", "_depth", "_smooth", "_glass", "_pane", "_billboards",
                                                     "_wood", "_texels", "_all")) + \

@@ -20,6 +20,7 @@ WALK_CPU = 600.0        # seconds of CPU time for a walk on the host
 SWEEPS = 20_000
 RIDGE = 1e-9            # keeps counts that always go together from taking turns
 
+# place pixel-format: what is counted (wide_...), and what it costs
 # What each count of host_tests/judges/predict/counts.h is, for people.
 NAMES = {
     "frames": "a frame", "instances": "an instance of the scene", "instances_seen": "an instance in sight",

@@ -22,6 +22,7 @@ from fixel.base.table import coloured, count_of, table
 BAND_ROWS = 16          # of a program that export --c --program writes
 BESIDE = 1 << 20        # bytes for what a scene has beside its faces, which have memory of their own in such a program
 
+# place pixel-format: what is counted (wide_...), and what it costs
 # What a board's program may leave out: WALK_WITHOUT_... of its settings.
 NOT_DRAWN = {"surfaces": "surfaces (VISIBILITY=surfaces builds a program that draws them)",
              "depth": "with a depth buffer (VISIBILITY=sorted builds a program that draws by distance)",

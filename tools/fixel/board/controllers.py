@@ -329,6 +329,7 @@ class Pages:
         return numpy.rot90(self.glass.cut(self._pins() ^ self.inverted), turns)
 
 
+# place driver: the model in Python, MODULES, and the comment at the top
 class Sh1106(Pages):
     """It knows no other mode than that of pages, and its converter is switched by AD."""
 

@@ -24,6 +24,7 @@ COUNTERS = ("in", "backfacing", "outside", "degenerate", "refused", "drawn", "cl
             "refused_calls", "spilled")
 
 
+# place pixel-format: frames that are read from a dump
 @dataclasses.dataclass(frozen=True)
 class Frame:
     """One frame: its pixels, the pose they were drawn from, and what was counted."""

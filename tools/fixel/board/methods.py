@@ -62,6 +62,7 @@ def check(options):
                         f"{dataclasses.replace(asked, pixels=None).text}")
 
 
+# place pixel-format: which target a scene is drawn by
 def check_scene(options, scene):
     """Refuses a choice for a scene image that asks for RGB565."""
     if options.visibility and rows()[options.visibility].target and scene.pixel_bits == 16:

@@ -55,6 +55,7 @@ def _symbols(elf):
     return {symbol.name: symbol for symbol in table.iter_symbols()} if table else {}
 
 
+# place pixel-format: which boards have the room
 def room_of(elf):
     """The Room of a program's file."""
     program, symbols = firmware.load(elf), _symbols(elf)

@@ -18,6 +18,7 @@ def is_certain(scene):
     return bool(scene.depth_bits) or (scene.tree is not None and not scene.by_distance) or alone
 
 
+# place pixel-format: the names of what a scene is drawn by
 def names_of(scene, has_surfaces):
     """Which faces rays are to tell by their names instead of their colours: beams and surfaces change colours as no ray
     knows, and in RGB565 two entries of the palette may be one colour. None where they tell colours."""

@@ -3,10 +3,10 @@
 
     fixel size-of-tree [--reason TEXT] [--json FILE]
 
-Files that git tracks, lines of code by folder and language, public headers and functions, the places of each recipe of
-CONTRIBUTING.md, and the steps in which make builds the programs of make run and of make test from nothing. A count may be up to 2 % above its
-record, for a branch at work; the record is no older commit, so many small steps do not pass. --reason renews the record, and is
-kept in it. Exit: 0 no count is above its record, 1 one is.
+Files that git tracks, lines of code by folder and language, public headers and functions, the files with the tag of each recipe, and
+the steps in which make builds the programs of make run and of make test from nothing. A count may be up to 2 % above its record, for
+a branch at work; the record is no older commit, so many small steps do not pass. --reason renews the record, and is kept in it.
+Exit: 0 no count is above its record, 1 one is.
 """
 
 import argparse
@@ -77,12 +77,10 @@ def count_interface(files, root=ROOT):
 
 
 def count_places(root=ROOT):
-    """{"places of RECIPE": how many of the files that its commands find its tables name}."""
-    found = {}
-    for title, text in recipes.recipes(root).items():
-        files = {name for command in recipes.commands(text) for name in recipes.found_by(command, root)}
-        found[f"places of {title}"] = sum(recipes.is_named(name, recipes.named_places(text)) for name in files)
-    return found
+    """{"places of RECIPE": how many files have its tag}."""
+    known, _ = recipes.load(root)
+    tags = recipes.tags(known, root)
+    return {f"places of {recipe.title}": len({tag.file for tag in tags if tag.word == word}) for word, recipe in known.items()}
 
 
 def count_steps(root=ROOT):

@@ -14,6 +14,7 @@ PIECES_A_FACE = 2           # of an instance that the tree cuts: a choice; scene
 PIECE, PIECE_VERTEX = 12, 16
 
 
+# place pixel-format: the target of an exported scene
 def target(scene):
     """The record of fixel/target.h that the scene asks for."""
     return ("fxl_rgb565" if scene.pixel_bits == 16 else "fxl_palette") + (f"_depth_{scene.depth_bits}" if scene.depth_bits else "")

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+# place field: the field
 """The fields of a scene image, stated once (docs/formats.md, section 1).
 
 The tools pack and read an image by this table. `fixel formats` writes of it what the library knows of an image
@@ -71,6 +72,7 @@ class Section:
         return "SECTION_" + self.title.upper().replace(" ", "_")
 
 
+# place pixel-format: target in the image's header
 HEADER = (
     Field("4s", "magic", "magic: the bytes `F X L S`"),
     Field("H", "version", f"version, {VERSION}"),
@@ -97,6 +99,7 @@ HEADER = (
 )
 HEAD = struct.Struct("<" + "".join(field.format for field in HEADER))
 
+# place light: a new setting: the section of light
 SECTIONS = (
     Section("palette", "palette table", (Field("3B", "", "red, green, blue"),), 256, 256),
     Section("vertices", "vertex table", (Field("3i", "x", "x, y, z (16.16, relative to the centre of the instance)"),),

@@ -55,6 +55,7 @@ def _table():
             " * entries, and its name in a fault. */", *made[:-1], made[-1].rstrip(" \\")]
 
 
+# place field: a field of the header: the header
 def scene_header():
     """lib/scene/scene_sections.h."""
     lines = [f"#define IMAGE_VERSION {VERSION}u", "", "/* The kinds of sections. */", "enum {",

@@ -20,10 +20,12 @@ __all__ = ["CONVEX", "COORDINATE_MAX", "FACE_VERTICES_MAX", "Face", "IMAGE_MAX",
            "check_coordinates", "check_plane", "load", "pack", "radius_of", "unpack"]
 
 GAIT_MAX, TURN_MAX = 256 << 16, 1 << 30
+# place key: only if it is a member of SceneImage; else what makes faces or colours
 KEYS = {"forward": 1, "back": 2, "left": 4, "right": 8,
         "pitch_up": 16, "pitch_down": 32, "roll_left": 64, "roll_right": 128}
 
 
+# place pixel-format: the target of a scene
 @dataclass
 class SceneImage:
     """Everything an image holds, in the image's own integers."""
@@ -67,6 +69,7 @@ class SceneImage:
         return len(self.path) if self.path_kind == POSES else sum(n for _, n in self.path)
 
 
+# place field: pack, unpack, check
 def pack(image):
     """The bytes of an image. Checks the result, so that nothing is written
     that a loader would refuse."""

@@ -9,6 +9,7 @@ from fixel.image.image_tree import fail
 
 POSES, STRIDES = 0, 1            # kinds of path
 DEPTHS = (0, 16, 32)            # bits of the depth buffer that an image asks for, by the low bits of its target
+# place pixel-format: the bits of target
 RGB565, BY_DISTANCE = 4, 8      # bits of the target
 
 

@@ -16,7 +16,7 @@ import re
 
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 LICENCE = "SPDX-License-Identifier"
-BOX = re.compile(r"/\* -{3}|/\* [a-z ]+ -{3}")      # /* --- records ----- */
+BOX = re.compile(r"/\* -{3}|/\* [a-z ]+ -{3}|/\* place [a-z-]+: ")      # /* --- records ----- */, and tags of recipes
 NAME = re.compile(r"(?<![\w/.\"<])(?:fxl|FXL)_[A-Za-z0-9_]*[A-Za-z0-9](?![\w*/.]*[\w*/])(?!\.\.\.)")
 SPECIAL = re.compile(r"[\\@<>&$#%\"~]")
 STATUS = re.compile(r"^\s*(FXL_E_\w+)(?=[:,] )")

@@ -16,6 +16,7 @@ class Claim:
     words: str
 
 
+# place claim: bound and words
 CLAIMS = (
     Claim("matrix_entry", 2, "2^-30", "An entry of the camera's matrix, against the exact value "
           "for the stated angles."),

@@ -59,6 +59,7 @@ class Kind:
         return max(FEWEST, total * self.share // SAMPLES)
 
 
+# place claim: how many samples
 CLAIMS = tuple(Kind("oracle", *kind) for kind in (
     ("matrix_entry", 2_000_000, 100_000),
     ("matrix_entry_instance", 10_000_000, 250_000),

@@ -60,6 +60,7 @@ def make_texture(arguments):
     print(f"{one_line(arguments.out)}: {name}_texture, {2 * texels:,} bytes of texels")
 
 
+# place pixel-format: the help of the option pixels
 def _parsers():
     """The options of the commands: of all together, and {command: its own}."""
     made = argparse.ArgumentParser(description=__doc__.split("\n")[0])

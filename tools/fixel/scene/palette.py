@@ -28,6 +28,7 @@ def parse(value, where):
     raise ToolError(f'{where}: expected a colour like "#d8a050" or "teal", found {quoted(value)}')
 
 
+# place pixel-format: a colour of the format
 def rgb565(colour):
     """Red, green, blue of 0..255 as a colour of RGB565, whose lower bits are lost."""
     red, green, blue = colour

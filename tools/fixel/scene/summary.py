@@ -8,9 +8,11 @@ from fixel.image import image, image_lens, image_surface
 from fixel.scene import path
 
 
+# place pixel-format: what fixel info prints
 PIXELS = {"palette": "entries of the palette", "rgb565": "RGB565"}
 
 
+# place light: a new setting: what fixel info prints of light
 def summary(scene):
     """What is in an image, as plain data."""
     kinds = [scene.models[item.model].kind for item in scene.objects]

@@ -37,6 +37,7 @@ class Paint:
     own: str = ""
 
 
+# place pixel-format: surfaces whose texels are of the format
 @dataclass(frozen=True)
 class Look:
     """What a face looks like, and where three of its corners are on the texture. colours: those that the picture's
@@ -294,6 +295,7 @@ def _texture(paint, entries):
     return Texture(*sides, texels, b"", image_surface.BITS_8, flags, 0, count)
 
 
+# place stipple: a blend: the table that the tools make
 def blend_table(colours, sixteenths, blended):
     """For each of these entries of the palette 256 others: what it shows over each, as fxl_blend_make_table has it."""
     nearest = light_palette.Nearest(colours)

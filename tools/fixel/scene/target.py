@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
 
+# place pixel-format: the values of PIXELS= and of pixels
 VALUES = {"pixels": ("palette", "rgb565"), "order": ("distance", "tree"), "depth": ("0", "16", "32")}
 HELP = {"pixels": "what a pixel is", "order": "the order in which faces are drawn", "depth": "bits of a pixel's depth; 0: no depth buffer"}
 
@@ -97,6 +98,7 @@ def check(scene, asked, name):
         raise ToolError(f"{name}: beams cannot light colours at corners: leave the beams out, or give vertex_colours = false in the object")
 
 
+# place field: a field of the header: who uses it in the tools
 def rewritten(blob, asked, name):
     """The bytes of a scene image, with what is asked for."""
     from fixel.image import image, image_header     # they need a package, and whoever reads options needs none

@@ -13,6 +13,7 @@ from fixel.image.image import Face
 from fixel.base.reading import quoted, shortened
 from fixel.scene.toml_table import Table
 
+# place key: a key of [[billboards]]
 # What an object with a billboard may say.
 OBJECT_KEYS = {"name", "billboard", "position", "positions", "repeat", "ring", "layer", "moves", *toml_motion.KEYS}
 _ROW_KEYS = {"name", "file", "pattern", "pixels", "colours", "most_colours", "bits", "key", "size", "anchor"}

@@ -11,6 +11,7 @@ from fixel.base.errors import ToolError
 from fixel.image.image_lens import FAR_MAX
 from fixel.scene.toml_table import Table
 
+# place key: a key of [light]
 KEYS = {"direction", "ambient", "colour", "sky", "bake", "levels", "strength", "dark", "points", "fog"}
 BAKED = ("colour", "sky", "bake")                   # keys of baked light alone
 AT_RUN_TIME = ("strength", "dark", "points", "fog")    # keys of light at run time alone

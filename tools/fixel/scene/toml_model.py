@@ -16,6 +16,7 @@ from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh, rounding_error, shape
 from fixel.base.reading import QUOTE_MAX, Beside, quoted
 from fixel.model.sources import Sources
 
+# place key: a key of an object's model file: obj, model, fit and others
 KEYS = {"obj", "model", "group", "without", "fit", "mend", "merge", "simplify"}
 NEAR_MAX = 1000     # names of groups among which the nearest is looked for
 FIT_MAX = 16382

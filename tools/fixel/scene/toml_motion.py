@@ -14,6 +14,7 @@ from fixel.base.reading import quoted
 from fixel.scene.toml_table import Table
 from fixel.model.turning import matrix, sine_cosine
 
+# place key: a key of an object's motion: motion, turn, spin, parent
 KEYS = {"turn", "size", "spin", "motion", "parent"}
 SIZE_MIN, SIZE_MAX = Fraction(1, 256), 256
 FRAMES_MAX = image_placement.FRAME_MAX

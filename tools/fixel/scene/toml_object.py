@@ -18,6 +18,7 @@ from fixel.base.reading import quoted
 from fixel.scene.toml_table import Table
 from fixel.model.turning import matrix
 
+# place key: a key of an object
 KEYS = {"name", "solid", "sides", "taper", "rings", "cells", "seed", "sea", "inside", "parts", "position",
         "positions", "repeat", "ring", "scale", "rotation", "anchor", "colour", "colours",
         "shade", "colour_index", "colour_step", "colour_next", "layer", "kind",
@@ -92,6 +93,7 @@ def _parts(table):
     return table.wholes("parts", 2, parts.MOST) if "parts" in table else None
 
 
+# place light: a new setting: what reads light of an object
 class Objects:
     """Compiles the objects of one scene. files: a toml_model.Files. notes are told to the user, once each."""
 

@@ -9,6 +9,7 @@ from fixel.model import quantity
 from fixel.base.errors import ToolError
 from fixel.model.turning import sine_cosine
 
+# place key: a key of an object's places: ring, repeat, position
 _RING = {"count", "radius", "start", "turn", "turned"}
 
 

@@ -22,6 +22,7 @@ from fixel.scene.toml_table import Table
 
 FRAMES_MAX = 1_000_000      # of a path
 POSES_MAX = 32_768          # of keys or an orbit
+# place key: a key of the file, [view], [palette], [path] or [[beams]]
 TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams", "path", "palette",
             "textures", "billboards", "tree"}
 _VIEW_KEYS = {"fov", "focal", "near", "far", "inset", "centre", "visibility", "pixels", "order", "depth"}
@@ -74,6 +75,8 @@ def _lens(top):
     return width, height, fov, near, far, inset, _centre(view, width, height, fov, inset)
 
 
+# place field: a field of the header: who uses it in the tools
+# place pixel-format: pixels of [view]
 # rgb565 3.5
 def _target(top, scene):
     """How the scene asks to be drawn: pixels, depth buffer and order. visibility = "depth" means depth = 16."""
@@ -303,6 +306,7 @@ def _lit_table(instances, indices, lit):
     return bytes(table)
 
 
+# place light: a new setting: what reads [light]
 def _palette(background, instances, reserved, light, lit):
     """Palette, index of each wanted colour, number of colours that were merged or 0, and for each entry the one that it
     is in a beam. The ramp of light at run time goes into the light."""

@@ -12,6 +12,7 @@ from fixel.base.reading import quoted, shortened
 from fixel.scene.surfaces import Look, Paint
 from fixel.scene.toml_table import Table
 
+# place key: a key of [[textures]], or of how an object is textured
 KEYS = {"texture", "textures", "mapping", "texels_per_unit", "tiles", "texel_offset", "division", "opacity", "blend", "lit",
         "smooth", "vertex_colours", *toml_images.KEYS}
 _ROW_KEYS = {"name", "file", "pattern", "size", "colours", "most_colours", "bits", "wrap", "levels"}
@@ -74,6 +75,7 @@ def _pattern(row, pictures):
     return pictures.pattern(row, name, width, height)
 
 
+# place pixel-format: which textures have texels of the format
 def _most(row, bits):
     """How many colours a file's picture may have."""
     if bits != 16:

@@ -128,6 +128,7 @@ void test_clip_of_what_is_behind(void)
     TEST_ASSERT_EQUAL(0, outline.count);
 }
 
+/* place fill-rule: pictures of cover.c */
 void test_cover_rows_top_left(void)
 {
     /* Vertices on centres: (0.5, 0.5) to (3.5, 2.5). The right and bottom edges are excluded. */

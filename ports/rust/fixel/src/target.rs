@@ -17,6 +17,7 @@ mod sealed {
     pub trait Sealed {}
 }
 
+// place pixel-format: a target of it in Rust
 /// A target. Only the types of this module are targets.
 pub trait Target: sealed::Sealed {
     /// A pixel: `u8`, an entry of the palette, or `u16`, RGB565.
