@@ -49,6 +49,8 @@ def write(layout, folder, one_file):
         examples.write_scene(folder / layout["example"])
     if layout.get("image"):
         output.write_file(folder / layout["image"], image.pack(examples.scene()))
+    if layout.get("own_image"):
+        examples.write_own_image(folder / layout["own_image"])
     for name, sketch in layout.get("sketches", {}).items():
         making.export(str(ROOT / sketch["scene"]), str(folder / "examples" / name / f"{pathlib.Path(sketch['scene']).stem}_scene.h"),
                       frames=sketch.get("frames"))

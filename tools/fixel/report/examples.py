@@ -42,7 +42,7 @@ def picture_of(name):
 def draw_example(library, name):
     """The picture of an example of PICTURES, and its palette."""
     if name not in PICTURES:
-        raise ToolError(f"there is no example '{name}' with a palette; there are: {', '.join(PICTURES)}")
+        raise ToolError(f"there is no example '{name}'; there are: {', '.join(sorted({**PICTURES, **WIDE_PICTURES}))}")
     frames, own = PICTURES[name]
     program, flags = ROOT / "examples" / name / "main.c", [] if frames is None else [f"-DEXAMPLE_FRAMES={frames}"]
     if own:
@@ -76,8 +76,16 @@ def write_model(file):
 
 def write_own_scene(folder, model=OWN_MODEL):
     """Writes model_scene.h into a folder, in the best look."""
-    making.export(str(model), str(pathlib.Path(folder) / "model_scene.h"), frames=OWN_MODEL_FRAMES,
-                  looks=[look.best(look.Asked(), target.Target(), False)])
+    making.export(str(model), str(pathlib.Path(folder) / "model_scene.h"), frames=OWN_MODEL_FRAMES, looks=_best())
+
+
+def write_own_image(file):
+    """Writes the scene image of examples/model, in the best look."""
+    making.build(str(OWN_MODEL), str(file), frames=OWN_MODEL_FRAMES, looks=_best())
+
+
+def _best():
+    return [look.best(look.Asked(), target.Target(), False)]
 
 
 def write_scene(folder):

@@ -1,14 +1,37 @@
 // SPDX-License-Identifier: MIT
-//! Draws the frames of a scene's path, as entries of the palette, into a file: what a test compares.
+//! Draws the frames of a scene's path with all that the scene has, as a program of C does, into a file: what a test compares.
 //!
 //!     cargo run --example frames -- plaza.fxls frames.raw
 //!
-//! The scene's path must be poses; else it draws the first frame alone.
+//! Pixels are entries of the palette, or RGB565 with the low byte first. The scene's path must be poses; else it draws the first
+//! frame alone.
 
 use std::error::Error;
 use std::io::Write;
 
-use fixel::{target, Config, Error as Refused, Light, LightSettings, LitSurfaces, Renderer, Scene, SurfaceSet, Surfaces, Texture};
+use fixel::target::{Palette, PaletteDepth16, Rgb565, Rgb565Depth16, Target};
+use fixel::{Scene, Setup, SetupRecord};
+
+const ROWS: u16 = 50; // of a strip; the depth buffer has fewer, so strips are drawn in parts
+
+fn draw<T: Target>(scene: &Scene<'_>, mut write: impl FnMut(&[T::Pixel]) -> std::io::Result<()>) -> Result<usize, Box<dyn Error>> {
+    let mut record = SetupRecord::new();
+    let mut memory = vec![0_u64; 1 << 16];
+    let mut it = Setup::<T>::new(scene, 16, &mut record, &mut memory)?;
+    let (width, height) = it.size();
+    let mut pixels = vec![T::Pixel::default(); usize::from(width) * usize::from(height)];
+    let count = scene.poses().len().max(1);
+    for number in 0..count {
+        let eye = it.play(u32::try_from(number)?);
+        let mut frame = it.begin(&eye)?;
+        for (first, strip) in (0..height).step_by(ROWS.into()).zip(pixels.chunks_mut(usize::from(ROWS) * usize::from(width))) {
+            frame.draw_rows(strip, first, ROWS.min(height - first))?; // the last strip may be shorter
+        }
+        drop(frame);
+        write(&pixels)?;
+    }
+    Ok(count)
+}
 
 fn main() -> Result<(), Box<dyn Error>> {
     let names: Vec<String> = std::env::args().skip(1).collect();
@@ -25,37 +48,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     // SAFETY: the words hold at least as many bytes, and live as long.
     let aligned = unsafe { core::slice::from_raw_parts(words.as_ptr().cast::<u8>(), bytes.len()) };
-
     let scene = Scene::open(aligned)?;
-    let (width, height) = scene.size();
-    let mut memory = vec![0_u64; 1 << 16];
-    let mut textures = vec![Texture::EMPTY; 64];
-    let set = match SurfaceSet::open(&scene, &mut textures) {
-        Err(Refused::Argument) => None, // there are none
-        other => Some(other?),
-    };
-    let (mut surfaces, mut lit, mut light) = (Surfaces::new(), LitSurfaces::new(), Light::new());
-    let mut renderer = Renderer::<target::Palette>::new(&scene, Config::of(&scene), &mut memory)?;
-    if let Some(set) = &set {
-        renderer.attach_surfaces(&mut surfaces, set)?;
-        renderer.attach_lit(&mut lit)?;
-    }
-    if let Some(settings) = LightSettings::of(&scene) {
-        renderer.attach_light(&mut light, &settings)?;
-    }
-    let mut pixels = vec![0_u8; usize::from(width) * usize::from(height)];
     let mut file = std::fs::File::create(out)?;
-    let start = [scene.start()];
-    let poses = if scene.poses().is_empty() { &start } else { scene.poses() };
-    for eye in poses {
-        // By strips of 50 rows, of which the last may be shorter.
-        let mut frame = renderer.begin(eye)?;
-        for (first, strip) in (0..height).step_by(50).zip(pixels.chunks_mut(50 * usize::from(width))) {
-            frame.draw_rows(strip, first, 50.min(height - first))?;
-        }
-        drop(frame);
-        file.write_all(&pixels)?;
-    }
-    println!("{} frames of {width} x {height}", poses.len());
+    let mut wide = |pixels: &[u16]| file.write_all(&pixels.iter().flat_map(|pixel| pixel.to_le_bytes()).collect::<Vec<u8>>());
+    let count = match (scene.pixel_bits(), scene.depth_bits()) {
+        (16, 0) => draw::<Rgb565>(&scene, &mut wide)?,
+        (16, _) => draw::<Rgb565Depth16>(&scene, &mut wide)?,
+        (_, 0) => draw::<Palette>(&scene, |pixels| file.write_all(pixels))?,
+        _ => draw::<PaletteDepth16>(&scene, |pixels| file.write_all(pixels))?,
+    };
+    println!("{count} frames");
     Ok(())
 }

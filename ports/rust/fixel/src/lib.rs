@@ -3,8 +3,10 @@
 //! bit on every core. This crate is the safe interface to its C library.
 //!
 //! A [`Scene`] is a scene image, which `fixel build model.glb -o model.fxls` makes on the host, used
-//! in place. A [`Renderer`] draws it, in memory of the caller's, and a [`Frame`] is one picture, drawn
-//! whole or in strips. All borrow what they use, so nothing is copied and nothing can be freed early.
+//! in place. A [`Renderer`] draws it, in memory of the caller's, with what the program attaches; a
+//! [`Setup`] draws it with all that it has: textures, light, depth, motions. A [`Frame`] is one
+//! picture, drawn whole or in strips. All borrow what they use, so nothing is copied and nothing can
+//! be freed early.
 //!
 //! ```
 //! use fixel::{degrees, include_image, target, units, Config, Pose, Renderer, Scene};
@@ -53,6 +55,7 @@ mod movable;
 mod numbers;
 mod renderer;
 mod scene;
+mod setup;
 mod surfaces;
 pub mod target;
 
@@ -64,6 +67,7 @@ pub use movable::{Drawn, Instance, MovableScene, Placement};
 pub use numbers::{degrees, ratio, rgb565, units, Orientation, Point, Pose};
 pub use renderer::{Config, Renderer};
 pub use scene::Scene;
+pub use setup::{Setup, SetupError, SetupRecord};
 pub use surfaces::{Light, LightSettings, LitSurfaces, SurfaceSet, Surfaces, Texture};
 
 /// The version of the C library, as in `"0.9.0"`: that of the crate.

@@ -158,6 +158,11 @@ impl<'a, T: Target> Renderer<'a, T> {
         Ok(Renderer { raw, tables, _borrowed: PhantomData })
     }
 
+    /// One that the library has set up; what it points to lives for 'a.
+    pub(crate) fn of(raw: sys::fxl_renderer) -> Self {
+        Renderer { raw, tables: None, _borrowed: PhantomData }
+    }
+
     /// Words of memory that a renderer of a scene needs at least.
     ///
     /// ```

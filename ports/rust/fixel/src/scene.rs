@@ -30,6 +30,7 @@ use crate::numbers::{rgb565, Pose};
 /// ```
 pub struct Scene<'a> {
     pub(crate) image: sys::fxl_scene_image,
+    pub(crate) fov: u32,
     _bytes: PhantomData<&'a [u8]>,
 }
 
@@ -45,7 +46,8 @@ impl<'a> Scene<'a> {
         // SAFETY: the bytes live for 'a, and are as many as stated. An image that is refused leaves `opened` as it is.
         check(unsafe { sys::fxl_scene_open(image.as_ptr().cast(), image.len(), opened.as_mut_ptr(), ptr::null_mut()) })?;
         // SAFETY: FXL_OK: the record is written.
-        Ok(Scene { image: unsafe { opened.assume_init() }, _bytes: PhantomData })
+        let opened = unsafe { opened.assume_init() };
+        Ok(Scene { image: opened, fov: field_of_view(image), _bytes: PhantomData })
     }
 
     /// Where the scene's path begins.
@@ -99,6 +101,22 @@ impl<'a> Scene<'a> {
         (self.image.lens.width, self.image.lens.height)
     }
 
+    /// Bits of a pixel that the scene was made for: 8, an entry of the palette, or 16, RGB565.
+    ///
+    /// ```
+    /// # let scene = fixel::Scene::open(fixel::include_image!("../examples/cube.fxls"))?;
+    /// assert_eq!((scene.pixel_bits(), scene.depth_bits()), (8, 0));
+    /// # Ok::<(), fixel::Error>(())
+    /// ```
+    pub fn pixel_bits(&self) -> u8 {
+        self.image.pixel_bits
+    }
+
+    /// Bits of a pixel in the depth buffer that the scene asks for: 0, 16 or 32.
+    pub fn depth_bits(&self) -> u8 {
+        self.image.depth_bits
+    }
+
     /// The palette: 256 colours of red, green, blue.
     ///
     /// ```
@@ -123,4 +141,9 @@ impl<'a> Scene<'a> {
     pub fn palette_565(&self) -> [u16; 256] {
         self.palette().map(|[red, green, blue]| rgb565(red, green, blue))
     }
+}
+
+/// The field of view of an image that was opened, at its place of docs/formats.md: the record of the library has only the focal length.
+fn field_of_view(image: &[u8]) -> u32 {
+    image.get(20..24).and_then(|bytes| bytes.try_into().ok()).map_or(0, u32::from_le_bytes)
 }

@@ -28,13 +28,15 @@ pub trait Target: sealed::Sealed {
     fn target() -> *const sys::fxl_target;
     #[doc(hidden)]
     fn surfaces() -> *const sys::fxl_painter;
+    #[doc(hidden)]
+    fn sprites() -> *const sys::fxl_sprite_painter;
 }
 
 /// A target of RGB565: its pixels are `u16`.
 pub trait Wide: Target<Pixel = u16> {}
 
 macro_rules! targets {
-    ($($(#[$about:meta])* $name:ident: $pixel:ty, $bits:literal, $target:ident, $surfaces:ident;)*) => {$(
+    ($($(#[$about:meta])* $name:ident: $pixel:ty, $bits:literal, $target:ident, $surfaces:ident, $sprites:ident;)*) => {$(
         $(#[$about])*
         #[derive(Clone, Copy, Debug)]
         pub struct $name;
@@ -50,6 +52,9 @@ macro_rules! targets {
             fn surfaces() -> *const sys::fxl_painter {
                 &raw const sys::$surfaces
             }
+            fn sprites() -> *const sys::fxl_sprite_painter {
+                &raw const sys::$sprites
+            }
         }
 
         impl $name {
@@ -63,17 +68,17 @@ macro_rules! targets {
 
 targets! {
     /// A byte a pixel, which is an entry of the palette.
-    Palette: u8, 0, fxl_palette, fxl_palette_surfaces;
+    Palette: u8, 0, fxl_palette, fxl_palette_surfaces, fxl_palette_sprites;
     /// The same, and at each pixel the nearest face, by 16 bits of depth.
-    PaletteDepth16: u8, 16, fxl_palette_depth_16, fxl_palette_depth_16_surfaces;
+    PaletteDepth16: u8, 16, fxl_palette_depth_16, fxl_palette_depth_16_surfaces, fxl_palette_depth_16_sprites;
     /// The same, by 32 bits of depth.
-    PaletteDepth32: u8, 32, fxl_palette_depth_32, fxl_palette_depth_32_surfaces;
+    PaletteDepth32: u8, 32, fxl_palette_depth_32, fxl_palette_depth_32_surfaces, fxl_palette_depth_32_sprites;
     /// 16 bits a pixel: five of red above six of green above five of blue.
-    Rgb565: u16, 0, fxl_rgb565, fxl_rgb565_surfaces;
+    Rgb565: u16, 0, fxl_rgb565, fxl_rgb565_surfaces, fxl_rgb565_sprites;
     /// The same, and at each pixel the nearest face, by 16 bits of depth.
-    Rgb565Depth16: u16, 16, fxl_rgb565_depth_16, fxl_rgb565_depth_16_surfaces;
+    Rgb565Depth16: u16, 16, fxl_rgb565_depth_16, fxl_rgb565_depth_16_surfaces, fxl_rgb565_depth_16_sprites;
     /// The same, by 32 bits of depth.
-    Rgb565Depth32: u16, 32, fxl_rgb565_depth_32, fxl_rgb565_depth_32_surfaces;
+    Rgb565Depth32: u16, 32, fxl_rgb565_depth_32, fxl_rgb565_depth_32_surfaces, fxl_rgb565_depth_32_sprites;
 }
 
 impl Wide for Rgb565 {}

@@ -7,7 +7,7 @@ use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
 use fixel::{
     include_image, target, units, Area, Config, Error, Instance, MovableScene, Orientation, Picture, Placement, Point as WorldPoint, Pose,
-    Renderer, Scene,
+    Renderer, Scene, Setup, SetupRecord,
 };
 
 static CUBE: &[u8] = include_image!("../examples/cube.fxls");
@@ -194,4 +194,53 @@ fn errors_are_sentences() {
         assert!(error.to_string().len() > 4, "{error:?}");
     }
     assert_eq!(Error::Unknown(99).status(), 99);
+}
+
+#[test]
+fn a_setup_is_refused_with_a_sentence() -> Result<(), Error> {
+    let scene = Scene::open(CUBE)?;
+    let mut record = SetupRecord::new();
+    let mut memory = vec![0; 4096];
+    let wide = Setup::<target::Rgb565>::new(&scene, 8, &mut record, &mut memory).err();
+    assert_eq!(wide.map(|each| each.error()), Some(Error::Combination));
+    assert!(wide.is_some_and(|each| each.to_string().contains("palette")));
+    for rows in [0, 241] {
+        let refused = Setup::<target::PaletteDepth16>::new(&scene, rows, &mut record, &mut memory).err();
+        assert_eq!(refused.map(|each| (each.error(), each.missing())), Some((Error::Range, 0)));
+        assert!(refused.is_some_and(|each| each.to_string().contains("rows")), "{refused:?}");
+    }
+    // A word less than it needs is a word missing; and what was refused can be set up afterwards.
+    let missing = |memory: &mut [u64], record: &mut SetupRecord| {
+        Setup::<target::PaletteDepth16>::new(&scene, 8, record, memory).err().map(|each| (each.error(), each.missing()))
+    };
+    let Some((Error::Capacity, needed)) = missing(&mut [], &mut record) else {
+        return Err(Error::Capacity);
+    };
+    assert_eq!(missing(&mut memory[..needed - 1], &mut record), Some((Error::Capacity, 1)));
+    assert_eq!(missing(&mut memory[..needed], &mut record), None);
+    Ok(())
+}
+
+#[test]
+fn a_setup_of_a_model_that_was_moved_draws_the_same() -> Result<(), Error> {
+    fn set_up<'a>(scene: &'a Scene<'_>, record: &'a mut SetupRecord, memory: &'a mut [u64]) -> Result<Box<Wide<'a>>, Error> {
+        Ok(Box::new(Setup::new(scene, 16, record, memory)?)) // which is moved
+    }
+    type Wide<'a> = Setup<'a, target::Rgb565Depth16>;
+    let scene = Scene::open(include_image!("../examples/model.fxls"))?;
+    assert_eq!((scene.pixel_bits(), scene.depth_bits()), (16, 16));
+    let (mut record, mut other) = (SetupRecord::new(), SetupRecord::new());
+    let (mut memory, mut least) = (vec![0; 1 << 16], vec![]);
+    let missing = Wide::new(&scene, 1, &mut other, &mut least).err().map(|each| each.missing());
+    least.resize(missing.unwrap_or(0), 0);
+    let (mut one, mut two) = (set_up(&scene, &mut record, &mut memory)?, Wide::new(&scene, 1, &mut other, &mut least)?);
+    let (mut pixels, mut others) = (vec![0; WIDTH * HEIGHT], vec![0; WIDTH * HEIGHT]);
+    for number in [0, 5, 24] {
+        let (eye, same) = (one.play(number), two.play(number % 24));
+        assert_eq!(eye, same, "the path begins again");
+        one.render(&eye, &mut pixels)?;
+        two.render(&same, &mut others)?;
+        assert!(pixels == others && pixels.iter().collect::<std::collections::BTreeSet<_>>().len() > 100);
+    }
+    Ok(())
 }
