@@ -43,10 +43,9 @@ CORE_OUT := $(BUILD)/core
 
 # --- settings ------------------------------------------------------------------
 
-# place driver: DRIVERS_OF_COLOUR or DRIVERS_OF_PAGES; DRIVER_DEFINES if not 16 bits, 320 columns
 # Drivers that DRIVER= may name, which a board's memory may look at.
-DRIVERS_OF_COLOUR := st7789 ili9341 ili9488 st7735 st7796 gc9a01 ssd1351
-DRIVERS_OF_PAGES := ssd1306 ssd1309 sh1106 sh1107
+DRIVERS_OF_PAGES := $(shell sed -n 's/^const fxl_display_driver fxl_\([a-z0-9]*\) = .*/\1/p' lib/screen/pages.c)
+DRIVERS_OF_COLOUR := $(filter-out $(DRIVERS_OF_PAGES),$(shell sed -n 's/^extern const fxl_display_driver fxl_\([a-z0-9]*\);.*/\1/p' lib/include/fixel/display.h))
 # Modules of lib/include/fixel/modules.h, which it may name too.
 DISPLAY_MODULES := $(shell sed -n 's/^extern const fxl_display_module fxl_module_\([a-z0-9_]*\);.*/\1/p' lib/include/fixel/modules.h)
 DRIVERS_OF_PAGES += $(filter $(addsuffix _%,$(DRIVERS_OF_PAGES)),$(DISPLAY_MODULES))

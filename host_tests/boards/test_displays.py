@@ -17,9 +17,7 @@ MOCK = CHECKOUT / "host_tests" / "boards" / "displays"
 WARNINGS = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wpedantic", "-Werror"]
 INCLUDES = [f"-I{CHECKOUT / 'boards'}", f"-I{CHECKOUT / 'lib' / 'include'}"]
 SCREEN = CHECKOUT / "lib" / "screen"
-# place converter: LIBRARY: the source file
-LIBRARY = [SCREEN / f"{name}.c" for name in ("colour", "display", "grey", "grey4", "modules", "mono", "pages", "pixels", "rgb332", "rgb565", "rgb666",
-                                            "row_to_16", "ssd1351")]
+LIBRARY = [file for file in sorted(SCREEN.glob("*.c")) if file.stem not in ("band_crc", "font_5x7", "overlay", "pump", "reasons_screen", "text")]
 # A frame of an OLED by a pump; the messages go to stdout, each with its length before it.
 OLED = """
 #include <stdio.h>

@@ -23,15 +23,19 @@ def run_driver(out, driver, screen, board="host", frames=6, more=(), **changes):
                    "--driver", driver, "--out", out, *more, **changes)
 
 
-# place driver: drivers and screens
-@pytest.mark.parametrize("driver, screen", [("st7789", "320x240"), ("st7789", "240x320"), ("ili9341", "101x37"),
-                                            ("st7735", "160x128"), ("st7735", "128x160"), ("ssd1306", "128x32"),
-                                            ("sh1106", "128x64"), ("sh1106", "77x41"),
-                                            ("st7789_135x240", "240x135"), ("st7735_128x160_green", "128x160"),
-                                            ("st7796", "480x320"), ("gc9a01_240x240", "240x240"),
-                                            ("ili9488", "480x320"), ("ssd1351_128x96", "128x96"), ("ssd1351_128x96", "96x128"), ("st7789", "240x240"), ("ssd1309_128x64_column_2", "128x64"),
-                                            ("ssd1306_64x48", "64x48"), ("sh1107", "128x128"),
-                                            ("sh1107_64x128", "64x128"), ("sh1106_72x40", "61x31"), ("ssd1309", "128x64")])
+# Shapes beside the glass of each driver: turned, smaller, modules.
+SHAPES = [("st7789", "320x240"), ("st7789", "240x240"), ("ili9341", "101x37"), ("st7735", "160x128"), ("ssd1306", "128x32"), ("sh1106", "77x41"),
+          ("st7789_135x240", "240x135"), ("st7735_128x160_green", "128x160"), ("st7796", "480x320"), ("ili9488", "480x320"), ("ssd1351_128x96", "128x96"),
+          ("ssd1351_128x96", "96x128"), ("ssd1309_128x64_column_2", "128x64"), ("ssd1306_64x48", "64x48"), ("sh1107_64x128", "64x128"),
+          ("sh1106_72x40", "61x31")]
+
+
+def glasses():
+    """Each driver with the glass of its model."""
+    return [(name, f"{glass.width}x{glass.height}") for name, (_, glass) in controllers.MODULES.items() if "_" not in name]
+
+
+@pytest.mark.parametrize("driver, screen", [*glasses(), *SHAPES])
 def test_every_driver_shows_frames_of_every_shape(tmp_path, driver, screen):
     done = run_driver(tmp_path / "out", driver, screen)
     assert done.returncode == 0, done.stdout + done.stderr

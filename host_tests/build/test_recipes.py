@@ -108,6 +108,20 @@ def test_the_command_refuses_a_word_that_is_no_recipe():
     assert done.returncode == 2 and "driver" in done.stderr and "dirver" in done.stderr
 
 
+@pytest.mark.parametrize("word, header, kind, apart", [
+    ("converter", "pixels.h", r"fxl_pixel_format fxl_pixels_(\w+);", set()),
+    ("driver", "display.h", r"fxl_display_driver fxl_(\w+);", {"host_tests/unit/controller.c"})])
+def test_what_is_declared_stands_at_each_place_of_its_recipe(word, header, kind, apart, tags):
+    """A place that a change leaves out: the name of the new record does not stand there. apart: where not all records stand."""
+    declared = re.findall(f"extern const {kind}", (CHECKOUT / "lib/include/fixel" / header).read_text(encoding="utf-8"))
+    places = {tag.file for tag in tags if tag.word == word and not tag.file.startswith("lib/screen/")}
+    assert len(declared) > 5 and len(places) > 4
+    for file in places - apart:
+        text = (CHECKOUT / file).read_text(encoding="utf-8").lower()
+        missing = [name for name in declared if name not in text and not (word == "driver" and name.split("_")[0] in text)]
+        assert missing == [], f"{file}: the recipe '{word}' has a place here, and this is not in it: {missing}"
+
+
 @pytest.mark.parametrize("word", KNOWN)
 def test_the_story_of_a_recipe_is_short_and_names_its_commands(word):
     story = re.search(rf"^####? {re.escape(KNOWN[word].title.split(': ')[-1])}\n(.*?)(?=^#|\Z)", CONTRIBUTING, re.MULTILINE | re.DOTALL)[1]

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "../unit/controller.h"
 #include "demand.h"
 #include "fixel/driver.h"
 #include "record.h"
@@ -15,17 +16,13 @@ enum {
     GUARD = 0x5A
 };
 
-/* place driver: drivers */
 /* place pixel-format: random input */
 /* place converter: the list of formats */
 static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb565_low,
                                                   &fxl_pixels_rgb332, &fxl_pixels_rgb666,
                                                   &fxl_pixels_grey4,  &fxl_pixels_mono_rows,
      &fxl_pixels_mono_pages};
-static const fxl_display_driver *const drivers[] = {&fxl_st7789, &fxl_ili9341, &fxl_st7735,
-                                                    &fxl_ssd1306, &fxl_sh1106,  &fxl_st7796,
-                                                    &fxl_gc9a01,  &fxl_ssd1351, &fxl_ssd1309,
-                                                    &fxl_sh1107, &fxl_ssd1309_132, &fxl_ili9488};
+static const fxl_display_driver *const drivers[] = EVERY_DRIVER;
 #define DRIVERS (sizeof drivers / sizeof drivers[0])
 static uint8_t palette[3 * FXL_PALETTE_COLOURS];
 

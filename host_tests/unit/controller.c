@@ -3,10 +3,15 @@
 
 #include "unit.h"
 
-/* place driver: the model in C; those of colour come first */
+/* place driver: the model in C */
 /* Columns and rows of each controller's memory; of an ST7735 that is strapped for 128 x 160. */
-static const uint16_t sizes[][2] = {{240, 320}, {240, 320}, {128, 160}, {320, 480}, {320, 480},
-                                    {240, 240}, {128, 64},  {128, 64},  {132, 64},  {128, 128}};
+static const uint16_t sizes[][2] = {
+    [CONTROLLER_ST7789] = {240, 320},  [CONTROLLER_ILI9341] = {240, 320},
+    [CONTROLLER_ST7735] = {128, 160},  [CONTROLLER_ST7796] = {320, 480},
+    [CONTROLLER_ILI9488] = {320, 480}, [CONTROLLER_GC9A01] = {240, 240},
+    [CONTROLLER_SSD1306] = {128, 64},  [CONTROLLER_SSD1309] = {128, 64},
+    [CONTROLLER_SH1106] = {132, 64},   [CONTROLLER_SH1107] = {128, 128}};
+FXL_STATIC_ASSERT(sizeof sizes / sizeof sizes[0] == CONTROLLERS, "each controller has a memory");
 
 static void take_data(controller *of, uint8_t byte);
 

@@ -8,7 +8,14 @@
 #include "fixel/display.h"
 #include "transfer.h"
 
-/* place driver: the model in C; those of colour come first */
+/* place driver: the list of drivers, and of models: those of colour come first */
+/* Every driver, in the order in which the fuzzer's inputs number them: a new one comes last. */
+#define EVERY_DRIVER \
+    { \
+        &fxl_st7789, &fxl_ili9341, &fxl_st7735, &fxl_ssd1306, &fxl_sh1106, &fxl_st7796, \
+            &fxl_gc9a01, &fxl_ssd1351, &fxl_ssd1309, &fxl_sh1107, &fxl_ssd1309_132, &fxl_ili9488 \
+    }
+
 enum {
     CONTROLLER_ST7789,
     CONTROLLER_ILI9341,
@@ -19,7 +26,8 @@ enum {
     CONTROLLER_SSD1306,
     CONTROLLER_SSD1309,
     CONTROLLER_SH1106,
-    CONTROLLER_SH1107
+    CONTROLLER_SH1107,
+    CONTROLLERS
 };
 
 /* Bytes of memory that a model needs: the pixels of a part of the controller's memory, seen from

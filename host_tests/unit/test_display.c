@@ -107,8 +107,11 @@ static uint32_t rgb565(uint8_t index)
 /* A module of colours, of width x height before it is turned, with a frame in its middle. */
 static void assert_colours(const module *of, uint32_t turns, const fxl_display_port *port)
 {
-    static const uint16_t glasses[][2] = {{240, 320}, {240, 320}, {128, 160},
-                                          {320, 480}, {320, 480}, {240, 240}};
+    static const uint16_t glasses[][2] = {
+        [CONTROLLER_ST7789] = {240, 320}, [CONTROLLER_ILI9341] = {240, 320},
+        [CONTROLLER_ST7735] = {128, 160}, [CONTROLLER_ST7796] = {320, 480},
+        [CONTROLLER_ILI9488] = {320, 480}, [CONTROLLER_GC9A01] = {240, 240}};
+    FXL_STATIC_ASSERT(sizeof glasses / sizeof glasses[0] == CONTROLLER_SSD1306, "colours come first");
     const uint32_t width = glasses[of->kind][0], height = glasses[of->kind][1];
     const fxl_display_config config = fxl_display_config_default(of->driver, turns);
     const uint32_t columns = turns % 2u == 0 ? WIDTH : HEIGHT, rows = WIDTH + HEIGHT - columns;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Where a caller's own commands go over the wires, for each driver of the library: after the
  * driver's own, before the first pixel, and before the glass is turned on. */
+#include "controller.h"
 #include "fixel/driver.h"
 #include "unit.h"
 
@@ -8,10 +9,7 @@ enum {
     MESSAGES = 192 /* the memory of a small board holds no more */
 };
 
-/* place driver: drivers */
-static const fxl_display_driver *const drivers[] = {
-    &fxl_st7789,  &fxl_ili9341, &fxl_ili9488, &fxl_st7735,      &fxl_st7796, &fxl_gc9a01,
-    &fxl_ssd1351, &fxl_ssd1306, &fxl_ssd1309, &fxl_ssd1309_132, &fxl_sh1106, &fxl_sh1107};
+static const fxl_display_driver *const drivers[] = EVERY_DRIVER;
 
 /* Of each message: its size, whether it is data, and its first three bytes. */
 typedef struct {

@@ -3,6 +3,7 @@
 
 import collections
 import dataclasses
+import fnmatch
 import pathlib
 import re
 import tomllib
@@ -54,7 +55,12 @@ class Stages:
         self.shared = set(data["shared"])
         self.what = {entry["name"]: entry["what"] for entry in entries}
         self.of_function = {name: entry["name"] for entry in entries for name in entry["functions"]}
-        self.of_file = {stem: entry["name"] for entry in entries for stem in entry["files"]}
+        named = {stem: entry["name"] for entry in entries for stem in entry["files"]}
+        self._of_files = sorted(named.items(), key=lambda each: "*" in each[0])     # names come before patterns
+
+    def of_file(self, stem):
+        """The stage of a source file; None if no stage names it."""
+        return next((stage for pattern, stage in self._of_files if fnmatch.fnmatchcase(stem, pattern)), None)
 
     def of(self, names, files):
         """The stage of a stack of functions, outermost first. files: {function: its file}."""
@@ -69,7 +75,7 @@ class Stages:
             innermost = stem
             if name in self.of_function:
                 return self.of_function[name]
-        return OTHERS if innermost is None else self.of_file.get(innermost, innermost)
+        return OTHERS if innermost is None else self.of_file(innermost) or innermost
 
 
 class Profile:
