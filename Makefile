@@ -196,7 +196,21 @@ PREDICTS_BANDS := $(if $(filter-out 1048576,$(BOARD_BAND_BYTES.$(BOARD_CHOSEN)))
 # How a model without a scene file is drawn depends on what its frames are predicted to take.
 PREDICTS := $(if $(filter $(addprefix %.,obj gltf glb stl ply OBJ GLTF GLB STL PLY),$(value SCENE)),$(addprefix $(BUILD)/host/,predict judge raycast) $(HOST_WALK))
 DRAW_OPTIONS := --board $(BOARD_CHOSEN) --scene $(SCENE_OF_PROGRAM) --build $(BUILD) $(METHODS_OPTIONS)
+# A program of the user's own runs on this machine, and the tool builds it: each time that it has changed.
+VIEW_OPTIONS := $(if $(OWN),--board host --build $(BUILD) --program $(OWN) --source $(OWN_PATH),$(DRAW_OPTIONS))
 FLASH_SETUP := $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)$(SETUP_OF_BOARD:%= %)
+
+# A program of the user's own chooses what it draws, and with what.
+ifneq ($(and $(OWN),$(filter flash boot gdb screen size,$(MAKECMDGOALS))),)
+$(error PROGRAM=FILE is for make run and make view, which show the pictures that it draws)
+endif
+VIEW_REFUSED := $(if $(and $(OWN),$(filter view,$(MAKECMDGOALS))),$(firstword $(filter SCENE SCREEN $(if $(filter-out host,$(BOARD)),BOARD),$(GIVEN))))
+ifneq ($(VIEW_REFUSED),)
+$(error PROGRAM=$(PROGRAM) with $(VIEW_REFUSED)=$(value $(VIEW_REFUSED)): make view runs a program of your own on this machine, with its own scene and screen: leave out $(VIEW_REFUSED)=, or PROGRAM=)
+endif
+ifneq ($(and $(OWN),$(CLIPPER)$(VISIBILITY)$(ROWS)$(DRIVER)$(PIXELS)$(ORDER)$(DEPTH)$(value LOOK)),)
+$(error PROGRAM=$(PROGRAM) chooses itself what it draws: leave out CLIPPER, VISIBILITY, ROWS, DRIVER, PIXELS, ORDER, DEPTH and LOOK)
+endif
 
 # What a board cannot do, which the tools would say only after it is built.
 ifneq ($(and $(filter view gdb screen,$(MAKECMDGOALS)),$(filter emulator=rp2040js,$(BOARD_NOTE.$(BOARD_CHOSEN)))),)
@@ -208,14 +222,6 @@ endif
 # place board: COSTS_BOARDS, without which make predict refuses it; then make costs
 ifneq ($(and $(filter flash,$(MAKECMDGOALS)),$(filter openocd,$(value PROBE)),$(if $(BOARD_OPENOCD.$(BOARD_CHOSEN)),,none)),)
 $(error PROBE=openocd: BOARD=$(BOARD) has no configuration of OpenOCD; the boards that have one are: $(strip $(foreach board,$(BOARDS),$(if $(BOARD_OPENOCD.$(board)),$(board)))))
-endif
-
-# A program of the user's own chooses what it draws, and with what.
-ifneq ($(and $(OWN),$(filter view flash boot gdb screen size,$(MAKECMDGOALS))),)
-$(error PROGRAM=FILE is for make run alone, which shows the pictures that it draws)
-endif
-ifneq ($(and $(OWN),$(CLIPPER)$(VISIBILITY)$(ROWS)$(DRIVER)$(PIXELS)$(ORDER)$(DEPTH)$(value LOOK)),)
-$(error PROGRAM=$(PROGRAM) chooses itself what it draws: leave out CLIPPER, VISIBILITY, ROWS, DRIVER, PIXELS, ORDER, DEPTH and LOOK)
 endif
 
 # --- commands ----------------------------------------------------------------
@@ -236,10 +242,10 @@ run: ## draw a scene's path on a board, compare it with double; or run a program
 	@$(MAKE) $(WALK) $(HOST_WALK) $(WHOLE_FRAMES) $(BUILD)/host/judge $(BUILD)/host/raycast $(sort $(PREDICTS) $(PREDICTS_BANDS))
 	@$(TOOL) run $(DRAW_OPTIONS) $(if $(WHOLE_FRAMES),--whole-frames) $(WALK_ROWS_MAX:%=--band-rows %) --out $(BUILD)/run
 
-view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= PORT= OPEN=1]
+view: ## show a board, or a program of your own, live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= PORT= OPEN=1]
 	@$(SET_UP) view$(SETUP_OF_BOARD:%= %)
-	@$(MAKE) $(WALK) $(BUILD)/host/live $(PREDICTS)
-	@$(TOOL) view $(DRAW_OPTIONS)
+	@$(if $(OWN),,$(MAKE) $(WALK) $(BUILD)/host/live $(PREDICTS))
+	@$(TOOL) view $(VIEW_OPTIONS)
 
 flash: ## write program and scene to the board's flash image, or to the real board [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= PROBE=openocd DRY_RUN=1]
 	@$(SET_UP) $(FLASH_SETUP)

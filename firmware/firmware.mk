@@ -144,7 +144,8 @@ $(error there is no PROGRAM "$(PROGRAM)"; the programs are: $(PROGRAMS), and a C
 endif
 # A name of its path without a folder.
 OWN_NAME_OF = $(subst /,_,$(subst .,-,$(1)))
-OWN := $(if $(OWN_SOURCES),own-$(call OWN_NAME_OF,$(PROGRAM:/=)))
+OWN_PATH := $(if $(OWN_SOURCES),$(PROGRAM:/=))
+OWN := $(if $(OWN_PATH),own-$(call OWN_NAME_OF,$(OWN_PATH)))
 PROGRAM_NAME := $(or $(OWN),$(PROGRAM))
 # A board without the memory for a program: make says so before anything is built.
 ifneq ($(filter $(PROGRAM),$(BOARD_PROGRAM_OMIT.$(BOARD_CHOSEN))),)
@@ -291,7 +292,7 @@ $(FIRMWARE_OUT)/$(1)/libown.a: $(FIRMWARE_OUT)/$(1)/firmware/own/show_rows.o $(F
 	@rm -f $$@
 	@$(if $(BOARD_HOSTED.$(1)),ar,$(call CROSS_OF,$(1))ar) rcs $$@ $$^
 
-$(call WALK_OF,$(1)): $(FIRMWARE_OUT)/$(1)/firmware/own/own.o $(patsubst %,$(OWN_LIB_OF)/%.o,$(OWN_LIB_NAMES_OF)) $(FIRMWARE_OUT)/$(1)/libown.a
+$(call WALK_OF,$(1)): $(FIRMWARE_OUT)/$(1)/firmware/own/own.o $(if $(BOARD_HOSTED.$(1)),$(FIRMWARE_OUT)/$(1)/firmware/own/watched.o) $(patsubst %,$(OWN_LIB_OF)/%.o,$(OWN_LIB_NAMES_OF)) $(FIRMWARE_OUT)/$(1)/libown.a
 $(call WALK_OF,$(1)): LINK_OF_FILE := $(OWN_WRAPPED:%=-Wl$(,)--wrap=%)
 endef
 

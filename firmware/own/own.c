@@ -141,6 +141,9 @@ static void end_frame(void)
     if (dump.frames == dump.most) {
         finish();
     }
+    if (own_wait != NULL) {
+        own_wait();
+    }
 }
 
 uint16_t own_width(void)
@@ -200,11 +203,15 @@ static void hold(uint16_t first_row, uint16_t rows, const void *pixels, uint16_t
     }
 }
 
-static void note(const fxl_renderer *renderer, uint16_t width)
+/* end_row: of what was drawn. */
+static void note(fxl_renderer *renderer, uint16_t width, uint32_t end_row)
 {
     drawn.renderer = renderer;
     drawn.width = width;
     drawn.pixel_bits = renderer->palette != NULL ? 16 : 8;
+    if (own_keep != NULL && end_row == renderer->frame.view.lens.height) {
+        own_keep(renderer);
+    }
 }
 
 fxl_status __wrap_fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
@@ -241,7 +248,7 @@ fxl_status __wrap_fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
         return status;
     }
     drawn.spent += clock_instructions() - before;
-    note(renderer, band->width);
+    note(renderer, band->width, (uint32_t)band->first_row + band->rows);
     if (&own_has_display_rows == NULL) {
         if (band->columns != 0 && band->columns != band->width) {
             fail("a band of some columns cannot be shown", SYSTEM_EXIT_DISPLAY);
@@ -263,15 +270,15 @@ fxl_status __wrap_fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *
     show_held();
     before = clock_instructions();
     status = __real_fxl_render(renderer, eye, pixels, stride);
-    if (status != FXL_OK || &own_has_display_rows != NULL) {
-        if (status == FXL_OK) {
-            note(renderer, renderer->frame.view.lens.width);
-        }
+    if (status != FXL_OK) {
         return status;
     }
     drawn.spent = clock_instructions() - before;
     drawn.pose = *eye;
-    note(renderer, renderer->frame.view.lens.width);
+    note(renderer, renderer->frame.view.lens.width, renderer->frame.view.lens.height);
+    if (&own_has_display_rows != NULL) {
+        return FXL_OK;
+    }
     hold(0, renderer->frame.view.lens.height, pixels, stride, true, __builtin_frame_address(0));
     return FXL_OK;
 }
@@ -281,7 +288,7 @@ int __wrap_main(int argc, char **argv)
     int answer;
 
     first_frame = __builtin_frame_address(0);
-    system_start(argc, argv);
+    system_start(own_arguments != NULL ? own_arguments(argc, argv) : argc, argv);
     dump.most = system_frames();
     system_alive();
     answer = __real_main(argc, argv);

@@ -8,6 +8,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "fixel/render.h"
+
 /* Whether the program has display_rows of show_rows.c. Null where it has not: the linker takes
  * show_rows.c only for a program that calls display_rows and does not define it. */
 extern const bool own_has_display_rows __attribute__((weak));
@@ -20,5 +22,18 @@ void own_show(uint16_t first_row, uint16_t rows, const void *pixels, uint16_t st
 
 /* Pixels of a row of the band that was drawn last. */
 uint16_t own_width(void);
+
+/* For a program that is watched, on this machine alone: watched.c. Null on other boards. */
+
+/* Takes the viewer's argument, if there is one. Returns how many are left for the board. */
+int own_arguments(int argc, char **argv) __attribute__((weak));
+
+/* The last rows of a frame are drawn: keeps the frame for questions about its pixels until another
+ * one is kept. The program may change renderer and scene meanwhile. */
+void own_keep(fxl_renderer *renderer) __attribute__((weak));
+
+/* A frame is shown: answers questions about it until the viewer wants the next frame. Ends the
+ * program where the viewer has ended. */
+void own_wait(void) __attribute__((weak));
 
 #endif

@@ -9,6 +9,7 @@ import base64
 import io
 import re
 import socket
+import time
 
 import numpy
 import pytest
@@ -22,7 +23,7 @@ from fixel.scene import making
 from fixel.view import browser
 from fixel.image import image as scene_image
 from fixel.base.errors import ToolError
-from viewers import BOARDS, HEIGHT, SCREEN, WIDTH, left, own_build, plaza_image, port_of, ready, ready_board   # two are fixtures
+from viewers import BOARDS, HEIGHT, SCREEN, WIDTH, left, own_build, plaza_image, port_of, ready, ready_board, wait_for_rest   # two are fixtures
 
 MARK = (255, 0, 160)    # of a pixel that differs, in templates/view_picture.js
 LINE = (255, 211, 77)   # of an outline
@@ -271,23 +272,6 @@ def paused(page):
     stand_still(page)
 
 
-def wait_for_rest(page):
-    """A frame may have been under way when the board was paused. The board's answer to a step comes after it."""
-    page.wait_for_function("""() => new Promise((resolve) => {
-        let seen = null;
-        const look = () => {
-            const number = document.getElementById("number").textContent;
-            if (number === seen) {
-                resolve(true);
-            } else {
-                seen = number;
-                setTimeout(look, 500);
-            }
-        };
-        look();
-    })""")
-
-
 def test_pause_and_step(paused, board):
     for _ in range(5):
         step(paused)
@@ -439,6 +423,18 @@ def test_it_listens_on_this_machine_alone(window):
 def test_another_viewer_has_a_port_of_its_own(window, board, scene, build):
     with browser.viewing(board, scene, build) as (_, address):
         assert address != window[1]
+
+
+@on_one_board
+def test_the_page_is_opened(board, scene, build, tmp_path):
+    """By a file with the address, which no other user may read."""
+    opened, program = tmp_path / "opened", tmp_path / "browser"
+    program.write_text(f'#!/bin/sh\nstat -c %a "$(dirname "${{1#file://}}")" > {tmp_path}/mode\ncp "${{1#file://}}" {opened}.part\nmv {opened}.part {opened}\n')
+    program.chmod(0o755)
+    with browser.viewing(board, scene, build, ("--open",), env=environment(BROWSER=f"{program} %s")) as (_, address):
+        while not opened.exists():
+            time.sleep(0.05)
+    assert f"url={address}" in opened.read_text() and (tmp_path / "mode").read_text() == "700\n"
 
 
 @on_one_board

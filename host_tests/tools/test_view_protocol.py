@@ -12,6 +12,7 @@ from fixel.board import firmware
 from fixel.base.errors import ToolError
 from fixel.view.view_stream import KeyFile, Stream
 from fixel.view.view_window import Window
+from view_bench import HELLO, bench_test, frame, read_frame, settled
 
 WIDTH, HEIGHT = 32, 24
 SLOTS = (4096, 8192)
@@ -300,3 +301,55 @@ def test_keys_of_a_file(tmp_path):
 def test_buttons_in_a_note():
     assert firmware.read_keys("") == {}
     assert firmware.read_keys("1:up,16:ctrl+up") == {1: ("up",), 16: ("ctrl", "up")}
+
+
+# --- pixels that are pointed at ---------------------------------------------------------
+
+@bench_test
+async def test_a_pixel_is_told_to_those_who_point_at_it(bench):
+    bench.hub.hello = {**HELLO, "judged": False, "picks": True, "width": 8, "height": 4}
+    one, other = await bench.tab(), await bench.tab()
+    bench.hub.show(frame(1))
+    for socket in (one, other):
+        await read_frame(socket)
+    await one.send_json({"type": "point", "pixel": [7, 3]})
+    await settled()
+    assert bench.pump.pointed == {(7, 3)}
+    bench.hub.picked(1, (7, 3), (0, 5, 9))
+    assert await one.receive_json(timeout=None) == {"type": "picked", "number": 1, "pixel": [7, 3], "status": 0, "instance": 5, "face": 9}
+    bench.hub.show(frame(2))
+    assert (await read_frame(other))[0]["number"] == 2, "nothing came between"
+    await one.close()
+    await settled()
+    assert bench.pump.pointed == set() and not bench.hub.picks
+
+
+@bench_test
+async def test_frames_of_another_size_are_greeted_anew_and_the_page_points_again(bench):
+    bench.hub.hello = {**HELLO, "picks": True, "width": 8, "height": 4}
+    socket = await bench.tab()
+    await socket.send_json({"type": "point", "pixel": [7, 3]})
+    await settled()
+    bench.hub.begin({**bench.hub.hello})
+    assert bench.pump.pointed == {(7, 3)}
+    bench.hub.begin({**bench.hub.hello, "width": 4})
+    assert bench.pump.pointed == set() and (await socket.receive_json(timeout=None))["width"] == 4
+
+
+@pytest.mark.parametrize("pixel", [[8, 0], [0, 4], [-1, 0], [0], [0, 0, 0], [True, 0], [0.0, 0], "0,0", 0, {}])
+def test_what_is_no_pixel_ends_the_tab(pixel):
+    @bench_test
+    async def refused(bench):
+        bench.hub.hello = {**HELLO, "picks": True, "width": 8, "height": 4}
+        socket = await bench.tab()
+        await socket.send_json({"type": "point", "pixel": pixel})
+        assert (await socket.receive(timeout=None)).data == 1008
+        assert not bench.pump.pointed
+    refused()
+
+
+@bench_test
+async def test_a_board_that_picks_nothing_is_pointed_at_by_nobody(bench):
+    socket = await bench.tab()
+    await socket.send_json({"type": "point", "pixel": [0, 0]})
+    assert (await socket.receive(timeout=None)).data == 1008

@@ -319,7 +319,7 @@ async def test_every_tab_is_told_the_rate_and_the_pause(bench):
                          ({"type": "pause", "paused": False}, (60, False)), ({"type": "step"}, (60, True))):
         await one.send_json(words)
         for socket in (one, other):
-            assert await socket.receive_json(timeout=None) == {"type": "state", "rate": state[0], "paused": state[1]}
+            assert await socket.receive_json(timeout=None) == {"type": "state", "rate": state[0], "paused": state[1], "stopped": False, "trouble": ""}
     await other.send_json({"type": "restart"})
     await settled()
     assert bench.pump.others == ["pause", "go on", "pause", "step", "restart"]

@@ -24,7 +24,7 @@ class Orders:
     """A pump that does nothing; what it was told is in lists."""
 
     def __init__(self):
-        self.rates, self.others = [], []
+        self.rates, self.others, self.pointed = [], [], set()
 
     def set_rate(self, rate):
         self.rates.append(rate)
@@ -37,6 +37,9 @@ class Orders:
 
     def restart(self):
         self.others.append("restart")
+
+    def point(self, pixels):
+        self.pointed = pixels
 
 
 class Bench:

@@ -111,3 +111,20 @@ def own_port():
 def assert_refuses(address):
     with pytest.raises(ConnectionRefusedError):
         socket.create_connection(("127.0.0.1", port_of(address)))
+
+
+def wait_for_rest(page):
+    """A frame may have been under way when the board was paused. The board's answer to a step comes after it."""
+    page.wait_for_function("""() => new Promise((resolve) => {
+        let seen = null;
+        const look = () => {
+            const number = document.getElementById("number").textContent;
+            if (number === seen) {
+                resolve(true);
+            } else {
+                seen = number;
+                setTimeout(look, 500);
+            }
+        };
+        look();
+    })""")

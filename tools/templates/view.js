@@ -2,7 +2,7 @@
 // The live window: a websocket's frames on the page, the page's keys to the websocket.
 import { Picture, Plot, dimmed, paletteWords } from "./view_picture.js";
 import { lookAt, pixelAt, pixelWords } from "./view_pixel.js";
-import { Zoom } from "./view_zoom.js";
+import { FIGURES_WIDTH, Zoom, scaleBelow, scaleOf } from "./view_zoom.js";
 
 const KEYS = {  // by the key's place, whatever the layout: bits of fixel/viewer.h
   ArrowUp: 1, KeyW: 1, ArrowDown: 2, KeyS: 2, ArrowLeft: 4, KeyA: 4, ArrowRight: 8, KeyD: 8,
@@ -20,8 +20,6 @@ const WANTS = { "": 0, double: FRAME, difference: VERDICT, wireframe: OUTLINES }
 const PLOTTED = 240;        // frames
 const WORDS_INTERVAL = 125; // milliseconds between two changes of the figures: they are to be read
 const RATE_SPAN = 1000;     // milliseconds that a rate is measured over
-const FIGURES_WIDTH = 316;  // of the column beside the frames, where it fits
-const CAPTION_HEIGHT = 26;
 const KEYS_MARGIN = 40;     // above and below the keys, in a narrow window
 const LINES_MAX = 4096;     // picture elements on a side of a canvas with outlines
 
@@ -31,7 +29,8 @@ const number = (value, digits = 0) =>
 
 let socket, hello, fixed, other, palette, grey;
 let newest = null, drawing = false, drawn = -1, beside = "", wants = 0, scale = 1, wordsAt = 0, wordsDue = 0;
-let paused = false, pointed = null;     // pointed: the pixel under the pointer
+let paused = false, trouble = "";
+let pointed = null, picked = null;      // the pixel under the pointer, and what the board said last of such a one
 const zoom = new Zoom([at("fixed").parentElement, at("other").parentElement], zoomed);
 const plot = new Plot(at("plot"), PLOTTED);
 const shown = [];           // {time, number} of the frames of the last second
@@ -50,6 +49,9 @@ function connect() {
         greet(message);
       } else if (message.type === "state") {
         setState(message);
+      } else if (message.type === "picked") {
+        picked = message;
+        tellPixel(newest);
       } else {
         end(message.message, "The view was ended.");
       }
@@ -101,16 +103,26 @@ function greet(message) {
   other = new Picture(at("other"), hello.width, hello.height);
   fixed.plain();
   other.plain();
+  newest = picked = null;
+  drawn = -1;
+  point(null);
   layOut();
 }
 
-/** The rate, and whether the board is paused: for all tabs the same. */
+/** The rate, whether the board is paused, and what is wrong with its program: for all tabs the same. */
 function setState(message) {
   paused = message.paused;
+  if (trouble !== message.trouble) {
+    trouble = message.trouble;
+    at("banner").textContent = trouble;
+    at("banner").hidden = !trouble;
+    layOut();
+  }
   press("[data-rate]", (button) => Number(button.dataset.rate) === message.rate);
   press("#pause", () => paused);
-  at("state").textContent = paused ? "paused" : "live";
+  at("state").textContent = message.stopped ? "stopped" : paused ? "paused" : "live";
   at("state").classList.toggle("paused", paused);
+  at("state").classList.toggle("stopped", message.stopped);
   shown.length = 0;
   at("board-rate").textContent = at("page-rate").textContent = "–";
 }
@@ -134,7 +146,9 @@ function redraw() {
     drawing = true;
     requestAnimationFrame(() => {
       drawing = false;
-      draw(newest);
+      if (newest) {     // else the board has frames of another size by now
+        draw(newest);
+      }
       say({ type: "seen" });
     });
   }
@@ -149,7 +163,9 @@ function draw(frame) {
     wordsDue = setTimeout(() => {
       wordsDue = 0;
       wordsAt = performance.now();
-      tell(newest);
+      if (newest) {
+        tell(newest);
+      }
     }, Math.max(0, wordsAt + WORDS_INTERVAL - performance.now()));
   }
 }
@@ -215,9 +231,9 @@ function tell(frame) {
 }
 
 function tellPixel(frame) {
-  if (pointed) {
-    const seen = lookAt(frame, pointed, hello.width, palette);
-    at("pixel-words").textContent = pixelWords(pointed, seen, hello.judged);
+  if (pointed && frame) {
+    const seen = lookAt(frame, pointed, hello.width, palette, picked);
+    at("pixel-words").textContent = pixelWords(pointed, seen, hello);
     at("swatch").hidden = false;
     at("swatch").style.background = `rgb(${seen.board.rgb.join(" ")})`;
   }
@@ -242,20 +258,6 @@ function tellPolygons(counters) {
 
 // --- the layout: whole screen pixels for each pixel of a frame -------------------
 
-/** How many screen pixels a frame's may take, with so many frames in a row, the figures aside or below. */
-function scaleOf(columns, rows, room, height, ratio) {
-  const tall = Math.floor((height / rows - CAPTION_HEIGHT) * ratio / hello.height);
-  const aside = Math.floor((room - FIGURES_WIDTH) * ratio / (columns * hello.width));
-  const below = Math.floor(room * ratio / (columns * hello.width));
-  return Math.min(tall, Math.max(aside, Math.min(below, 2 * ratio)));
-}
-
-/** The same in a narrow window. */
-function scaleBelow(rows, room, height, ratio) {
-  const tall = Math.floor((height / rows - CAPTION_HEIGHT) * ratio / hello.height);
-  return Math.min(tall, Math.floor(room * ratio / hello.width));
-}
-
 function layOut() {
   if (!hello) {
     return;
@@ -265,8 +267,9 @@ function layOut() {
   const height = window.innerHeight - at("stage").getBoundingClientRect().top - window.scrollY
     - at("bar").offsetHeight - (isNarrow ? at("keys").offsetHeight + KEYS_MARGIN : 0);
   const frames = beside ? 2 : 1;
-  const abreast = scaleOf(frames, 1, room, height, ratio);
-  const stacked = isNarrow ? scaleBelow(frames, room, height, ratio) : scaleOf(1, frames, room, height, ratio);
+  const abreast = scaleOf(hello, frames, 1, room, height, ratio);
+  const stacked = isNarrow ? scaleBelow(hello, frames, room, height, ratio)
+    : scaleOf(hello, 1, frames, room, height, ratio);
   const isStacked = isNarrow || stacked > abreast || room < frames * hello.width;
   scale = Math.max(1, isStacked ? stacked : abreast);
   zoom.fit(scale * hello.width / ratio, scale * hello.height / ratio);
@@ -322,11 +325,13 @@ function zoomBy(by) {
 }
 
 function point(pixel) {
+  const place = pixel && [pixel.x, pixel.y];
+  if (hello.picks && String(place) !== String(pointed && [pointed.x, pointed.y])) {
+    say({ type: "point", pixel: place });
+  }
   pointed = pixel;
   tellWants();
-  if (newest) {
-    tellPixel(newest);
-  }
+  tellPixel(newest);
 }
 
 /** The last part of a path. */

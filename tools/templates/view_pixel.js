@@ -13,9 +13,13 @@ export function pixelAt(canvas, event, width, height) {
 
 /** What a frame shows at a pixel: {index, red, green, blue}; and by the reference renderer's answer, if that came with
  * the frame, double: the colour there, face: null for the background, or {instance, face,
- * distance, texel}: texel is null or its column, row, and width and height of its level. */
-export function lookAt(frame, pixel, width, palette) {
+ * distance, texel}: texel is null or its column, row, and width and height of its level. picked: null, or what the board said
+ * last of a pixel: if of this one, it is seen.picked. */
+export function lookAt(frame, pixel, width, palette, picked) {
   const place = pixel.y * width + pixel.x, seen = { board: colour(frame.pixels[place], palette) };
+  if (picked && picked.number === frame.number && picked.pixel[0] === pixel.x && picked.pixel[1] === pixel.y) {
+    seen.picked = picked;
+  }
   if (frame.faces.byteLength && frame.double.length) {
     const at = FACE_SIZE * place, numbers = [0, 2, 8, 10, 12, 14].map(offset => frame.faces.getUint16(at + offset, true));
     const [instance, face, ...texel] = numbers, distance = frame.faces.getFloat32(at + 4, true);
@@ -39,11 +43,21 @@ function faceWords({ instance, face, distance, texel }) {
   return texel ? `${words}, texel ${texel[0]}, ${texel[1]} of ${texel[2]} × ${texel[3]}` : words;
 }
 
-/** A pixel in a sentence. isJudged: the reference renderer can say which face it shows. */
-export function pixelWords(pixel, seen, isJudged) {
+function pickedWords({ status, instance, face }) {
+  if (status !== 0) {
+    return status === NO_FACE ? "nothing was picked" : `fxl_pick_face answered status ${status}`;
+  }
+  return instance === NO_FACE ? "background" : `instance ${instance}, face ${face}`;
+}
+
+/** A pixel in a sentence. hello.judged: the reference renderer can say which face it shows; hello.picks: the board can. */
+export function pixelWords(pixel, seen, hello) {
   const words = `Pixel ${pixel.x}, ${pixel.y}: ${colourWords(seen.board)}`;
+  if (seen.picked) {
+    return `${words}; ${pickedWords(seen.picked)}`;
+  }
   if (!seen.double) {
-    return isJudged ? `${words}; …` : words;
+    return hello.judged || hello.picks ? `${words}; …` : words;
   }
   const face = seen.face ? faceWords(seen.face) : "background";
   return seen.double.index === seen.board.index ? `${words}; ${face}`

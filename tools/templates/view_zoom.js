@@ -66,3 +66,20 @@ export class Zoom {
     return this.factor === FACTORS[FACTORS.length - 1];
   }
 }
+
+export const FIGURES_WIDTH = 316;  // of the column beside the frames, where it fits
+const CAPTION_HEIGHT = 26;
+
+/** How many screen pixels a pixel of a frame may take, with so many frames in a row, the figures aside or below. */
+export function scaleOf(frame, columns, rows, room, height, ratio) {
+  const tall = Math.floor((height / rows - CAPTION_HEIGHT) * ratio / frame.height);
+  const aside = Math.floor((room - FIGURES_WIDTH) * ratio / (columns * frame.width));
+  const below = Math.floor(room * ratio / (columns * frame.width));
+  return Math.min(tall, Math.max(aside, Math.min(below, 2 * ratio)));
+}
+
+/** The same in a narrow window. */
+export function scaleBelow(frame, rows, room, height, ratio) {
+  const tall = Math.floor((height / rows - CAPTION_HEIGHT) * ratio / frame.height);
+  return Math.min(tall, Math.floor(room * ratio / frame.width));
+}

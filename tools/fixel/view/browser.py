@@ -19,10 +19,11 @@ ENDING = 20     # seconds
 @contextlib.contextmanager
 def viewing(board, scene, build="build", options=(), **how):
     """Runs fixel view as a user would: yields its process and the page's address; ends it by Ctrl-C where
-    it still runs. options: more words for it; how: for subprocess.Popen."""
+    it still runs. scene: None for a program of the user's own. options: more words for it; how: for subprocess.Popen."""
     how.setdefault("stdin", subprocess.DEVNULL)
     how.setdefault("stderr", subprocess.PIPE)
-    process = children.start([*interpreter.command("view"), "--board", board, "--scene", scene, "--build", build, *options],
+    process = children.start([*interpreter.command("view"), "--board", board, *(["--scene", scene] if scene else []),
+                              "--build", build, *options],
                              signal.SIGTERM, stdout=subprocess.PIPE, text=True, **how)
     try:
         address = ADDRESS.search(process.stdout.readline())

@@ -20,6 +20,7 @@ def parser():
     scene_options.add_board(made)
     scene_options.add(made, frames=False)
     methods.add_options(made)
+    made.add_argument("--source", help="C file, or folder of C files, of a program of your own, which is --program")
     made.add_argument("--port", help="port on 127.0.0.1 (default: 8065, or a free one)")
     made.add_argument("--open", action="store_true", help="open the page in this machine's browser")
     made.add_argument("--build", default="build", help="folder that make builds in")

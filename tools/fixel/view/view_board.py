@@ -81,7 +81,8 @@ class Board:
 
     def __init__(self, program, image, folder):
         self.program, self._image = program, image
-        self._folders = (pathlib.Path(folder) / f"power-on-{number}" for number in itertools.count())
+        self.folder = pathlib.Path(folder)
+        self._folders = (self.folder / f"power-on-{number}" for number in itertools.count())
         self._process = self._machine = self._link = self._keys = None
         self._hand = threading.Lock()   # around what hold and stop touch
         self._held, self._ready, self._closing = 0, False, False
@@ -129,8 +130,7 @@ class Board:
         try:
             with (self._folder / OUTPUT).open("wb") as output:
                 if self.program.hosted:
-                    command = emulator.live_command(self.program, self._image, ENDLESS, KEYS_NAME)
-                    process = execute.start(command, self._folder, output, (), start_new_session=True)
+                    process = self._start_hosted(output)
                 else:
                     process, self._machine = qemu.start_stopped(self.program, options, self._folder, output,
                                                                 start_new_session=True)
@@ -141,6 +141,10 @@ class Board:
             self._resumed = self._machine.resume() if self._machine is not None else _nothing
         except ToolError as error:
             raise error.with_words(last_lines(self.text())) from error
+
+    def _start_hosted(self, output):
+        command = emulator.live_command(self.program, self._image, ENDLESS, KEYS_NAME)
+        return execute.start(command, self._folder, output, (), start_new_session=True)
 
     def _power_off(self):
         with self._hand:

@@ -8,14 +8,18 @@ from fixel.base.errors import ToolError
 
 IDLE_RATE = 1.0     # frames a second while nobody looks on: enough to see the board end
 LOOK = 1.0          # seconds between two looks at a board that is paused: it may end
-FRAME, RESTART, LOOK_AT = "frame", "restart", "look"    # what the thread does next
+FRAME, RESTART, LOOK_AT, PICK = "frame", "restart", "look", "pick"     # what the thread does next
 
 
 class Pump:
-    """Calls show(frame) for each frame and failed(error) once where no more can come, from its thread."""
+    """Calls show(frame) for each frame and failed(error) where no more can come, from its thread. picked: None, or called with
+    (number of a frame, pixel, answer) for each pixel that is pointed at, of the frame that was shown last: then a board that
+    has failed may be restarted."""
 
-    def __init__(self, board, rate, show, failed):
-        self._board, self._show, self._failed = board, show, failed
+    def __init__(self, board, rate, show, failed, picked=None):
+        self._board, self._show, self._failed, self._picked = board, show, failed, picked
+        self._pointed, self._picks, self._shown = frozenset(), False, None
+        self._failing = False   # the board can only be restarted
         self._rate, self._due = rate, time.monotonic()
         self._paused, self._steps, self._restarts, self._closing = False, 0, False, False
         self._runs_free = False     # the board draws without being asked
@@ -53,6 +57,12 @@ class Pump:
             self._restarts, self._steps = True, 1 if self._paused else 0
             self._changed.notify()
 
+    def point(self, pixels):
+        """Which pixels, (x, y), are pointed at from now on."""
+        with self._changed:
+            self._pointed, self._picks = frozenset(pixels), True
+            self._changed.notify()
+
     def close(self):
         """Ends the thread. Ends the board first: a frame may be under way."""
         with self._changed:
@@ -64,17 +74,26 @@ class Pump:
     # --- in its own -------------------------------------------------------------------
 
     def _run(self):
-        try:
-            while (task := self._next()) is not None:
-                if task == FRAME:
-                    self._fetch()
-                elif task == RESTART:
-                    self._board.restart()
-                else:
-                    self._board.look()
-        except ToolError as error:
-            if not self._closing:
+        while (task := self._next()) is not None:
+            try:
+                self._do(task)
+            except ToolError as error:
+                if self._closing:
+                    return
                 self._failed(error)
+                if self._picked is None:
+                    return
+                self._failing = True
+
+    def _do(self, task):
+        if task == FRAME:
+            self._fetch()
+        elif task == RESTART:
+            self._board.restart()
+        elif task == PICK:
+            self._pick()
+        else:
+            self._board.look()
 
     def _next(self):
         """Waits for the time of the next task; None at the end. What comes too late is not made up for."""
@@ -84,7 +103,14 @@ class Pump:
                 now = time.monotonic()
                 if self._restarts:
                     self._restarts, self._runs_free, self._due = False, False, now
+                    self._failing, self._shown = False, None
                     return RESTART
+                if self._failing:
+                    self._changed.wait()
+                    continue
+                if self._picks and self._shown is not None:
+                    self._picks = False
+                    return PICK
                 due = looks if self._paused else self._due
                 if self._steps or not self._paused and now >= due:
                     self._steps -= self._steps > 0
@@ -101,4 +127,11 @@ class Pump:
             return      # it is being stopped
         self._show(frame)
         with self._changed:
+            self._shown, self._picks = frame, self._picked is not None
             self._due = max(self._due + (1 / self._rate if self._rate else 0), time.monotonic())
+
+    def _pick(self):
+        for pixel in self._pointed:
+            answer = self._board.pick(*pixel)
+            if answer is not None:
+                self._picked(self._shown.number, pixel, answer)

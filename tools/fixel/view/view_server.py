@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 """The live window's web server, for this machine alone: a page, and a websocket for each tab.
 
-To a tab: text messages {"type": "hello" | "state" | "ended", ...}, and frames as
+To a tab: text messages {"type": "hello" | "state" | "picked" | "ended", ...}, and frames as
 binary messages: u32 length of a JSON text, the text, the frame's pixels, and the
 parts of the reference renderer's answer (view_reference.py); the text says how
 many bytes each of these has.
 From a tab: {"type": "keys", "held": bits}, {"type": "rate", "rate": frames a
 second}, {"type": "pause", "paused": bool}, {"type": "step"}, {"type": "restart"},
-{"type": "wants", "wants": bits}, {"type": "seen"} for each frame that it has
+{"type": "wants", "wants": bits}, {"type": "point", "pixel": [x, y] | null}, {"type": "seen"} for each frame that it has
 shown. A tab is sent the newest frame, and another only when it has seen the one
 before the last: where it is slow it misses frames and lags behind none.
 
@@ -54,6 +54,8 @@ class Tab:
         self.keys = self.wants = self.unseen = 0
         self.sent = None    # the frame that was sent last, and the parts of the reference that came with it
         self.told = None    # the state that it was told last
+        self.greeting = None    # the hello that it was told last
+        self.pointed = self.picked = None   # a pixel, and what it was told last of what is there
         self.wake = asyncio.Event()
 
     def take(self, message, hub):
@@ -66,6 +68,9 @@ class Tab:
             wants = bits(message.get("wants"), view_reference.WANTS_ALL)
             self.wants = wants if hub.hello["judged"] else 0
             hub.wants_changed()
+        elif kind == "point":
+            self.pointed = pixel_of(message.get("pixel"), hub.hello)
+            hub.points_changed()
         elif kind == "rate":
             hub.choose_rate(one_of(message.get("rate"), RATES))
         elif kind == "pause":
@@ -85,6 +90,16 @@ def bits(value, every):
     if type(value) is not int or value & ~every:    # a bool is an int, too
         raise ValueError("not bits of that kind")
     return value
+
+
+def pixel_of(value, head):
+    """(x, y), or None; a pixel of a frame of a board that says which face is there."""
+    if value is None:
+        return None
+    if not (head.get("picks") and isinstance(value, list) and len(value) == 2 and all(type(each) is int for each in value)
+            and 0 <= value[0] < head["width"] and 0 <= value[1] < head["height"]):
+        raise ValueError("not a pixel")
+    return tuple(value)
 
 
 def one_of(value, every):
@@ -115,6 +130,8 @@ class Hub:
         self.tabs = set()
         self.rate, self.paused = RATES[0], False
         self.frame = self.answer = None
+        self.picks = {}     # pixel that is pointed at -> what is there, as a message
+        self._troubles = {}     # of the program: "build" or "run" -> what is wrong with it
         self._wants = 0
         self._packed = None     # frame, parts of the reference, message: the last that was made
         self.error = None
@@ -133,6 +150,27 @@ class Hub:
         """The reference renderer's answer about a frame."""
         self.answer = answer
         self._wake_all()
+
+    def picked(self, number, pixel, answer):
+        """What the board's own renderer says is at a pixel of a frame: (status, instance, face)."""
+        self.picks[pixel] = {"type": "picked", "number": number, "pixel": pixel,
+                             **dict(zip(("status", "instance", "face"), answer))}
+        self._wake_all()
+
+    def stumble(self, kind, error):
+        """What is wrong with the program; None: nothing any more. The last frame stays."""
+        self._troubles[kind] = error.shown() if error else ""
+        self._wake_all()
+
+    def begin(self, hello):
+        """The program runs anew, and may draw frames of another size: then no frame stays."""
+        if hello != self.hello:
+            self.hello, self.frame, self.answer, self._packed = hello, None, None, None
+            for tab in self.tabs:
+                tab.pointed = None      # the page says it again
+        self.picks.clear()
+        self.points_changed()
+        self.stumble("run", None)
 
     def end(self, error=None):
         """No more frames will come."""
@@ -154,6 +192,12 @@ class Hub:
             self._wants |= tab.wants
         if self._wants and self.frame:
             self._ask(self.frame, self._wants)
+
+    def points_changed(self):
+        pointed = {tab.pointed for tab in self.tabs if tab.pointed}
+        self.picks = {pixel: said for pixel, said in self.picks.items() if pixel in pointed}
+        if self.hello.get("picks"):
+            self.pump.point(pointed)
 
     def choose_rate(self, rate):
         self.rate = rate
@@ -181,7 +225,8 @@ class Hub:
     @property
     def state(self):
         """What a tab is told whenever it has changed."""
-        return {"type": "state", "rate": self.rate, "paused": self.paused}
+        return {"type": "state", "rate": self.rate, "paused": self.paused,
+                "stopped": bool(self._troubles.get("run")), "trouble": "\n".join(filter(None, self._troubles.values()))}
 
     def join(self, tab):
         self.tabs.add(tab)
@@ -192,6 +237,7 @@ class Hub:
         self.tabs.discard(tab)
         self.keys_changed()
         self.wants_changed()
+        self.points_changed()
         self._pace()
 
     def _wake_all(self):
@@ -224,11 +270,12 @@ def pack(answer):
     return b"".join((struct.pack("<I", len(text)), text, frame.pixels.tobytes(), *answer.parts))
 
 
-def hello(program, scene, head, judged=True):
-    """What a tab must know before the first frame. judged: the reference renderer can draw what the board draws."""
+def hello(program, scene, head, judged=True, picks=False):
+    """What a tab must know before the first frame. judged: the reference renderer can draw what the board draws. picks: the
+    board says which face is at a pixel."""
     return {"type": "hello", "board": program.board, "cpu": program.cpu, "scene": str(scene), "width": head.width,
             "height": head.height, "palette": base64.b64encode(head.palette).decode(), "rates": RATES,
-            "judged": judged}
+            "judged": judged, "picks": picks}
 
 
 class Server:
@@ -318,7 +365,6 @@ class Server:
         except ValueError as error:     # of base64: a key that is not ASCII
             raise web.HTTPBadRequest(text="not a websocket's key\n") from error
         tab = Tab(socket)
-        await socket.send_str(json.dumps(self.hub.hello))
         self.hub.join(tab)
         feeder = asyncio.create_task(self._feed(tab))
         try:
@@ -347,6 +393,9 @@ class Server:
             while True:
                 await tab.wake.wait()
                 tab.wake.clear()
+                if tab.greeting is not self.hub.hello:
+                    tab.greeting = self.hub.hello
+                    await tab.socket.send_str(json.dumps(tab.greeting))
                 if tab.told != self.hub.state:
                     tab.told = self.hub.state
                     await tab.socket.send_str(json.dumps(tab.told))
@@ -355,5 +404,10 @@ class Server:
                     tab.sent, message = newest
                     tab.unseen += 1
                     await tab.socket.send_bytes(message)
+                picked = self.hub.picks.get(tab.pointed)
+                if picked is not tab.picked:
+                    tab.picked = picked
+                    if picked:
+                        await tab.socket.send_str(json.dumps(picked))
         except ConnectionError:
             pass    # it is gone; the other side of the socket sees to it
