@@ -4,6 +4,7 @@
 #include <stddef.h>
 
 #include "contract/panel.h"
+#include "contract/system.h"
 #include "parts/cortexm.h"
 #include "parts/dump.h"
 #include "parts/watchdog.h"
@@ -17,7 +18,10 @@ static uint32_t limit; /* microseconds without a sign of life */
 
 void board_start(void)
 {
-    rp2040_start();
+    if (!rp2040_start()) {
+        system_text("pico: the crystal, the PLL or the timer does not start\n");
+        system_exit(SYSTEM_EXIT_BOARD);
+    }
 }
 
 const panel *const *board_panels(void)

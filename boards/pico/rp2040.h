@@ -4,6 +4,7 @@
 #ifndef BOARD_RP2040_H
 #define BOARD_RP2040_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #define RP2040_REGISTER(address) (*(volatile uint32_t *)(uintptr_t)(address))
@@ -22,7 +23,9 @@
 #define RP2040_DMA      0x50000000u
 #define RP2040_SIO      0xD0000000u
 
-#define RP2040_HZ 125000000u /* of the core and the peripherals, after rp2040_start */
+/* The tools read these two in the program (board_note.c): digits alone. */
+#define RP2040_HZ       125000000 /* of the core and the peripherals, after rp2040_start */
+#define RP2040_UART_PIN 0
 
 /* Functions of a pin. */
 enum {
@@ -32,8 +35,8 @@ enum {
 };
 
 /* Takes the peripherals that this board uses out of reset, and sets the clocks: 125 MHz from the
- * crystal of 12 MHz. */
-void rp2040_start(void);
+ * crystal of 12 MHz. False where a clock or a peripheral does not start. */
+bool rp2040_start(void);
 
 /* Chooses what a pin is for. An output that rp2040_set_pin drives has RP2040_PIN_SIO. */
 void rp2040_use_pin(uint32_t pin, uint32_t function);
@@ -45,7 +48,7 @@ void rp2040_set_pin(uint32_t pin, int is_high);
 /* Microseconds since the start, modulo 2^32. */
 uint32_t rp2040_microseconds(void);
 
-/* Sends text by UART0, on pin 0, at 115,200 baud. Waits until there is room for each byte. */
+/* Sends text by UART0, on RP2040_UART_PIN, at 115,200 baud. Waits until there is room for each byte; a byte for which there is none in 30 ms is lost. */
 void rp2040_uart_text(const char *text);
 
 #endif
