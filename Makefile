@@ -198,17 +198,21 @@ PREDICTS := $(if $(filter $(addprefix %.,obj gltf glb stl ply OBJ GLTF GLB STL P
 DRAW_OPTIONS := --board $(BOARD_CHOSEN) --scene $(SCENE_OF_PROGRAM) --build $(BUILD) $(METHODS_OPTIONS)
 # A program of the user's own runs on this machine, and the tool builds it: each time that it has changed.
 VIEW_OPTIONS := $(if $(OWN),--board host --build $(BUILD) --program $(OWN) --source $(OWN_PATH),$(DRAW_OPTIONS))
+# With DRIVER= a program that runs without a debugger, and an image of its own.
+FLASHED := $(if $(ALONE),$(ALONE_PROGRAM),$(WALK))
+FLASH_OPTIONS := --board $(BOARD_CHOSEN) --elf $(FLASHED) --program $(PROGRAM_NAME) $(DRIVER:%=--driver %) \
+    --scene $(SCENE_OF_PROGRAM) --scenes $(BUILD)/scenes --image $(IMAGE:.bin=$(DRIVER:%=-%).bin)
 FLASH_SETUP := $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)$(SETUP_OF_BOARD:%= %)
 
 # A program of the user's own chooses what it draws, and with what.
-ifneq ($(and $(OWN),$(filter flash boot gdb screen size,$(MAKECMDGOALS))),)
-$(error PROGRAM=FILE is for make run and make view, which show the pictures that it draws)
+ifneq ($(and $(OWN),$(filter $(if $(DRIVER),,flash) boot gdb screen size,$(MAKECMDGOALS))),)
+$(error PROGRAM=FILE is for make run and make view, which show the pictures that it draws, and for make flash DRIVER=, of which a display shows them)
 endif
 VIEW_REFUSED := $(if $(and $(OWN),$(filter view,$(MAKECMDGOALS))),$(firstword $(filter SCENE SCREEN $(if $(filter-out host,$(BOARD)),BOARD),$(GIVEN))))
 ifneq ($(VIEW_REFUSED),)
 $(error PROGRAM=$(PROGRAM) with $(VIEW_REFUSED)=$(value $(VIEW_REFUSED)): make view runs a program of your own on this machine, with its own scene and screen: leave out $(VIEW_REFUSED)=, or PROGRAM=)
 endif
-ifneq ($(and $(OWN),$(CLIPPER)$(VISIBILITY)$(ROWS)$(DRIVER)$(PIXELS)$(ORDER)$(DEPTH)$(value LOOK)),)
+ifneq ($(and $(OWN),$(CLIPPER)$(VISIBILITY)$(ROWS)$(if $(filter-out flash,$(filter $(COMMANDS),$(MAKECMDGOALS))),$(DRIVER))$(PIXELS)$(ORDER)$(DEPTH)$(value LOOK)),)
 $(error PROGRAM=$(PROGRAM) chooses itself what it draws: leave out CLIPPER, VISIBILITY, ROWS, DRIVER, PIXELS, ORDER, DEPTH and LOOK)
 endif
 
@@ -222,6 +226,11 @@ endif
 # place board: COSTS_BOARDS, without which make predict refuses it; then make costs
 ifneq ($(and $(filter flash,$(MAKECMDGOALS)),$(filter openocd,$(value PROBE)),$(if $(BOARD_OPENOCD.$(BOARD_CHOSEN)),,none)),)
 $(error PROBE=openocd: BOARD=$(BOARD) has no configuration of OpenOCD; the boards that have one are: $(strip $(foreach board,$(BOARDS),$(if $(BOARD_OPENOCD.$(board)),$(board)))))
+endif
+
+BOARDS_ALONE = $(patsubst boards/%/board.mk,%,$(shell grep -l '^BOARD_ALONE' boards/*/board.mk))
+ifneq ($(and $(filter flash,$(MAKECMDGOALS)),$(DRIVER),$(if $(ALONE),,none)),)
+$(error DRIVER=$(DRIVER): BOARD=$(BOARD) has no program for a display of a real board; the boards that have one are: $(BOARDS_ALONE))
 endif
 
 # --- commands ----------------------------------------------------------------
@@ -247,10 +256,10 @@ view: ## show a board, or a program of your own, live on a web page of this mach
 	@$(if $(OWN),,$(MAKE) $(WALK) $(BUILD)/host/live $(PREDICTS))
 	@$(TOOL) view $(VIEW_OPTIONS)
 
-flash: ## write program and scene to the board's flash image, or to the real board [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= PROBE=openocd DRY_RUN=1]
+flash: ## write program and scene to the board's flash image, or to the real board [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= DRIVER= PROBE=openocd DRY_RUN=1]
 	@$(SET_UP) $(FLASH_SETUP)
-	@$(MAKE) $(WALK) $(PREDICTS)
-	@$(TOOL) flash --board $(BOARD_CHOSEN) --elf $(WALK) --scene $(SCENE_OF_PROGRAM) --scenes $(BUILD)/scenes --image $(IMAGE)
+	@$(MAKE) $(FLASHED) $(PREDICTS)
+	@$(TOOL) flash $(FLASH_OPTIONS)
 
 boot: ## boot a board from its flash image [BOARD= FRAMES= PIXELS= ORDER= DEPTH=; PROGRAM= VISIBILITY= CLIPPER= ROWS= as for flash]
 	@$(SET_UP) run$(SETUP_OF_BOARD:%= %)

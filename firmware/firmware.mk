@@ -23,7 +23,8 @@
 #   BOARD_VISIBILITY_OMIT   values of VISIBILITY= whose programs do not fit it
 #   BOARD_WIRES             what a driver of DRIVER= sends by, without .c, where a display hangs on the board; otherwise the wires are recorded
 #   BOARD_UNITS_APART       "yes" where unit tests take so long that make boards leaves them to make test BOARD=
-#   BOARD_DRIVER_ROWS       rows that a driver of DRIVER= sends at a time (8 without, or 4 of 480 pixels); 0: there is no room for one
+#   BOARD_ALONE             the function that takes text where there is no debugger: make flash DRIVER= then writes a program that needs none
+#   BOARD_DRIVER_ROWS       rows that a driver of DRIVER= sends at a time, and behind a blank those of 480 pixels (8 4 without); 0: there is no room for one
 #   BOARD_BENCH             cores of the bench that it stands for: bench/bench.mk
 #
 # Makes, for each board:
@@ -53,7 +54,7 @@ DRIVERS_OF_COLOUR += $(filter-out $(DRIVERS_OF_PAGES),$(DISPLAY_MODULES))
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES SOURCES
-BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS CROSS SETUP LIBC OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT WIRES UNITS_APART DRIVER_ROWS
+BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS CROSS SETUP LIBC OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT WIRES UNITS_APART DRIVER_ROWS ALONE
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
 define BOARD_READ
@@ -225,7 +226,7 @@ $(error ROWS=$(ROWS) is no number of rows from 1 to 1024)
 endif
 endif
 # With DRIVER=, its frames go through that driver of the library too, and what it sends is recorded:
-# boards/parts/driver_panel.c, in bands of eight rows where ROWS= is not given.
+# boards/parts/driver_panel.c. Where ROWS= is not given, in bands of eight rows; with real wires of up to 40.
 ifeq ($(if $(DRIVER),$(call ONE_OF,$(DRIVER),$(DRIVERS_OF_COLOUR) $(DRIVERS_OF_PAGES)),none),)
 $(error there is no DRIVER "$(DRIVER)"; the drivers are: $(sort $(DRIVERS_OF_COLOUR) $(DRIVERS_OF_PAGES)))
 endif
@@ -240,7 +241,7 @@ $(error DRIVER=$(DRIVER) needs more memory than BOARD=$(BOARD) has; the boards t
 endif
 # With a driver, its loop and the panel are compiled for few bytes: boards of little flash have room for both then.
 WALK_LOOP_FLAGS := $(if $(DRIVER),-Os)
-WALK_ROWS_MAX := $(or $(ROWS),$(DRIVER:%=8))
+WALK_ROWS_MAX := $(or $(ROWS),$(if $(DRIVER),$(if $(BOARD_WIRES.$(BOARD_CHOSEN)),40,8)))
 WALK_CHOICE := $(WALK_METHODS)$(ROWS:%=-rows-%)$(DRIVER:%=-on-%)
 
 # What was chosen, as the library calls it.
@@ -250,6 +251,9 @@ WALK_RECORDS := $(WALK_CLIPPER) $(WALK_TARGET) $(if $(DRIVER),$(DRIVER_RECORD))
 # The program of a board with what was chosen.
 WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM_NAME)$(WALK_CHOICE))
 PROGRAM_FILES_OF = $(sort $(foreach program,$(PROGRAMS),$(call PROGRAM_FILE_OF,$(1),$(program))) $(call WALK_OF,$(1))) $(if $(BOARD_HOSTED.$(1)),$(FIRMWARE_OUT)/$(1)/walk-whole)
+# The same without semihosting, of the board that is chosen, if it has one: make flash DRIVER=.
+ALONE := $(if $(and $(DRIVER),$(BOARD_ALONE.$(BOARD_CHOSEN))),$(BOARD_CHOSEN))
+ALONE_PROGRAM := $(call PROGRAM_FILE_OF,$(ALONE),$(PROGRAM_NAME)$(WALK_CHOICE)-alone)
 
 # How a board's programs are linked, and what it takes beside the objects.
 BOARD_LINK = $(call CROSS_OF,$(1))gcc $(BOARD_CORE.$(1)) -nostartfiles -Llinker -T boards/$(1)/memory.ld \
@@ -280,6 +284,8 @@ OWN_LIB_OF = $(if $(BOARD_HOSTED.$(1)),$(BUILD)/host/objects/lib,$(BOARD_CORE_OU
 OWN_LIB_NAMES_OF = $(filter-out study/% draw/offsets,$(if $(BOARD_HOSTED.$(1)),$(LIB_HOST_NAMES),$(call LIB_NAMES_FOR,$(BOARD_CORE.$(1)))))
 OWN_OBJECT_OF = $(FIRMWARE_OUT)/$(1)/own/$(call OWN_NAME_OF,$(2)).o
 
+OWN_REST_OF = $(FIRMWARE_OUT)/$(1)/firmware/own/colours.o $(patsubst %,$(OWN_LIB_OF)/%.o,$(OWN_LIB_NAMES_OF)) $(FIRMWARE_OUT)/$(1)/libown.a
+
 define OWN_RULES
 $(call OWN_OBJECT_OF,$(1),$(2)): $(2) firmware/firmware.mk boards/$(1)/board.mk
 	$$(call FIRMWARE_COMPILE,$$(call OWN_CC,$(1)) -Ilib/include -Iboards)
@@ -292,7 +298,7 @@ $(FIRMWARE_OUT)/$(1)/libown.a: $(FIRMWARE_OUT)/$(1)/firmware/own/show_rows.o $(F
 	@rm -f $$@
 	@$(if $(BOARD_HOSTED.$(1)),ar,$(call CROSS_OF,$(1))ar) rcs $$@ $$^
 
-$(call WALK_OF,$(1)): $(FIRMWARE_OUT)/$(1)/firmware/own/own.o $(if $(BOARD_HOSTED.$(1)),$(FIRMWARE_OUT)/$(1)/firmware/own/watched.o) $(patsubst %,$(OWN_LIB_OF)/%.o,$(OWN_LIB_NAMES_OF)) $(FIRMWARE_OUT)/$(1)/libown.a
+$(call WALK_OF,$(1)): $(FIRMWARE_OUT)/$(1)/firmware/own/own.o $(if $(BOARD_HOSTED.$(1)),$(FIRMWARE_OUT)/$(1)/firmware/own/watched.o) $(OWN_REST_OF)
 $(call WALK_OF,$(1)): LINK_OF_FILE := $(OWN_WRAPPED:%=-Wl$(,)--wrap=%)
 endef
 
@@ -308,13 +314,13 @@ define PROGRAM_RULES
 $(call PROGRAM_FILE_OF,$(1),$(2)): $(call PROGRAM_OBJECTS_OF,$(1),$(2)) $(call LIB_OBJECTS_OF,$(1),$(PROGRAM_SOURCES.$(2)))
 endef
 
-# The objects that differ stand in place of the program's own.
-define CHOICE_RULES
-$(call WALK_OF,$(1)): $(filter-out %/walk/walk.o $(if $(WALK_METHODS),%/game/targets_game.o $(addprefix %/walk/,$(WALK_METHODS_FILES:%=%.o))),$(call PROGRAM_OBJECTS_OF,$(1),$(PROGRAM))) \
-    $(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o \
+# The objects that differ stand in place of the program's own: the walk's loop, the driver's panel, and those of the methods.
+CHOICE_REST_OF = $(filter-out %/walk/walk.o $(if $(WALK_METHODS),%/game/targets_game.o $(addprefix %/walk/,$(WALK_METHODS_FILES:%=%.o))),$(call PROGRAM_OBJECTS_OF,$(1),$(PROGRAM))) \
     $(if $(WALK_METHODS),$(addprefix $(FIRMWARE_OUT)/$(1)/,$(addsuffix $(WALK_METHODS).o,$(WALK_METHODS_FILES)))) \
-    $(if $(DRIVER),$(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o $(patsubst %,$(FIRMWARE_OUT)/$(1)/%.o,$(call BOARD_WIRES_OF,$(1)))) \
+    $(if $(DRIVER),$(patsubst %,$(FIRMWARE_OUT)/$(1)/%.o,$(call BOARD_WIRES_OF,$(1)))) \
     $(call LIB_OBJECTS_OF,$(1),$(PROGRAM_SOURCES.$(PROGRAM)) $(WALK_RECORDS) $(if $(DRIVER),boards/parts/driver_panel.c $(addsuffix .c,$(call BOARD_WIRES_OF,$(1)))))
+define CHOICE_RULES
+$(call WALK_OF,$(1)): $(call CHOICE_REST_OF,$(1)) $(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o $(if $(DRIVER),$(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o)
 $(call WALK_OF,$(1)): LINK_OF_FILE := $(WALK_METHODS_LINK) $(if $(DRIVER),-Wl$(,)--wrap=board_panels)
 
 $(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o: firmware/walk/walk.c firmware/firmware.mk boards/$(1)/board.mk
@@ -324,11 +330,12 @@ endef
 # The driver's panel stands beside those of the board: the linker sends who asks for board_panels to
 # driver_panel.c, which asks the board.
 BOARD_WIRES_OF = $(or $(BOARD_WIRES.$(1)),boards/parts/recorded_wires $(if $(BOARD_HOSTED.$(1)),boards/host/wires,boards/parts/semihosting_wires))
+DRIVER_ROWS_OF = $(or $(if $(DRIVER_IS_WIDE),$(word 2,$(BOARD_DRIVER_ROWS.$(1)))),$(firstword $(BOARD_DRIVER_ROWS.$(1))),$(if $(DRIVER_IS_WIDE),4,8))
 DRIVER_DEFINES = -DDRIVER_NAME=$(DRIVER_RECORD) $(if $(filter $(DRIVER),$(DISPLAY_MODULES)),-DDRIVER_IS_MODULE) -DDRIVER_BITS=$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),1,$(if $(filter ili9488%,$(DRIVER)),24,16)) $(if $(DRIVER_IS_WIDE),-DDRIVER_WIDEST=480)
 
 define DRIVER_RULES
 $(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o: boards/parts/driver_panel.c firmware/firmware.mk boards/$(1)/board.mk
-	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) -Os $(DRIVER_DEFINES) -DDRIVER_ROWS=$(or $(BOARD_DRIVER_ROWS.$(1)),$(if $(DRIVER_IS_WIDE),4,8)) -Ilib/include -Iboards $(BOARD_OWN_FLAGS.$(1)))
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) -Os $(DRIVER_DEFINES) -DDRIVER_ROWS=$(call DRIVER_ROWS_OF,$(1)) -Ilib/include -Iboards $(BOARD_OWN_FLAGS.$(1)))
 endef
 
 define METHODS_RULES
@@ -372,6 +379,31 @@ $(if $(and $(BUILT_GOALS),$(OWN)),$(foreach board,$(BOARDS),$(eval $(call OWN_PR
 $(if $(and $(BUILT_GOALS),$(WALK_CHOICE)),$(foreach board,$(BOARDS),$(eval $(call CHOICE_RULES,$(board)))))
 $(if $(and $(BUILT_GOALS),$(WALK_METHODS)),$(foreach board,$(BOARDS),$(eval $(call METHODS_RULES,$(board)))))
 $(if $(and $(BUILT_GOALS),$(DRIVER)),$(foreach board,$(BOARDS),$(eval $(call DRIVER_RULES,$(board)))))
+
+# The program without semihosting: the objects that ask a debugger are built anew, and a program of the user's own has its memory
+# apart, to begin again (linker/sections.ld), and the palette of its exported scene, if it has one.
+ifneq ($(and $(BUILT_GOALS),$(ALONE)),)
+ALONE_OUT := $(FIRMWARE_OUT)/$(ALONE)/alone$(WALK_CHOICE)
+ALONE_ANEW := $(addprefix boards/parts/,semihosting semihosting_system driver_panel) $(if $(OWN),firmware/own/own,firmware/walk/walk)
+ALONE_DEFINES := -DSEMIHOSTING_ALONE=$(BOARD_ALONE.$(ALONE)) -DBOARD_WATCHDOG_MILLISECONDS=60000u -DDRIVER_ALONE -DWALK_REPEATS -DOWN_REPEATS \
+    -DWALK_ROWS_MAX=$(WALK_ROWS_MAX) $(DRIVER_DEFINES) -DDRIVER_ROWS=$(call DRIVER_ROWS_OF,$(ALONE))
+ALONE_OWN := $(foreach source,$(OWN_SOURCES),$(ALONE_OUT)/own/$(call OWN_NAME_OF,$(source)).o)
+ALONE_PALETTE := $(if $(OWN),$$($(call CROSS_OF,$(ALONE))nm -S $(ALONE_OWN) | \
+    awk '$$2 == "00000300" && $$4 ~ /_palette$$/ {print "-Wl$(,)--defsym=own_colours=" $$4; exit}'))
+
+$(ALONE_OUT)/%.o: %.c firmware/firmware.mk boards/$(ALONE)/board.mk
+	$(call FIRMWARE_COMPILE,$(CORE_CC.$(call CORE_NAME,$(ALONE))) $(ALONE_DEFINES) -Ilib/include -Ilib -Iboards -Ifirmware/walk $(call BOARD_DEFINES,$(ALONE)))
+
+$(ALONE_OWN): $(ALONE_OUT)/own/%.o: $(FIRMWARE_OUT)/$(ALONE)/own/%.o
+	$(MAKE_FOLDER)
+	$(FIRMWARE_QUIET)$(call CROSS_OF,$(ALONE))objcopy $(UNIT_OBJCOPY.libhelpers.a) $< $@
+
+$(ALONE_PROGRAM): LINK_OF_FILE := $(WALK_METHODS_LINK) -Wl,--wrap=board_panels $(if $(OWN),$(OWN_WRAPPED:%=-Wl$(,)--wrap=%))
+$(ALONE_PROGRAM): $(ALONE_ANEW:%=$(ALONE_OUT)/%.o) $(filter-out %/semihosting.o %/semihosting_system.o,$(call BOARD_PARTS_OF,$(ALONE))) \
+        $(if $(OWN),$(ALONE_OWN) $(BOARD_WIRES.$(ALONE):%=$(FIRMWARE_OUT)/$(ALONE)/%.o) $(call OWN_REST_OF,$(ALONE)),$(call CHOICE_REST_OF,$(ALONE))) \
+        $(call BOARD_LINK_SCRIPTS,$(ALONE))
+	$(call TARGET_LINK,$(ALONE),$(call BOARD_LINK,$(ALONE)) $(BOARD_LINK_MAP) -nostdlib $(ALONE_PALETTE) $(filter %.o,$^) $(filter %.a,$^) -lgcc)
+endif
 
 include firmware/unittest/unittest.mk
 include firmware/benchmark/benchmark.mk

@@ -4,7 +4,7 @@
  * panels: the linker hands their list to it first (firmware/firmware.mk).
  *
  * DRIVER_NAME: a driver of fixel/display.h, or with DRIVER_IS_MODULE a module of fixel/modules.h.
- * DRIVER_BITS: of its pixels. DRIVER_ROWS: the rows of a transfer. DRIVER_WIDEST: the pixels of its
+ * DRIVER_ALONE: the board's own panels are left out. DRIVER_BITS: of its pixels. DRIVER_ROWS: the rows of a transfer. DRIVER_WIDEST: the pixels of its
  * longest row, if more than usual. */
 #include <stddef.h>
 
@@ -124,8 +124,12 @@ static const panel driver_panel = {open, NULL, flush, end, close};
 const panel *const *__real_board_panels(void);
 const panel *const *__wrap_board_panels(void);
 
+/* With DRIVER_ALONE in their place: they need a debugger. */
 const panel *const *__wrap_board_panels(void)
 {
+#if defined DRIVER_ALONE
+    static const panel *const panels[] = {&driver_panel, NULL};
+#else
     static const panel *panels[PANELS_MAX + 1u];
     const panel *const *list = __real_board_panels();
     uint32_t i;
@@ -135,5 +139,6 @@ const panel *const *__wrap_board_panels(void)
     }
     panels[i] = &driver_panel;
     panels[i + 1u] = NULL;
+#endif
     return panels;
 }

@@ -18,7 +18,8 @@ BOARD_CACHE_ENTRIES := 256
 
 # A driver of DRIVER= sends by SPI and DMA.
 BOARD_WIRES := boards/pico/spi_wires
-BOARD_DRIVER_ROWS := 20
+BOARD_DRIVER_ROWS := 20 10
+BOARD_ALONE := rp2040_uart_text
 
 BOARD_SOURCES := $(addprefix boards/pico/,board.c boot2.c rp2040.c) \
     $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv6m_fault.c no_protect.c stack.c \

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* wires.h by SPI0 and channel 0 of the DMA, at 62.5 MHz. Wiring: GPIO 18 clock, 19 data, 17 select,
- * 20 data/command, 21 reset. GPIO 22 changes its level at the end of each frame, for a logic
+/* wires.h by SPI0 and channel 0 of the DMA. GPIO 22 changes its level at the end of each frame, for a logic
  * analyser; the emulator's runner numbers frames by it. The module is selected for each command and
  * for each run of data. */
 #include <stddef.h>
@@ -27,14 +26,22 @@
  * chained to itself. */
 #define DMA_TO_SPI (16u << 15 | 1u << 4 | 1u)
 
-enum {
-    SELECT = 17,
-    CLOCK = 18,
-    DATA_OUT = 19,
-    DATA_COMMAND = 20,
-    RESET = 21,
-    FRAME = 22
-};
+/* GPIO numbers, and by what the clock of the peripherals is divided: digits alone, for the note. */
+#define SELECT       17
+#define CLOCK        18
+#define DATA_OUT     19
+#define DATA_COMMAND 20
+#define RESET        21
+#define FRAME        22
+#define DIVISOR      2 /* 62.5 MHz */
+
+#define TEXT_OF(macro) TEXT(macro)
+#define TEXT(words)    #words
+
+/* What make flash prints of the wiring: more of the lines of board_note.c. */
+__attribute__((section(".fxl_board"), used)) static const char wires_note[] =
+    "wires=CLK:" TEXT_OF(CLOCK) ",DIN:" TEXT_OF(DATA_OUT) ",CS:" TEXT_OF(SELECT) ",D/C:" TEXT_OF(DATA_COMMAND) ",RESET:" TEXT_OF(RESET)
+    "\nclock=" TEXT_OF(RP2040_HZ) "\nspi_divisor=" TEXT_OF(DIVISOR) "\nuart=" TEXT_OF(RP2040_UART_PIN) "\n";
 
 static bool is_sending;
 static uint32_t begun, patience; /* microseconds: when what is waited for began; how long it may take */
@@ -133,7 +140,7 @@ bool wires_open(void)
     rp2040_use_pin(CLOCK, RP2040_PIN_SPI);
     rp2040_use_pin(DATA_OUT, RP2040_PIN_SPI);
     SPI_CONTROL1 = 0;
-    SPI_PRESCALE = 2u; /* 62.5 MHz */
+    SPI_PRESCALE = DIVISOR;
     SPI_CONTROL0 = 7u; /* 8 bits, mode 0 */
     SPI_DMA = 1u << 1; /* for what is sent */
     SPI_CONTROL1 = 1u << 1;

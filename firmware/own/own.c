@@ -4,11 +4,9 @@
 #include <stddef.h>
 
 #include "contract/clock.h"
+#include "contract/panel.h"
 #include "contract/system.h"
 #include "fixel.h"
-#include "parts/dump.h"
-
-#define PALETTE_BYTES 768u
 
 fxl_status __real_fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 fxl_status __wrap_fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
@@ -24,13 +22,14 @@ int __real_main(int argc, char **argv);
 int __wrap_main(int argc, char **argv);
 
 /* place pixel-format: the frames of a program of the user's own */
-/* The frame that is shown, and the dump that it goes to. */
+/* The frame that is shown, and the board's first panel, to which it goes: the dump, or a display. */
 static struct {
-    bool is_open, in_frame, is_whole; /* is_whole: the frame was drawn in one band */
+    const panel *shows; /* null: not open */
+    bool in_frame, is_whole; /* is_whole: the frame was drawn in one band */
     uint32_t frames, most; /* ended; after how many the program ends, 0: it ends itself */
     uint16_t width, height, row;
     uint8_t pixel_bits;
-} dump;
+} shown;
 
 /* What was drawn last. */
 static struct {
@@ -63,7 +62,7 @@ static void print_done(void)
 {
     char digits[11]; /* 4294967295 and the 0 that ends it */
     char *first = &digits[sizeof digits - 1];
-    uint32_t left = dump.frames;
+    uint32_t left = shown.frames;
 
     *first = '\0';
     do {
@@ -76,69 +75,76 @@ static void print_done(void)
     system_text(" frames\n");
 }
 
-static void finish(void)
+/* Ends the program where main drew no frame, or not the whole of its last one. */
+static void check_frames(void)
 {
-    if (!dump.is_open) {
+    if (shown.shows == NULL) {
         fail("main drew no frame: it called neither fxl_render nor fxl_frame_draw",
              SYSTEM_EXIT_PROGRAM);
     }
-    if (!dump_panel.close(!dump.in_frame)) {
-        fail("the frames could not be written", SYSTEM_EXIT_DISPLAY);
-    }
-    if (dump.in_frame) {
+    if (shown.in_frame) {
+        (void)shown.shows->close(false);
         fail("main returned within a frame: its last rows were not drawn", SYSTEM_EXIT_PROGRAM);
+    }
+}
+
+static void finish(void)
+{
+    check_frames();
+    if (!shown.shows->close(true)) {
+        fail("the frames could not be shown", SYSTEM_EXIT_DISPLAY);
     }
     print_done();
     system_exit(SYSTEM_EXIT_DONE);
 }
 
-static void open_dump(void)
+static void open_panel(void)
 {
-    static const uint8_t palette[PALETTE_BYTES]; /* the tools know that of the program */
+    const panel *shows = board_panels()[0];
     const fxl_lens *lens = &drawn.renderer->frame.view.lens;
-    const panel_format format = {palette, 0, lens->width, lens->height, drawn.pixel_bits};
+    const panel_format format = {own_colours, 0, lens->width, lens->height, drawn.pixel_bits};
 
-    dump.width = lens->width;
-    dump.height = lens->height;
-    dump.pixel_bits = drawn.pixel_bits;
-    if (dump_panel.open(&format) != PANEL_READY) {
-        fail("the frames could not be written", SYSTEM_EXIT_DISPLAY);
+    shown.width = lens->width;
+    shown.height = lens->height;
+    shown.pixel_bits = drawn.pixel_bits;
+    if (shows->open(&format) != PANEL_READY) {
+        fail("the display could not be opened: the frames may be larger than it is", SYSTEM_EXIT_DISPLAY);
     }
-    dump.is_open = true;
+    shown.shows = shows;
 }
 
 static void begin_frame(void)
 {
-    if (!dump.is_open) {
-        open_dump();
+    if (shown.shows == NULL) {
+        open_panel();
     }
-    if (drawn.width != dump.width || drawn.pixel_bits != dump.pixel_bits ||
-        drawn.renderer->frame.view.lens.height != dump.height) {
+    if (drawn.width != shown.width || drawn.pixel_bits != shown.pixel_bits ||
+        drawn.renderer->frame.view.lens.height != shown.height) {
         fail("a frame has another size, or other pixels, than the frame before",
              SYSTEM_EXIT_DISPLAY);
     }
-    if (!dump_panel.begin(dump.frames, &drawn.pose)) {
-        fail("the frames could not be written", SYSTEM_EXIT_DISPLAY);
+    if (shown.shows->begin != NULL && !shown.shows->begin(shown.frames, &drawn.pose)) {
+        fail("the frames could not be shown", SYSTEM_EXIT_DISPLAY);
     }
-    dump.in_frame = true;
-    dump.row = 0;
+    shown.in_frame = true;
+    shown.row = 0;
 }
 
 static void end_frame(void)
 {
     fxl_counters counters = drawn.renderer->workspace.counters;
 
-    if (dump.is_whole) {
+    if (shown.is_whole) {
         counters.spilled = 0; /* one band computed them, once */
     }
-    if (!dump_panel.end(&counters, 0, drawn.spent)) {
-        fail("the frames could not be written", SYSTEM_EXIT_DISPLAY);
+    if (!shown.shows->end(&counters, 0, drawn.spent)) {
+        fail("the frames could not be shown", SYSTEM_EXIT_DISPLAY);
     }
-    dump.in_frame = false;
-    dump.frames++;
+    shown.in_frame = false;
+    shown.frames++;
     drawn.spent = 0;
     system_alive();
-    if (dump.frames == dump.most) {
+    if (shown.frames == shown.most) {
         finish();
     }
     if (own_wait != NULL) {
@@ -154,26 +160,27 @@ uint16_t own_width(void)
 void own_show(uint16_t first_row, uint16_t rows, const void *pixels, uint16_t stride)
 {
     const uint32_t row_bytes = (uint32_t)stride * (drawn.pixel_bits / 8u);
+    const uint16_t at_once = stride == drawn.width ? rows : 1; /* a panel takes rows without a gap between them */
     const uint8_t *row = pixels;
 
     if (drawn.renderer == NULL) {
         fail("rows are shown before any were drawn", SYSTEM_EXIT_DISPLAY);
     }
-    if (first_row == 0 && !dump.in_frame) {
+    if (first_row == 0 && !shown.in_frame) {
         begin_frame();
-        dump.is_whole = rows == dump.height;
+        shown.is_whole = rows == shown.height;
     }
-    if (!dump.in_frame || first_row != dump.row || rows > dump.height - first_row) {
+    if (!shown.in_frame || first_row != shown.row || rows > shown.height - first_row) {
         fail("the rows of a frame do not go downward, each once", SYSTEM_EXIT_DISPLAY);
     }
-    for (uint16_t i = 0; i < rows; i++) {
-        if (!dump_panel.flush(0, (uint16_t)(first_row + i), dump.width, 1, row)) {
-            fail("the frames could not be written", SYSTEM_EXIT_DISPLAY);
+    for (uint16_t i = 0; i < rows; i = (uint16_t)(i + at_once)) {
+        if (!shown.shows->flush(0, (uint16_t)(first_row + i), shown.width, at_once, row)) {
+            fail("the frames could not be shown", SYSTEM_EXIT_DISPLAY);
         }
         row += row_bytes;
     }
-    dump.row = (uint16_t)(first_row + rows);
-    if (dump.row == dump.height) {
+    shown.row = (uint16_t)(first_row + rows);
+    if (shown.row == shown.height) {
         end_frame();
     }
 }
@@ -283,19 +290,49 @@ fxl_status __wrap_fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *
     return FXL_OK;
 }
 
+#if defined OWN_REPEATS
+/* Memory of the program's own files: linker/sections.ld. */
+extern uint8_t fxl_data_load[], fxl_data_start[];
+extern uint8_t fxl_unit_data_start[], fxl_unit_data_end[], fxl_unit_bss_start[], fxl_unit_bss_end[];
+
+/* Without a debugger there is no host to end for: main begins again when it has returned, with its variables as they
+ * were at first, and the display goes on showing what it shows. */
+static bool begins_again(void)
+{
+    const size_t offset = (size_t)(fxl_unit_data_start - fxl_data_start);
+    uint8_t *to;
+
+    check_frames();
+    for (to = fxl_unit_data_start; to < fxl_unit_data_end; to++) {
+        *to = fxl_data_load[offset + (size_t)(to - fxl_unit_data_start)];
+    }
+    for (to = fxl_unit_bss_start; to < fxl_unit_bss_end; to++) {
+        *to = 0;
+    }
+    return true;
+}
+#else
+static bool begins_again(void)
+{
+    return false;
+}
+#endif
+
 int __wrap_main(int argc, char **argv)
 {
     int answer;
 
     first_frame = __builtin_frame_address(0);
     system_start(own_arguments != NULL ? own_arguments(argc, argv) : argc, argv);
-    dump.most = system_frames();
+    shown.most = system_frames();
     system_alive();
-    answer = __real_main(argc, argv);
-    if (answer != 0) {
-        fail("main did not return 0", SYSTEM_EXIT_PROGRAM);
-    }
-    show_held();
+    do {
+        answer = __real_main(argc, argv);
+        if (answer != 0) {
+            fail("main did not return 0", SYSTEM_EXIT_PROGRAM);
+        }
+        show_held();
+    } while (begins_again());
     finish();
     return 0; /* not reached */
 }

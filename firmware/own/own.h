@@ -14,6 +14,10 @@
  * show_rows.c only for a program that calls display_rows and does not define it. */
 extern const bool own_has_display_rows __attribute__((weak));
 
+/* 256 x red, green, blue: greys. The program that make flash writes has the palette of its exported scene
+ * here (firmware.mk); in other programs the tools find that. */
+extern const uint8_t own_colours[768] __attribute__((weak));
+
 /* Shows rows of the frame that is drawn. A frame begins with row 0, its rows go downward, and it
  * ends with the last row of the lens. The format is that of the band that was drawn last. Ends the
  * program where the rows do not go downward, where they come before anything was drawn, and where

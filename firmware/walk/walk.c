@@ -39,6 +39,13 @@ static fxl_cached_vertex *const cache = NULL; /* every face works its vertices o
 static fxl_renderer renderer;
 static walk_methods methods;
 
+/* Of a program without a debugger, which has no host to end for: the path is drawn again and again. */
+#if defined WALK_REPEATS
+#define REPEATS true
+#else
+#define REPEATS false
+#endif
+
 /* What drawing took, without what the display does with it. */
 typedef struct {
     uint64_t before, spent; /* instructions */
@@ -262,10 +269,10 @@ static int open_renderer(fxl_scene_image *image)
 }
 
 /* The column at which a frame is drawn as two rectangles, one after the other in the band's memory: in
- * every fourth frame another one. 0: the frame is drawn in whole rows, as each frame of a live run is. */
+ * every fourth frame another one. 0: the frame is drawn in whole rows, as each frame is of a live run or of a path without end. */
 static uint32_t border_of(uint32_t frame, uint32_t width)
 {
-    return frame % 4u == 3u && width > 1 && !system_live() ? 1u + frame * 509u % (width - 1u) : 0;
+    return frame % 4u == 3u && width > 1 && !system_live() && !REPEATS ? 1u + frame * 509u % (width - 1u) : 0;
 }
 
 /* Draws the rectangles of a band of whole rows, which is then another one. border: as border_of says. */
@@ -322,6 +329,7 @@ static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t fr
 {
     const uint32_t held = walk_path_wants_keys(path) ? input_keys() : 0;
     const uint32_t border = border_of(frame, image->lens.width);
+    static uint32_t begun; /* frames, however often the path is drawn */
     stopwatch watch = {0, 0, false};
     fxl_status status = act_step(path, frame, held);
     int code;
@@ -329,7 +337,7 @@ static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t fr
     if (status != FXL_OK) {
         return fail_status("step", status, SYSTEM_EXIT_INPUT);
     }
-    if (!journal_begin(frame, &path->viewer.pose)) {
+    if (!journal_begin(begun++, &path->viewer.pose)) {
         return fail_frame("the pose could not be noted", frame, SYSTEM_EXIT_JOURNAL);
     }
     stopwatch_start(&watch);
@@ -371,21 +379,39 @@ static int draw_frames(const fxl_scene_image *image, uint32_t frames)
     return SYSTEM_EXIT_DONE;
 }
 
+static int open_walk(fxl_scene_image *image)
+{
+    const int code = open_scene(image);
+
+    return code == SYSTEM_EXIT_DONE ? open_renderer(image) : code;
+}
+
+/* Draws the path once; or without end, until something fails. Each time the scene begins as it was made. */
+static int draw_path(fxl_scene_image *image, uint32_t frames)
+{
+    int code = draw_frames(image, frames);
+
+    while (REPEATS && code == SYSTEM_EXIT_DONE) {
+        code = open_walk(image);
+        if (code == SYSTEM_EXIT_DONE) {
+            code = draw_frames(image, frames);
+        }
+    }
+    return code;
+}
+
 int walk(void)
 {
     fxl_scene_image image;
     uint32_t frames;
     bool closed;
-    int code = open_scene(&image);
+    int code = open_walk(&image);
 
-    if (code == SYSTEM_EXIT_DONE) {
-        code = open_renderer(&image);
-    }
     if (code != SYSTEM_EXIT_DONE) {
         return code;
     }
     frames = system_frames() != 0 ? system_frames() : image.frame_count;
-    if (!journal_open(frames)) {
+    if (!journal_open(REPEATS ? UINT32_MAX : frames)) {
         system_text("walk: the journal could not be opened\n");
         return SYSTEM_EXIT_JOURNAL;
     }
@@ -394,7 +420,7 @@ int walk(void)
         system_text("walk: the display could not be opened\n");
         return SYSTEM_EXIT_DISPLAY;
     }
-    code = draw_frames(&image, frames);
+    code = draw_path(&image, frames);
     closed = display_close();
     if (code != SYSTEM_EXIT_DONE) {
         return code;

@@ -4,7 +4,7 @@
 #define WALK_H
 
 /* Opens the board's scene, draws the frames that system.h asks for, and prints the end marker
- * "walk: done N frames". Unless the run is live, frames 3, 7, 11 ... are drawn as two rectangles of
+ * "walk: done N frames". Built with WALK_REPEATS it draws them again and again, and returns only when something failed. Unless the run is live, frames 3, 7, 11 ... are drawn as two rectangles of
  * columns, and noted with 0 instructions. Requires that system_start was called. Returns a SYSTEM_EXIT_... code.
  * Unless it is SYSTEM_EXIT_DONE, a sentence was printed before. Memory: WALK_BAND_BYTES for
  * pixels, WALK_ORDER_ENTRIES for the order of drawing, and WALK_LIST_BYTES, of which beams and

@@ -369,10 +369,13 @@ def test_lines_of_the_linker_are_judged():
 @pytest.mark.parametrize("words, sentence", [
     (["run", "PROGRAM=nowhere.c"], 'there is no PROGRAM "nowhere.c"; the programs are: walk game, and a C file or a folder'),
     (["run", "PROGRAM=docs"], 'there is no PROGRAM "docs"'),
-    (["flash", "PROGRAM=examples/cube/main.c"], "PROGRAM=FILE is for make run and make view"),
+    (["flash", "PROGRAM=examples/cube/main.c"], "make view, which show the pictures that it draws, and for make flash DRIVER="),
     (["view", "PROGRAM=nowhere.c"], 'there is no PROGRAM "nowhere.c"'),
     (["view", "PROGRAM=examples/cube/main.c", "SCENE=scenes/cube.toml"], "PROGRAM=examples/cube/main.c with SCENE=scenes/cube.toml"),
     (["view", "PROGRAM=examples/cube/main.c", "BOARD=pico"], "PROGRAM=examples/cube/main.c with BOARD=pico"),
+    (["flash", "PROGRAM=examples/cube/main.c", "BOARD=pico", "DRIVER=st7789", "ROWS=8"], "PROGRAM=examples/cube/main.c chooses itself what it draws"),
+    (["run", "PROGRAM=examples/cube/main.c", "DRIVER=st7789"], "PROGRAM=examples/cube/main.c chooses itself what it draws"),
+    (["flash", "DRIVER=st7789"], "the boards that have one are: pico"), (["flash", "BOARD=pico", "DRIVER=st"], "the drivers are: gc9a01"),
     (["run", "PROGRAM=examples/cube/main.c", "DEPTH=16"], "PROGRAM=examples/cube/main.c chooses itself what it draws")])
 def test_what_make_refuses(words, sentence):
     done = run_make(*words)

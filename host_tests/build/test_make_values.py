@@ -172,6 +172,7 @@ def test_a_command_without_a_variable_is_let_through(command):
                                    ["flash", "PROBE=jlink"], ["boot", "BOARD=rv32"], ["docs", "OUT=/proc/x"], ["predict", "BOARD=pico"], ["compare"],
                                    ["run", "SCENE=README.md"], ["run", "SCENE=scenes/tiny.toml", "LOOK=--flat"], ["screen", "PICTURE=docs"],
                                    ["screen", "DEVICE=no-such"], ["lib", "SIZE=0"], ["lib", "LIB_FLAGS=x"], ["flash", "PROBE=openocd", "BOARD=mps3-an547"],
+                                   ["flash", "DRIVER=st7789", "BOARD=rv32"], ["flash", "DRIVER=no-such", "BOARD=pico"],
                                    ["screen", "BOARD=host"], ["view", "BOARD=pico"], ["compare", "A=nothere.png", "B=docs/cube.png"]])
 def test_make_refuses_it_before_set_up_and_builds_nothing(tmp_path, words):
     done = run_make(*words, f"BUILD={tmp_path / 'build'}")

@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""The board pico, where its tools are: the frames of scenes, a display's wires, the second boot stage, UF2 files, ends of
-programs that went wild, and unit tests."""
+"""The board pico, where its tools are: the frames of scenes, a display's wires, the second boot stage, UF2 files, with and without
+a debugger, ends of programs that went wild, and unit tests."""
 
 import functools
 import json
+import re
 import subprocess
+import zlib
 
 import own_tools
 import pytest
 from board_programs import ROOT, built, read_uf2
 from conftest import run_cli, run_make
-from fixel.board import benchmarking, dump, emulator, firmware, rp2040
+from fixel.board import benchmarking, controllers, dump, emulator, firmware, frame_crc, own_run, rp2040, wires
+from fixel.scene import making
 
 NEEDED = subprocess.run([ROOT / "tools/setup.sh", "--missing", "pico"], capture_output=True, text=True, check=True).stdout.split()
 READY = not NEEDED and (rp2040.PACKAGE / "package.json").is_file()
@@ -146,3 +149,138 @@ def test_the_benchmark_draws_the_frames_of_the_host(tmp_path):
     pages = read_uf2((tmp_path / "b.uf2").read_bytes()) if benchmarking.write_uf2(elf, tmp_path / "b.uf2") else {}
     assert rp2040.boot_crc(pages[0x10000000][:STAGE]) == int.from_bytes(pages[0x10000000][STAGE:], "little")
     assert len(pages) * 256 >= sum(len(content) for _, content in program.segments)
+
+
+# --- make flash DRIVER=: without a debugger ---------------------------------------------
+
+TEXTURED = ROOT / "host_tests/tools/models/plain_texture.glb"
+# Its variables have values that are not 0, and it returns: when it is called anew, they must be what they were at first.
+COUNTING = """
+#include <fixel.h>
+#include "cube_scene.h"
+static fxl_renderer renderer;
+static uint64_t memory[CUBE_MEMORY];
+static uint8_t pixels[ROWS][WIDTH];
+static uint32_t frame = 3, drawn;
+int main(void)
+{
+    fxl_config config = fxl_config_default(WIDTH, HEIGHT);
+    if (drawn != 0 || fxl_renderer_init(&renderer, &cube_scene, &config, memory, sizeof memory)) { return 1; }
+    for (; drawn < 2; drawn++) {
+        if (fxl_frame_begin(&renderer, &cube_path[frame++])) { return 2; }
+        for (uint16_t row = 0; row < HEIGHT; row += ROWS) {
+            const fxl_band band = {.pixels = pixels[0], .width = WIDTH, .stride = WIDTH, .first_row = row, .rows = ROWS};
+            fxl_fill_band(&band, config.background);
+            if (fxl_frame_draw(&renderer, &band)) { return 3; }
+        }
+    }
+    return 0;
+}
+"""
+
+
+def counting(folder, width, height):
+    """COUNTING in a folder of its own, with its scene."""
+    (folder / "own").mkdir()
+    making.export(str(ROOT / "examples/cube/cube.obj"), str(folder / "own/cube_scene.h"), frames=8)
+    (folder / "own/main.c").write_text(f"#define WIDTH {width}\n#define HEIGHT {height}\n#define ROWS 16\n{COUNTING}", encoding="utf-8")
+    return f"PROGRAM={folder / 'own'}"
+
+
+def flash_alone(folder, driver, *words):
+    """make flash DRIVER=: what it said. Its UF2 file is then flash.bin in the folder, in a flash that has nothing else."""
+    done = run_make("flash", "BOARD=pico", f"DRIVER={driver}", *words)
+    assert done.returncode == 0, done.stdout + done.stderr
+    flash = bytearray(b"\xff" * 2**21)
+    for address, page in read_uf2((ROOT / re.search(r"copy (\S+\.uf2) to the drive", done.stdout)[1]).read_bytes()).items():
+        flash[address - 0x10000000:address - 0x10000000 + 256] = page
+    (folder / "flash.bin").write_bytes(flash)
+    return done.stdout
+
+
+def run_alone(folder, frames):
+    """Runs flash.bin without a debugger, where a call to one is a fault: its ending. The wires of its display are recorded in the folder."""
+    program = firmware.load(built("pico/walk.elf"), "pico")
+    return emulator.emulate_pico(program, folder / "flash.bin", ["--alone", str(frames)], folder, 60)
+
+
+def shown_alone(folder, driver, width, height, frames):
+    """The CRCs of the pictures that a controller made of so many frames of flash.bin, and of the bytes of their pixels."""
+    ending = run_alone(folder, frames)
+    assert ending.code == emulator.exit_code("DONE"), ending.output
+    assert ending.output == f"alone: {frames} frames, core 125000000 Hz, SPI 62500000 Hz\n"
+    size = -(-height // 8) * width if controllers.is_mono(driver) else controllers.MODULES[driver][0].PIXEL_BYTES * width * height
+    with (folder / wires.NAME).open("rb") as file:
+        found = list(wires.read(file, controllers.start(driver), wires.turns_of(driver, width, height)))
+    return [crc(picture) for picture, _ in found], [f"{zlib.crc32(sent[-size:]):08x}" for _, sent in found]
+
+
+def crc(picture):
+    """The CRC of a picture of 16 bits a pixel."""
+    return f"{zlib.crc32(frame_crc.pixel_bytes(picture.astype('<u2'))):08x}"
+
+
+@here
+@pytest.mark.parametrize("words", [[f"SCENE={TEXTURED}", "FRAMES=3"], ["PROGRAM=game", "FRAMES=3"], ["SCENE=scenes/spin.toml", "FRAMES=3"]])
+def test_a_uf2_file_draws_without_a_debugger_what_make_run_draws(tmp_path, words):
+    """Again and again, each time from the first frame on. The ILI9341 has the frames' size turned."""
+    _, summary = run(tmp_path / "out", "DRIVER=ili9341", *words)
+    flash_alone(tmp_path, "ili9341", *words)
+    _, sent = shown_alone(tmp_path, "ili9341", 320, 240, 7)
+    expected = summary["sent_crc"]
+    assert len(set(expected)) == 3 and sent == [*expected, *expected, expected[0]]
+
+
+@here
+def test_a_program_of_ones_own_draws_its_textured_model_on_a_display_without_a_debugger(tmp_path):
+    """By the program that export writes beside the scene: the frames of make run, with the scene and with the program."""
+    (tmp_path / "own").mkdir()
+    done = run_cli("export", "--c", "--board", "pico", "--frames", "3", TEXTURED, "-o", tmp_path / "own/model_scene.h", "--program", tmp_path / "own/main.c")
+    assert done.returncode == 0, done.stderr
+    _, drawn = run(tmp_path / "drawn", f"SCENE={TEXTURED}", "FRAMES=3", "DRIVER=st7789")
+    _, own = run(tmp_path / "out", f"PROGRAM={tmp_path / 'own'}")
+    flash_alone(tmp_path, "st7789", f"PROGRAM={tmp_path / 'own'}")
+    pictures, sent = shown_alone(tmp_path, "st7789", 320, 240, 5)
+    expected = own["frame_crc"]
+    assert expected == drawn["frame_crc"] == drawn["sent_crc"] and len(set(expected)) == 3
+    assert pictures == sent == [*expected, *expected[:2]]
+
+
+@here
+@pytest.mark.parametrize("driver, width, height", [("st7789", 320, 240), ("ssd1306", 128, 64)])
+def test_a_program_of_ones_own_has_its_palette_and_begins_anew(tmp_path, driver, width, height):
+    program = counting(tmp_path, width, height)
+    _, summary = run(tmp_path / "out", program)
+    flash_alone(tmp_path, driver, program)
+    pictures, _ = shown_alone(tmp_path, driver, width, height, 5)
+    palette = own_run.palette_of(ROOT / f"build/boards/pico/{summary['program']}.elf")
+    frames = dump.read_dump(tmp_path / "out" / "board.fxld").frames
+    one, other = [crc(wires.shown(driver, frame.pixels, palette, wires.turns_of(driver, width, height))) for frame in frames]
+    assert pictures == [one, other, one, other, one] and one != other
+
+
+@here
+def test_a_program_whose_frames_the_display_has_no_room_for_says_so_on_the_serial_port(tmp_path):
+    flash_alone(tmp_path, "ssd1306", counting(tmp_path, 320, 240))
+    ending = run_alone(tmp_path, 1)
+    assert ending.code != emulator.exit_code("DONE")
+    assert "the display could not be opened: the frames may be larger" in ending.output and "\nexit 15\n" in ending.output
+
+
+@here
+def test_a_program_with_semihosting_is_a_fault_without_a_debugger(tmp_path):
+    """The control of the tests above: what make flash writes without DRIVER=, which says so."""
+    done = run_make("flash", "BOARD=pico", "SCENE=scenes/tiny.toml")
+    assert done.returncode == 0 and "needs a debug probe" in done.stdout and "st7789" in done.stdout, done.stdout + done.stderr
+    (tmp_path / "flash.bin").write_bytes((ROOT / "build/flash/pico.bin").read_bytes())
+    ending = run_alone(tmp_path, 1)
+    assert ending.code == emulator.exit_code("USAGE") and "a call to a debugger, and there is none" in ending.output
+
+
+@here
+def test_the_wires_that_are_printed_are_those_of_the_port(tmp_path):
+    said = flash_alone(tmp_path, "ssd1306", "SCENE=scenes/tiny.toml", "SCREEN=128x64", "FRAMES=2")
+    page = (ROOT / "ports/pico_sdk/README.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (CLK|DIN|CS|D/C|RESET)\b.* \| (\d+) \|$", page, re.MULTILINE)
+    assert len(rows) == 5 and re.findall(r"^(\S+) +(\d+)$", said, re.MULTILINE) == rows
+    assert "at 125 MHz" in said and "at 62.5 MHz" in said and "BOOTSEL" in said

@@ -54,6 +54,10 @@ class Program:
     counts: str = "instructions"    # what its clock counts; "cycles" are the emulator's
     code: str = ""          # "own": its core's code is not that of other boards with the core (-Os, -DFXL_SMALL)
     uf2: int = 0            # the family of its UF2 files; 0: it takes none
+    wires: dict = dataclasses.field(default_factory=dict)   # of a display on the real board: line -> its pin; none: recorded ones
+    clock: int = 0          # of the real board's core in Hz, where there are wires
+    spi: int = 0            # of the display's clock
+    uart: int = 0           # the pin of what it prints
     keys: dict = dataclasses.field(default_factory=dict)  # of a player: bit -> QEMU's names of what is pressed for it
 
     @property
@@ -89,7 +93,7 @@ def read_note(elf, path):
     section = elf.get_section_by_name(".fxl_board")
     if section is None:
         raise ToolError(f"{path} is not a program of Fixel: it does not name its board")
-    text = section.data().split(b"\0")[0].decode("ascii", "replace")
+    text = section.data().replace(b"\0", b"\n").decode("ascii", "replace")
     note = dict(line.split("=", 1) for line in text.splitlines() if "=" in line)
     if not note.get("board"):
         raise ToolError(f"{path} does not name its board: build it again")
@@ -116,6 +120,13 @@ def read_keys(text):
     """Keys as a note has them, "1:up,16:ctrl+up": bit of fixel/player.h -> QEMU's names."""
     pairs = (each.split(":", 1) for each in text.split(",") if each)
     return {int(bit): tuple(names.split("+")) for bit, names in pairs}
+
+
+def read_wires(note):
+    """How a display is wired, as a note has it: "CLK:18,DIN:19", and the clock by which its own is told."""
+    clock = int(note.get("clock", "0"))
+    return dict(wires={line: int(pin) for line, _, pin in (each.partition(":") for each in note.get("wires", "").split(",") if each)},
+                clock=clock, spi=clock // int(note.get("spi_divisor", "1")), uart=int(note.get("uart", "0")))
 
 
 def read_map(elf, path):
@@ -174,7 +185,7 @@ def _load(path, board):
                       openocd=tuple(shlex.split(note.get("openocd", ""))),
                       window_size=int(note.get("window", "0")), emulator=note.get("emulator", Program.emulator), counts=note.get("counts", Program.counts), code=note.get("code", Program.code),
                       uf2=int(note.get("uf2", "0"), 16),
-                      keys=read_keys(note.get("keys", "")))
+                      keys=read_keys(note.get("keys", "")), **read_wires(note))
         if note["board"] == HOST:
             return Program(segments=(), **common)
         return Program(segments=read_segments(elf, path), **common, **read_map(elf, path))

@@ -19,6 +19,8 @@ def parser():
     scene_options.add(made)
     made.add_argument("--scenes", default="build/scenes", help="folder for the compiled scene image")
     made.add_argument("--image", required=True, help="the flash image to write")
+    made.add_argument("--program", default="walk", help="the name of the program (walk)")
+    made.add_argument("--driver", help="the display of a program that runs without a debugger")
     made.add_argument("--probe", default="", help="openocd: program the real board instead")
     made.add_argument("--dry-run", action="store_true", help="with --probe: only print the command")
     return made

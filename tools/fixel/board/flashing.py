@@ -5,12 +5,13 @@ import itertools
 import pathlib
 
 from fixel.scene import look, making
-from fixel.board import firmware, flash as flash_command, model_look, probe, uf2
+from fixel.board import controllers, firmware, flash as flash_command, model_look, own_run, probe, uf2, wires
 from fixel.model import suffixes
 from fixel.base import bounded, output, scratch
 from fixel.base.errors import one_line
 from fixel.board.flash_memory import flash
 from fixel.base.table import table
+from fixel.image import image as images
 from fixel.scene import scene_options
 from fixel.scene.scene_image import make_scene_image
 
@@ -50,6 +51,31 @@ def write_image(options, scene):
         program = firmware.load(options.elf, options.board)
         file = result.image.with_suffix(".uf2")
         print(f"{uf2.write(program, result.image.read_bytes(), file)} blocks of UF2: {one_line(file)}")
+        tell_of_real_board(program, options.driver, file)
+
+
+def tell_of_real_board(program, driver, file):
+    """What a person needs to know who copies the UF2 file to a real board."""
+    if driver is None:
+        print(f"this program uses semihosting: a real {program.board} needs a debug probe for it, and without one stops at its first "
+              f"word.\nDRIVER= writes one that needs none and draws on a display: {' '.join(drivers())}, or a module of docs/displays.md")
+        return
+    print(table([*program.wires.items()], (driver, "GPIO")))
+    print(f"VCC and backlight go to 3V3, GND to GND. The core runs at {program.clock / 1e6:g} MHz, the display's SPI at "
+          f"{program.spi / 1e6:g} MHz. What fails is said on UART0, GPIO {program.uart}, at 115,200 baud.\n"
+          f"No debug probe is needed: hold BOOTSEL while you connect the board, and copy {one_line(file)} to the drive that appears")
+
+
+def drivers():
+    """The drivers that DRIVER= takes beside the modules."""
+    return sorted(name for name in controllers.MODULES if "_" not in name)
+
+
+def check_display(options, scene):
+    """Refuses frames that the display of DRIVER= has no room for. A program of the user's own has a size of its own."""
+    if options.driver and not own_run.is_own(options):
+        drawn = images.load(scene)
+        wires.check_size(options.driver, drawn.width, drawn.height)
 
 
 def command(options):
@@ -58,6 +84,7 @@ def command(options):
     flash_command.before(options)
     with scratch.folder("flash") as work:
         scene = scene_image(options, work)
+        check_display(options, scene)
         if options.probe:
             probe.program_board(options.board, options.elf, scene, options.dry_run)
             if not options.dry_run:

@@ -3,6 +3,8 @@
 // million cycles the program may go without a call to its host, IMAGE the flash. The program finds
 // the words as its arguments, and its files in the folder in which this runs. Exit code: the program's, or one of
 // boards/contract/system.h for what the emulator itself reports.
+// node rp2040.mjs RP2040JS SILENCE IMAGE --alone FRAMES: without a host, as a real board without a debugger: each BKPT is a fault. Ends when its
+// display has so many frames, and says by which clocks they came.
 // node rp2040.mjs RP2040JS SILENCE IMAGE --memory FILE SIZE: writes what the core reads of its flash, and runs nothing.
 import { readFileSync, writeFileSync, writeSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -69,12 +71,17 @@ function boot() {
 }
 
 const host = new Semihosting(mcu, words, say, () => core.cycles, (code) => { status = code; });
+const frames = words[0] === '--alone' ? Number(words[1]) : null;
 mcu.onBreak = (number) => {
   heard = core.cycles;
-  if (number === 0xab) host.call();
-  else fail(USAGE, `breakpoint ${number}`);
+  if (number !== 0xab) fail(USAGE, `breakpoint ${number}`);
+  else if (frames !== null) fail(USAGE, 'a call to a debugger, and there is none');
+  else host.call();
 };
 const wires = new Wires(mcu);
+// The package's PLL is always locked. By the data sheet (2.18) it locks if it and its oscillator have power.
+const { pllSys } = mcu, readPll = pllSys.readUint32.bind(pllSys);
+pllSys.readUint32 = (offset) => (offset === 0 && pllSys.pwr & 0x21 ? readPll(offset) & 0x7fffffff : readPll(offset));
 // What is printed on the serial port. A line END ends a program that goes on for ever on a real board.
 let line = '';
 mcu.uart[0].onByte = (byte) => {
@@ -91,11 +98,15 @@ while (status < 0) {
     clock.tick(next);
     core.cycles += Math.round(next * mcu.clkSys / 1e9);
   } else {
-    for (let count = 0; count < 1024 && !core.waiting && status < 0; count++) {
+    for (let count = 0; count < 1024 && !core.waiting && status < 0 && wires.frames !== frames; count++) {
       clock.tick(core.executeInstruction() * 1e9 / mcu.clkSys);
     }
   }
-  if (core.cycles - heard > silence * 1e6) fail(HANG, `the program hung: it asked nothing of its host for ${silence} million cycles`);
+  if (wires.frames === frames) {
+    say(`alone: ${frames} frames, core ${mcu.clkSys} Hz, SPI ${mcu.spi[0].clockFrequency} Hz\n`);
+    status = DONE;
+  }
+  if (core.cycles - Math.max(heard, wires.heard) > silence * 1e6) fail(HANG, `the program hung: it asked nothing of its host for ${silence} million cycles`);
 }
 wires.close();
 host.close();

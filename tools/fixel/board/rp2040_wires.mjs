@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
 // What a display on SPI0 gets, as a record of its wires (docs/formats.md, section 5): wires.bin in the folder in which this runs. Each byte takes
-// the time that the wire takes. Pauses of a millisecond or more are those of the wire. The pins are those of boards/pico/spi_wires.c.
+// the time that the wire takes. Pauses of a millisecond or more are those of the wire. The pins are those of ports/pico_sdk: nothing comes out of
+// SPI0 where another one was made its clock or its data.
 import { closeSync, openSync, writeSync } from 'node:fs';
 
-const SELECT = 17, DATA_COMMAND = 20, RESET = 21, FRAME = 22, HIGH = 1;
+const SELECT = 17, CLOCK = 18, DATA = 19, DATA_COMMAND = 20, RESET = 21, FRAME = 22, HIGH = 1, SPI = 1;
 const NAME = 'wires.bin';
 
 export class Wires {
   constructor(mcu) {
-    Object.assign(this, { mcu, file: null, kind: null, bytes: [], frames: 0, last: 0 });
+    Object.assign(this, { mcu, file: null, kind: null, bytes: [], frames: 0, heard: 0, last: 0 });
     const spi = mcu.spi[0], pin = mcu.gpio;
     const sent = mcu.clock.createAlarm(() => spi.completeTransmit(0));
     spi.onTransmit = (value) => {
       const begun = mcu.clock.nanos, takes = spi.dataBits * 1e9 / spi.clockFrequency;
       sent.schedule(takes);
-      if (pin[SELECT].value !== HIGH) this.take(pin[DATA_COMMAND].value === HIGH ? 'D' : 'C', value, spi.dataBits, begun);
+      const joined = pin[CLOCK].functionSelect === SPI && pin[DATA].functionSelect === SPI;
+      if (joined && pin[SELECT].value !== HIGH) this.take(pin[DATA_COMMAND].value === HIGH ? 'D' : 'C', value, spi.dataBits, begun);
       this.last = begun + takes;
     };
     pin[SELECT].addListener(() => this.flush());
@@ -54,6 +56,7 @@ export class Wires {
   end() {
     this.flush();
     this.number('F', this.frames++);
+    this.heard = this.mcu.core.cycles;
   }
 
   close() {
