@@ -38,7 +38,7 @@ colour = "#60a8e8"
 position = [1.2, 0.2, 6]
 rotation = [-20, -30, 0]
 """
-# In bands of RGB565. A key turns the eye. The first box is out of sight but while a frame is drawn.
+# In bands of RGB565. A key turns the eye. The first box is out of sight in every other frame if it MOVES.
 PROGRAM = """
 #include <fixel/all.h>
 #include "cubes_scene.h"
@@ -71,12 +71,13 @@ int main(void)
     for (uint32_t frame = 0; frame != LAST; frame++) {
         if (keys_held() & FXL_KEY_RIGHT) { eye.yaw += FXL_DEGREES(2); }
         if (frame == CRASH) { *(volatile int *)0 = 1; }
+        instances[0].centre.y = cubes_scene.instances[0].centre.y + (MOVES * frame % 2 ? FXL_UNITS(100) : 0);
         if (draw(&eye)) { return 2; }
     }
     return 0;
 }
 """
-CHANGED = {"TOP": "8", "LAST": "0xFFFFFFFF", "CRASH": "0xFFFFFFFF"}
+CHANGED = {"TOP": "8", "MOVES": "0", "LAST": "0xFFFFFFFF", "CRASH": "0xFFFFFFFF"}
 HUD = (255, 0, 255)
 PIXEL = re.compile(r"Pixel \d+, \d+: colour (\d+), RGB (\d+) (\d+) (\d+); (?:instance (\d+), face (\d+)|background)$")
 
@@ -193,8 +194,11 @@ def test_what_the_program_draws_over_its_bands_is_in_the_picture(page, build):
 
 
 def test_a_pixel_is_told_with_its_face(paused, folder):
-    """Of the frame that is shown: when it is asked for, the program has moved the first box out of sight. The scene has
-    light of its tool alone, so a pixel has its face's colour."""
+    """Of the frame that is shown, the first: the program has moved a box out of sight for the next one when it is asked. The
+    scene has light of its tool alone, so a pixel has its face's colour."""
+    change(folder, MOVES="1", TOP="20")
+    wait_for_row(paused, 20)
+    assert number(paused) == 0
     image = folder / "cubes.fxls"
     making.build(str(folder / "cubes.toml"), str(image))
     scene, faces = scene_image.load(image), set()
@@ -206,7 +210,7 @@ def test_a_pixel_is_told_with_its_face(paused, folder):
         assert colour == int(expected[0]) >> 3 << 11 | int(expected[1]) >> 2 << 5 | int(expected[2]) >> 3
         faces.add(face)
     assert None in faces and {face[0] for face in faces if face} == {0, 1} and len(faces) >= 5
-    assert told(paused, 100, 9)[0] == 0xF81F, "the colour is that of the picture"
+    assert told(paused, 100, 21)[0] == 0xF81F, "the colour is that of the picture"
     paused.mouse.move(0, 0)
 
 
@@ -242,7 +246,7 @@ def test_a_scene_of_another_size_is_taken_over(page, folder):
 def test_a_compile_error_is_told_while_the_program_before_runs_on(page, folder, build):
     change(folder, "int broken = nowhere;\n")
     said = banner(page, "changed.h")
-    assert "changed.h:4" in said and "nowhere" in said and "cubes.c was not built" in said
+    assert "changed.h:5" in said and "nowhere" in said and "cubes.c was not built" in said
     wait_for_frame(page, number(page) + 5)
     page.screenshot(path=str(build / "view" / "own-broken.png"))
     change(folder, TOP="100")
