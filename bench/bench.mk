@@ -45,23 +45,23 @@ $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
 BENCH_PROGRAMS := calibration fixel fixel-os fixel-small fixel-bands fixel-rgb565 fixel-target listing-double listing-float memset kernels
 # Whole frames as pixels of RGB565, on the cores whose board has the memory.
 BENCH_PROGRAMS_OF = $(BENCH_PROGRAMS) $(if $(BENCH_SCREEN.$(1)),fixel-native fixel-rgb565-bands fixel-native-bands)
-BENCH_NEEDED := $(call LIB_NEEDED,$(wildcard bench/firmware/*.c bench/listing/*.c) $(addprefix firmware/walk/,path.c looks.c surfaces.c) \
+BENCH_NEEDED := $(call LIB_NEEDED,$(wildcard bench/firmware/*.c bench/listing/*.c) $(addprefix firmware/walk/,path.c plan.c) \
     $(foreach core,$(BENCH_CORES_HERE),$(BOARD_SOURCES.$(BENCH_BOARD.$(core)))))
 BENCH_LIB := $(BENCH_NEEDED:%=lib/%)
 BENCH_FRAMES := frames path $(BENCH_LIB)
 BENCH_OBJECTS.calibration := calibration
-BENCH_OBJECTS.fixel := draw_fixel looks surfaces $(BENCH_FRAMES)
+BENCH_OBJECTS.fixel := draw_fixel plan $(BENCH_FRAMES)
 # The library by -Os; for few bytes, as make lib SIZE=1 makes it; in bands, with the memory of a
 # small board; with each frame converted.
-BENCH_OBJECTS.fixel-os := draw_fixel looks surfaces frames path $(BENCH_NEEDED:%=os/lib/%)
-BENCH_OBJECTS.fixel-small := draw_fixel looks surfaces frames path $(BENCH_NEEDED:%=small/lib/%)
+BENCH_OBJECTS.fixel-os := draw_fixel plan frames path $(BENCH_NEEDED:%=os/lib/%)
+BENCH_OBJECTS.fixel-small := draw_fixel plan frames path $(BENCH_NEEDED:%=small/lib/%)
 BENCH_OBJECTS.fixel-bands := draw_bands $(BENCH_FRAMES)
-BENCH_OBJECTS.fixel-rgb565 := draw_rgb565 looks surfaces $(BENCH_FRAMES)
+BENCH_OBJECTS.fixel-rgb565 := draw_rgb565 plan $(BENCH_FRAMES)
 # Into RGB565 itself: the scene's image must ask for 16 bits a pixel.
-BENCH_OBJECTS.fixel-native := native/draw_fixel looks surfaces $(BENCH_FRAMES)
+BENCH_OBJECTS.fixel-native := native/draw_fixel plan $(BENCH_FRAMES)
 # Both in bands of eight rows, as a board draws that sends one band while it draws the next.
-BENCH_OBJECTS.fixel-rgb565-bands := bands/draw_rgb565 looks surfaces $(BENCH_FRAMES)
-BENCH_OBJECTS.fixel-native-bands := native-bands/draw_fixel looks surfaces $(BENCH_FRAMES)
+BENCH_OBJECTS.fixel-rgb565-bands := bands/draw_rgb565 plan $(BENCH_FRAMES)
+BENCH_OBJECTS.fixel-native-bands := native-bands/draw_fixel plan $(BENCH_FRAMES)
 BENCH_BANDS := -DDRAW_BAND_ROWS=8u -DDRAW_LIST_WORDS=8192u
 BENCH_DRAWS.native := -DDRAW_RGB565
 BENCH_DRAWS.bands := $(BENCH_BANDS)
@@ -84,7 +84,7 @@ BENCH_OBJECTS.kernels := kernels kernel_inputs kernel_list kernel_depth kernel_s
 BENCH_C_LIBRARY := listing-double listing-float memset
 
 # What programs have of the walk that draw any target, and of the library.
-COSTS_WALK := path looks surfaces billboards methods targets
+COSTS_WALK := path plan methods targets
 COSTS_LIB := $(patsubst %,lib/%,$(call LIB_NEEDED,$(wildcard bench/firmware/*.c) $(COSTS_WALK:%=firmware/walk/%.c) \
     $(foreach core,$(BENCH_CORES_HERE),$(BOARD_SOURCES.$(BENCH_BOARD.$(core))))))
 
@@ -127,7 +127,7 @@ BENCH_PROGRAMS.$(1) := $(patsubst %,$(BENCH_OUT)/$(1)/%.elf,$(call BENCH_PROGRAM
 
 $(BENCH_OUT)/$(1)/parts/%.o: %.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding $$(FLAGS_OF_FILE) $$(call BOARD_DEFINES,$(BENCH_BOARD.$(1))))
-$(foreach part,path looks surfaces billboards methods targets,
+$(foreach part,path plan methods targets,
 $(BENCH_OUT)/$(1)/$(part).o: firmware/walk/$(part).c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding)
 )

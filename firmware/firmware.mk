@@ -180,7 +180,7 @@ WALK_ROW := $(if $(VISIBILITY),$(wordlist 2,5,$(subst |, ,$(filter $(VISIBILITY)
 WALK_TARGET := $(filter fxl_%,$(WALK_ROW))
 WALK_METHODS_DEFINES := $(WALK_CLIPPER:%=-DWALK_CLIPPER=%) $(WALK_TARGET:%=-DWALK_TARGET=%) $(if $(VISIBILITY),\
     -DWALK_BY_$(if $(filter tree,$(WALK_ROW)),TREE,DISTANCE) -DWALK_DEPTH_BITS=$(word 2,$(WALK_ROW)) $(if $(filter flat,$(WALK_ROW)),-DWALK_FLAT,-DWALK_SURFACES))
-WALK_METHODS_FILES := methods surfaces targets
+WALK_METHODS_FILES := methods plan targets
 # A board's memory.ld may ask for it: a program with surfaces is larger.
 WALK_METHODS_LINK := $(VISIBILITY:%=-Wl,--defsym=fxl_visibility_is_$(subst -,_,$(VISIBILITY))=1)
 
@@ -340,7 +340,7 @@ endef
 
 define METHODS_RULES
 $(addprefix $(FIRMWARE_OUT)/$(1)/,$(addsuffix $(WALK_METHODS).o,$(WALK_METHODS_FILES))): $(FIRMWARE_OUT)/$(1)/%$(WALK_METHODS).o: firmware/walk/%.c firmware/firmware.mk boards/$(1)/board.mk
-	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(WALK_METHODS_DEFINES) -Ilib/include -Ilib $(BOARD_SETTINGS.$(1):%=-D%))
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(WALK_METHODS_DEFINES) -Ilib/include -Ilib $(BOARD_SETTINGS.$(1):%=-D%) $(BOARD_OWN_FLAGS.$(1)))
 endef
 
 # On a host the narrow bands are for what boards are compared with: make run BOARD=host draws whole frames of any size.

@@ -11,10 +11,10 @@ uint32_t act_bytes(const fxl_scene_image *image)
     return (sizeof *state + 7u) & ~7u;
 }
 
-fxl_status act_open(fxl_scene_image *image, void *memory, const fxl_scene **scene)
+fxl_status act_open(const fxl_scene_image *image, void *memory, fxl_setup_plan *plan)
 {
     state = memory;
-    *scene = &state->world.scene;
+    plan->scene = &state->world.scene;
     return game_begin(state, &image->scene, &image->start.pose);
 }
 
@@ -23,10 +23,11 @@ fxl_status act_attach(fxl_renderer *renderer)
     return fxl_world_attach(&state->world, renderer);
 }
 
-fxl_status act_step(walk_path *path, uint32_t frame, uint32_t held)
+fxl_status act_step(fxl_setup *setup, walk_path *path, uint32_t frame, uint32_t held)
 {
     const fxl_status status = game_step(state, walk_path_keys(path, held));
 
+    (void)setup;
     (void)frame;
     path->viewer.pose = state->eye;
     return status;

@@ -27,36 +27,22 @@ bool walk_methods_draw(uint8_t pixel_bits, uint8_t depth_bits);
 /* Bits of the depth buffer that a scene is drawn with, 0 for none: those of `make run DEPTH=`, or what it asks for. */
 uint8_t walk_methods_depth_bits(const fxl_scene_image *image);
 
-/* What is chosen, and what it wants of memory, in bytes, each a multiple of 8. */
 typedef struct {
     const fxl_clipper *clipper;
     const fxl_order *order;
     walk_target draws;
-    uint32_t clipper_bytes;
-    uint32_t palette_bytes; /* of RGB565 */
-    uint32_t depth_bytes;   /* what the target needs at least, and more where more saves time */
-    uint32_t tree_bytes;    /* with the pieces of instances that move among a BSP tree */
 } walk_methods;
 
-/* Chooses the methods for a scene, where the board has set room bytes aside for them. A scene is
- * drawn with the target that it asks for; by its BSP tree if it has one, unless it asks for the
- * order by distance. What the methods want may be more than room: then they don't fit. False if the
- * scene wants a tree, surfaces, billboards, a depth buffer or RGB565, and the board has too little
- * memory for it: it sets WALK_WITHOUT_BSP, WALK_WITHOUT_SURFACES, WALK_WITHOUT_BILLBOARDS,
- * WALK_WITHOUT_DEPTH, WALK_WITHOUT_DEPTH_32 (16 bits alone), WALK_WITHOUT_RGB565 or
- * WALK_WITHOUT_RGB565_DEPTH (RGB565 without a depth buffer alone). */
-bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image, uint32_t room);
-
-/* Bytes that the methods want together. */
-uint32_t walk_methods_bytes(const walk_methods *methods);
-
-/* Gives a renderer the methods, before anything is attached; memory has walk_methods_bytes, aligned
- * to 8. */
-fxl_status walk_methods_set(const walk_methods *methods, const fxl_scene_image *image,
-                            fxl_renderer *renderer, uint8_t *memory);
+/* Chooses the methods for a scene. A scene is drawn with the target that it asks for; by its BSP tree
+ * if it has one, unless it asks for the order by distance. False if the scene wants a tree, surfaces,
+ * billboards, a depth buffer or RGB565, and the board has too little memory for it: it sets
+ * WALK_WITHOUT_BSP, WALK_WITHOUT_SURFACES, WALK_WITHOUT_BILLBOARDS, WALK_WITHOUT_DEPTH,
+ * WALK_WITHOUT_DEPTH_32 (16 bits alone), WALK_WITHOUT_RGB565 or WALK_WITHOUT_RGB565_DEPTH (RGB565
+ * without a depth buffer alone). */
+bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image);
 
 /* How many instances of the last frame were drawn in a wrong order, because the memory for their
  * pieces was too small. */
-uint32_t walk_methods_unsplit(const walk_methods *methods, const fxl_renderer *renderer);
+uint32_t walk_methods_unsplit(const fxl_renderer *renderer);
 
 #endif

@@ -5,7 +5,10 @@
 
 void walk_path_begin(walk_path *path, const fxl_scene_image *image, bool live)
 {
-    path->image = image;
+    path->poses = image->poses;
+    path->segments = image->segments;
+    path->frame_count = image->frame_count;
+    path->motion_limits = image->motion_limits;
     path->viewer = image->start;
     path->frame = 0;
     path->stride = 0;
@@ -15,12 +18,12 @@ void walk_path_begin(walk_path *path, const fxl_scene_image *image, bool live)
 
 bool walk_path_wants_keys(const walk_path *path)
 {
-    return path->live || path->frame >= path->image->frame_count;
+    return path->live || path->frame >= path->frame_count;
 }
 
 static uint32_t stride_keys(walk_path *path)
 {
-    const fxl_path_segment *strides = path->image->segments;
+    const fxl_path_segment *strides = path->segments;
 
     if (path->stride_left == 0) {
         path->stride++; /* < path_count, since frame < frame_count */
@@ -32,7 +35,7 @@ static uint32_t stride_keys(walk_path *path)
 
 uint32_t walk_path_keys(walk_path *path, uint32_t held)
 {
-    if (path->image->segments == NULL || walk_path_wants_keys(path)) {
+    if (path->segments == NULL || walk_path_wants_keys(path)) {
         return held;
     }
     path->frame++;
@@ -41,11 +44,11 @@ uint32_t walk_path_keys(walk_path *path, uint32_t held)
 
 fxl_status walk_path_next(walk_path *path, uint32_t held)
 {
-    if (path->image->poses != NULL && !walk_path_wants_keys(path)) {
-        path->viewer.pose = path->image->poses[path->frame];
+    if (path->poses != NULL && !walk_path_wants_keys(path)) {
+        path->viewer.pose = path->poses[path->frame];
         path->frame++;
         return FXL_OK;
     }
-    return fxl_player_step(&path->viewer, walk_path_keys(path, held), &path->image->motion_limits,
+    return fxl_player_step(&path->viewer, walk_path_keys(path, held), &path->motion_limits,
                            NULL);
 }

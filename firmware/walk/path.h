@@ -6,7 +6,10 @@
 #include "fixel/scene.h"
 
 typedef struct {
-    const fxl_scene_image *image;
+    const fxl_pose *poses;            /* of the scene's path; null if it is segments */
+    const fxl_path_segment *segments; /* null if it is poses */
+    uint32_t frame_count;             /* of the whole path */
+    fxl_motion_limits motion_limits;
     fxl_player viewer;
     uint32_t frame;       /* the number of the next frame of the path */
     uint32_t stride;      /* the current segment */
@@ -14,8 +17,8 @@ typedef struct {
     bool live;            /* no path: the keys decide from the first frame on */
 } walk_path;
 
-/* Begins at the scene's start pose. Requires an image that fxl_scene_open opened and that
- * outlives the path. */
+/* Begins at the scene's start pose. Requires an image that fxl_scene_open opened. Its bytes outlive the
+ * path, *image need not. */
 void walk_path_begin(walk_path *path, const fxl_scene_image *image, bool live);
 
 /* Tells whether the pose of the next frame depends on the keys that are held. */

@@ -2,7 +2,6 @@
 #include "walk.h"
 
 #include "act.h"
-#include "billboards.h"
 #include "contract/clock.h"
 #include "contract/display.h"
 #include "contract/input.h"
@@ -10,10 +9,13 @@
 #include "contract/store.h"
 #include "contract/system.h"
 #include "fixel/all.h"
-#include "looks.h"
 #include "methods.h"
 #include "path.h"
-#include "surfaces.h"
+#include "plan.h"
+
+#ifndef WALK_LIST_MOST
+#define WALK_LIST_MOST UINT32_MAX
+#endif
 
 /* A row of the widest screen must fit. */
 _Static_assert(WALK_BAND_BYTES >= FXL_SCREEN_MAX, "WALK_BAND_BYTES is less than one row");
@@ -24,20 +26,24 @@ _Static_assert(WALK_BAND_BYTES >= FXL_SCREEN_MAX, "WALK_BAND_BYTES is less than 
 #else
 #define BAND_BYTES WALK_BAND_BYTES
 #endif
-static _Alignas(4) uint8_t band_pixels[BAND_BYTES];
+/* While nothing is drawn, it holds what the set-up reads: then that is not on the stack. */
+static union {
+    _Alignas(4) uint8_t pixels[BAND_BYTES];
+    struct {
+        fxl_scene_image image;
+        walk_methods methods;
+        walk_plan plan;
+    } opening;
+} band_pixels;
 static fxl_draw_entry order[WALK_ORDER_ENTRIES];
-#if WALK_LIST_BYTES >= 4
-static _Alignas(8) uint32_t list[WALK_LIST_BYTES / 4]; /* methods and beams take of it */
-#else
-static uint32_t *const list = NULL;           /* every band walks the scene */
-#endif
+static uint64_t list[WALK_LIST_BYTES / 8]; /* what the scene has, and the methods, take of it */
 #if WALK_CACHE_ENTRIES > 0
 static fxl_cached_vertex cache[WALK_CACHE_ENTRIES];
 #else
 static fxl_cached_vertex *const cache = NULL; /* every face works its vertices out anew */
 #endif
-static fxl_renderer renderer;
-static walk_methods methods;
+static fxl_setup_plan plan;
+static fxl_setup setup;
 
 /* Of a program without a debugger, which has no host to end for: the path is drawn again and again. */
 #if defined WALK_REPEATS
@@ -139,9 +145,9 @@ static int open_scene(fxl_scene_image *image)
 
 /* place pixel-format: rows of a band that fit; what the program says without a target */
 /* How many rows of a band fit into its memory, or fewer if the build says so. */
-static uint32_t band_rows(uint16_t width)
+static uint32_t band_rows(uint16_t width, uint8_t pixel_bits)
 {
-    const uint32_t most = (uint32_t)BAND_BYTES / (width * (methods.draws.target->pixel_bits / 8u));
+    const uint32_t most = (uint32_t)BAND_BYTES / (width * (pixel_bits / 8u));
 
 #ifdef WALK_ROWS_MAX
     return most < WALK_ROWS_MAX ? most : WALK_ROWS_MAX;
@@ -149,12 +155,6 @@ static uint32_t band_rows(uint16_t width)
     return most;
 #endif
 }
-
-/* How the list's memory is shared: what the act wants, what the scene's looks want, its billboards,
- * then what the methods want; the rest is the list. In bytes, multiples of 8. */
-typedef struct {
-    uint32_t act, looks, billboards, taken;
-} shares;
 
 /* Whether the scene asks for an RGB565 that this program has not, which is said. */
 static bool lacks_rgb565(const fxl_scene_image *image)
@@ -174,98 +174,77 @@ static bool lacks_rgb565(const fxl_scene_image *image)
     return true;
 }
 
-static int share_list(const fxl_scene_image *image, shares *of)
+static int choose_methods(walk_methods *methods, const fxl_scene_image *image)
 {
-    const uint32_t room = WALK_LIST_BYTES / 8 * 8;
-
-    of->act = act_bytes(image);
-    of->looks = walk_looks_bytes(image);
-    of->billboards = walk_billboards_bytes(image);
-    of->taken = of->act + of->looks + of->billboards;
     if (lacks_rgb565(image)) {
         return SYSTEM_EXIT_CAPACITY;
     }
-    if (!walk_methods_choose(&methods, image, of->taken < room ? room - of->taken : 0)) {
-        system_text("walk: this board has no room to draw by a BSP tree, with surfaces or with a "
+    if (!walk_methods_choose(methods, image)) {
+        system_text("walk: this program has no room to draw by a BSP tree, with surfaces or with a "
                     "depth buffer (VISIBILITY=sorted), or billboards\n");
-        if (image->surfaces.face_map != NULL && walk_surface_bytes(&image->surfaces) == 0) {
+        if (image->surfaces.face_map != NULL && walk_targets[0].surfaces == NULL) {
             system_text("walk: VISIBILITY=surfaces builds a program that draws surfaces\n");
         }
         return SYSTEM_EXIT_CAPACITY;
     }
 #if !defined WALK_WITHOUT_RGB565
-    if (band_rows(image->lens.width) == 0) {
+    if (band_rows(image->lens.width, methods->draws.target->pixel_bits) == 0) {
         system_text("walk: this board's band holds no row of so wide a screen in RGB565\n");
         return SYSTEM_EXIT_CAPACITY;
     }
 #endif
-    of->taken += walk_methods_bytes(&methods);
-    if (of->taken > room) {
-        print_with_number("walk: what the scene has, clipper and visibility method need ",
-                          of->taken, " bytes");
-        print_with_number(", this board's display list has ", room, "\n");
-        return SYSTEM_EXIT_CAPACITY;
-    }
     return SYSTEM_EXIT_DONE;
 }
 
-/* What is left for the list. */
-static uint32_t list_bytes(uint32_t taken)
+/* What the list's memory has no room for, or the order. */
+static int fail_capacity(const walk_plan *of, uint32_t act)
 {
-    const uint32_t left = WALK_LIST_BYTES - taken;
-
-#ifdef WALK_LIST_MOST
-    return left < WALK_LIST_MOST ? left : WALK_LIST_MOST;
-#else
-    return left;
-#endif
+    if (act + of->needed > sizeof list) {
+        print_with_number("walk: what the scene has, clipper and visibility method need ",
+                          act + of->needed, " bytes");
+        print_with_number(", this board's display list has ", sizeof list, "\n");
+    } else {
+        print_with_number("walk: the scene needs ", of->entries, " order entries");
+        print_with_number(", this board has ", WALK_ORDER_ENTRIES, "\n");
+    }
+    return SYSTEM_EXIT_CAPACITY;
 }
 
-static int open_renderer(fxl_scene_image *image)
+static int open_renderer(const fxl_scene_image *image)
 {
-    uint8_t *const bytes = (uint8_t *)list;
-    const fxl_scene *scene;
-    shares of;
+    walk_methods *const methods = &band_pixels.opening.methods;
+    walk_plan *const of = &band_pixels.opening.plan;
+    const uint32_t act = act_bytes(image);
     fxl_status status;
-    int code = share_list(image, &of);
+    int code = choose_methods(methods, image);
 
     if (code != SYSTEM_EXIT_DONE) {
         return code;
     }
-    status = act_open(image, list, &scene);
+    *of = (walk_plan){.image = image,
+                      .methods = methods,
+                      .tables = {.draw_list = order,
+                                 .draw_list_capacity = WALK_ORDER_ENTRIES,
+                                 .cache = cache,
+                                 .cache_capacity = WALK_CACHE_ENTRIES},
+                      .list_most = WALK_LIST_MOST,
+                      .block = (uint8_t *)list + act,
+                      .size = sizeof list - act};
+    if (act > sizeof list) {
+        return fail_capacity(of, act);
+    }
+    status = act_open(image, list, &plan);
     if (status != FXL_OK) {
         return fail_status("scene", status, SYSTEM_EXIT_RENDER);
     }
-    const fxl_memory memory = {.draw_list = order,
-                               .draw_list_capacity = WALK_ORDER_ENTRIES,
-                               .display_list = of.taken > 0 ? list + of.taken / 4 : list,
-                               .display_list_capacity = list_bytes(of.taken) / 4,
-                               .cache = cache,
-                               .cache_capacity = WALK_CACHE_ENTRIES};
-    status = fxl_renderer_init_with(&renderer, scene, &image->lens, &memory);
+    status = walk_plan_open(of, &plan, &setup);
     if (status == FXL_E_CAPACITY) {
-        print_with_number("walk: the scene needs ", scene->draw_list_needed, " order entries");
-        print_with_number(", this board has ", WALK_ORDER_ENTRIES, "\n");
-        return SYSTEM_EXIT_CAPACITY;
+        return fail_capacity(of, act);
     }
     if (status == FXL_OK) {
-        status =
-            walk_methods_set(&methods, image, &renderer, bytes + of.act + of.looks + of.billboards);
+        status = act_attach(&setup.renderer);
     }
-    if (status == FXL_OK) {
-        status = walk_looks_open(image, methods.draws.surfaces, &renderer, bytes + of.act);
-    }
-    if (status == FXL_OK) {
-        status = walk_billboards_open(image, methods.draws.sprites, &renderer,
-                                      bytes + of.act + of.looks);
-    }
-    if (status == FXL_OK) {
-        status = act_attach(&renderer);
-    }
-    if (status != FXL_OK) {
-        return fail_status("renderer", status, SYSTEM_EXIT_RENDER);
-    }
-    return SYSTEM_EXIT_DONE;
+    return status == FXL_OK ? SYSTEM_EXIT_DONE : fail_status("renderer", status, SYSTEM_EXIT_RENDER);
 }
 
 /* The column at which a frame is drawn as two rectangles, one after the other in the band's memory: in
@@ -276,18 +255,19 @@ static uint32_t border_of(uint32_t frame, uint32_t width)
 }
 
 /* Draws the rectangles of a band of whole rows, which is then another one. border: as border_of says. */
-static fxl_status draw_band(const fxl_scene_image *image, fxl_band *band, uint32_t border)
+static fxl_status draw_band(fxl_band *band, uint32_t border)
 {
+    const fxl_target *target = setup.renderer.target;
     fxl_status status;
 
     do {
         band->columns = (uint16_t)border;
-        methods.draws.target->fill(band, image->background);
-        status = fxl_frame_draw(&renderer, band);
+        target->fill(band, setup.config.background);
+        status = fxl_frame_draw(&setup.renderer, band);
         if (status == FXL_OK) {
-            status = act_draw_over(band, &image->lens);
+            status = act_draw_over(band, &setup.renderer.frame.view.lens);
         }
-        band->pixels += border * (methods.draws.target->pixel_bits / 8u);
+        band->pixels += border * (target->pixel_bits / 8u);
         band->first_column = (uint16_t)(band->first_column + border);
         border = band->width - border;
     } while (status == FXL_OK && band->first_column != 0 && band->first_column != band->width);
@@ -295,82 +275,80 @@ static fxl_status draw_band(const fxl_scene_image *image, fxl_band *band, uint32
 }
 
 /* Draws the frame in bands as high as memory allows. border: as border_of says. */
-static int draw_bands(const fxl_scene_image *image, uint32_t frame, uint32_t border, stopwatch *watch)
+static int draw_bands(uint32_t frame, uint32_t border, stopwatch *watch)
 {
-    const uint16_t width = image->lens.width, height = image->lens.height;
-    const uint32_t rows_max = band_rows(width);
+    const uint16_t width = setup.config.width, height = setup.config.height;
+    const uint32_t rows_max = band_rows(width, setup.renderer.target->pixel_bits);
     uint32_t row, rows;
 
     for (row = 0; row < height; row += rows) {
-        fxl_band band = {.pixels = band_pixels,
+        fxl_band band = {.pixels = band_pixels.pixels,
                          .width = width,
                          .stride = width,
                          .first_row = (uint16_t)row,
-                         .palette = renderer.palette};
+                         .palette = setup.renderer.palette};
         fxl_status status;
 
         system_alive();
         rows = rows_max < height - row ? rows_max : height - row;
         band.rows = (uint16_t)rows;
         stopwatch_start(watch);
-        status = draw_band(image, &band, border);
+        status = draw_band(&band, border);
         stopwatch_stop(watch);
         if (status != FXL_OK) {
             return fail_status("draw", status, SYSTEM_EXIT_RENDER);
         }
-        if (!display_flush(0, (uint16_t)row, width, (uint16_t)rows, band_pixels)) {
+        if (!display_flush(0, (uint16_t)row, width, (uint16_t)rows, band_pixels.pixels)) {
             return fail_frame("the display did not take every pixel", frame, SYSTEM_EXIT_DISPLAY);
         }
     }
     return SYSTEM_EXIT_DONE;
 }
 
-static int draw_frame(const fxl_scene_image *image, walk_path *path, uint32_t frame)
+static int draw_frame(walk_path *path, uint32_t frame)
 {
     const uint32_t held = walk_path_wants_keys(path) ? input_keys() : 0;
-    const uint32_t border = border_of(frame, image->lens.width);
-    static uint32_t begun; /* frames, however often the path is drawn */
+    const uint32_t border = border_of(frame, setup.config.width);
+    static uint32_t begun; /* frames, where the path is drawn again and again */
     stopwatch watch = {0, 0, false};
-    fxl_status status = act_step(path, frame, held);
+    fxl_status status = act_step(&setup, path, frame, held);
     int code;
 
     if (status != FXL_OK) {
         return fail_status("step", status, SYSTEM_EXIT_INPUT);
     }
-    if (!journal_begin(begun++, &path->viewer.pose)) {
+    if (!journal_begin(REPEATS ? begun++ : frame, &path->viewer.pose)) {
         return fail_frame("the pose could not be noted", frame, SYSTEM_EXIT_JOURNAL);
     }
     stopwatch_start(&watch);
-    status = fxl_frame_begin(&renderer, &path->viewer.pose);
+    status = fxl_frame_begin(&setup.renderer, &path->viewer.pose);
     stopwatch_stop(&watch);
     if (status != FXL_OK) {
         return fail_status("frame", status, SYSTEM_EXIT_RENDER);
     }
-    code = draw_bands(image, frame, border, &watch);
-    status = act_end(&renderer);
+    code = draw_bands(frame, border, &watch);
+    status = act_end(&setup.renderer);
     if (code == SYSTEM_EXIT_DONE && status != FXL_OK) {
         return fail_status("end", status, SYSTEM_EXIT_RENDER);
     }
-    if (code == SYSTEM_EXIT_DONE && walk_methods_unsplit(&methods, &renderer) > 0) {
+    if (code == SYSTEM_EXIT_DONE && walk_methods_unsplit(&setup.renderer) > 0) {
         return fail_frame("the display list's memory is too small to cut what moves among the tree",
                           frame, SYSTEM_EXIT_CAPACITY);
     }
     if (code == SYSTEM_EXIT_DONE &&
-        !journal_end(&renderer.workspace.counters, path->viewer.clamped,
+        !journal_end(&setup.renderer.workspace.counters, path->viewer.clamped,
                      border > 0 ? 0 : stopwatch_read(&watch))) {
         return fail_frame("the counters could not be noted", frame, SYSTEM_EXIT_JOURNAL);
     }
     return code;
 }
 
-static int draw_frames(const fxl_scene_image *image, uint32_t frames)
+static int draw_frames(walk_path *path, uint32_t frames)
 {
-    walk_path path;
     uint32_t frame;
 
-    walk_path_begin(&path, image, system_live());
     for (frame = 0; frame < frames; frame++) {
-        const int code = draw_frame(image, &path, frame);
+        const int code = draw_frame(path, frame);
 
         if (code != SYSTEM_EXIT_DONE) {
             return code;
@@ -379,22 +357,30 @@ static int draw_frames(const fxl_scene_image *image, uint32_t frames)
     return SYSTEM_EXIT_DONE;
 }
 
-static int open_walk(fxl_scene_image *image)
+/* Sets all up. */
+static int open_walk(walk_path *path)
 {
-    const int code = open_scene(image);
+    fxl_scene_image *const image = &band_pixels.opening.image;
+    int code = open_scene(image);
 
-    return code == SYSTEM_EXIT_DONE ? open_renderer(image) : code;
+    if (code == SYSTEM_EXIT_DONE) {
+        code = open_renderer(image);
+    }
+    if (code == SYSTEM_EXIT_DONE) {
+        walk_path_begin(path, image, system_live());
+    }
+    return code;
 }
 
 /* Draws the path once; or without end, until something fails. Each time the scene begins as it was made. */
-static int draw_path(fxl_scene_image *image, uint32_t frames)
+static int draw_path(walk_path *path, uint32_t frames)
 {
-    int code = draw_frames(image, frames);
+    int code = draw_frames(path, frames);
 
     while (REPEATS && code == SYSTEM_EXIT_DONE) {
-        code = open_walk(image);
+        code = open_walk(path);
         if (code == SYSTEM_EXIT_DONE) {
-            code = draw_frames(image, frames);
+            code = draw_frames(path, frames);
         }
     }
     return code;
@@ -402,25 +388,25 @@ static int draw_path(fxl_scene_image *image, uint32_t frames)
 
 int walk(void)
 {
-    fxl_scene_image image;
+    walk_path path;
     uint32_t frames;
     bool closed;
-    int code = open_walk(&image);
+    int code = open_walk(&path);
 
     if (code != SYSTEM_EXIT_DONE) {
         return code;
     }
-    frames = system_frames() != 0 ? system_frames() : image.frame_count;
+    frames = system_frames() != 0 ? system_frames() : path.frame_count;
     if (!journal_open(REPEATS ? UINT32_MAX : frames)) {
         system_text("walk: the journal could not be opened\n");
         return SYSTEM_EXIT_JOURNAL;
     }
-    if (!display_open(image.lens.width, image.lens.height, methods.draws.target->pixel_bits,
-                      image.palette)) {
+    if (!display_open(setup.config.width, setup.config.height, setup.renderer.target->pixel_bits,
+                      plan.palette)) {
         system_text("walk: the display could not be opened\n");
         return SYSTEM_EXIT_DISPLAY;
     }
-    code = draw_path(&image, frames);
+    code = draw_path(&path, frames);
     closed = display_close();
     if (code != SYSTEM_EXIT_DONE) {
         return code;

@@ -7,8 +7,8 @@
  * "walk: done N frames". Built with WALK_REPEATS it draws them again and again, and returns only when something failed. Unless the run is live, frames 3, 7, 11 ... are drawn as two rectangles of
  * columns, and noted with 0 instructions. Requires that system_start was called. Returns a SYSTEM_EXIT_... code.
  * Unless it is SYSTEM_EXIT_DONE, a sentence was printed before. Memory: WALK_BAND_BYTES for
- * pixels, WALK_ORDER_ENTRIES for the order of drawing, and WALK_LIST_BYTES, of which beams and
- * motions take what they need. The board's board.mk sets both. */
+ * pixels, WALK_ORDER_ENTRIES for the order of drawing, and WALK_LIST_BYTES, of which the scene's parts
+ * take what they need (plan.h). The board's board.mk sets both. */
 int walk(void);
 
 #endif

@@ -26,6 +26,7 @@ static fxl_setup_plan plan_of(const fxl_scene *scene, const fxl_config *config,
     memset(&plan, 0, sizeof plan);
     plan.scene = scene;
     plan.config = config;
+    plan.init_renderer = fxl_renderer_init;
     if (set & LIGHT) {
         plan.light = light;
         plan.attach_light = fxl_attach_light;
@@ -192,6 +193,7 @@ static void demand_steps(const fxl_scene *scene, const fxl_config *config, const
     memset(&plan, 0, sizeof plan);
     plan.scene = scene;
     plan.config = config;
+    plan.init_renderer = fxl_renderer_init;
     plan.order = &fxl_by_distance;
     plan.play_motions = play;
     plan.beam_memory_size = beam_memory_size;
@@ -234,6 +236,7 @@ static void demand_refusals(const fxl_scene *scene, const fxl_config *config)
     bare = plan;
     plan.scene = scene;
     plan.config = &other;
+    plan.init_renderer = fxl_renderer_init;
     demand_refused(NULL, &plan, 1, memory, FXL_E_ARGUMENT);
     demand_refused(&setup, NULL, 1, memory, FXL_E_ARGUMENT);
     demand_refused(&setup, &plan, 1, NULL, FXL_E_ARGUMENT);
@@ -242,6 +245,8 @@ static void demand_refusals(const fxl_scene *scene, const fxl_config *config)
     demand_refused(&setup, &bare, 1, memory, FXL_E_ARGUMENT);
     bare.scene = &unchecked;
     bare.config = config;
+    demand_refused(&setup, &bare, 1, memory, FXL_E_ARGUMENT);
+    bare.init_renderer = fxl_renderer_init;
     demand_refused(&setup, &bare, 1, memory, FXL_E_ORDER);
     demand_refused(&setup, &plan, 1, (uint8_t *)memory + 4, FXL_E_ALIGNMENT);
     other.target = NULL;

@@ -143,6 +143,21 @@ def test_instructions_are_as_near_as_the_document_says(drawn, tmp_path, board, s
     assert stack <= 1.15 * result["stack"]["seen"] and stack <= result["stack"]["reserved"]
 
 
+@pytest.mark.parametrize("code, seen", [("CAPACITY", 100), ("STACK", None)])
+def test_a_scene_without_room_is_passed_over_and_a_stack_that_overflows_is_not(tmp_path, monkeypatch, code, seen):
+    def stack_seen(_, __, file, ___):
+        if "tiny" in file.name:
+            raise ToolError("the board failed", emulator.exit_code(code))
+        return 100
+    monkeypatch.setattr(fleet, "stack_seen", stack_seen)
+    scenes = [ROOT / "scenes/tiny.toml", ROOT / "scenes/cube.toml"]
+    if seen is None:
+        with pytest.raises(ToolError, match="the board failed"):
+            costs_renewal.deepest_stack("microbit", "walk.elf", scenes, 1 << 20, tmp_path)
+    else:
+        assert costs_renewal.deepest_stack("microbit", "walk.elf", scenes, 1 << 20, tmp_path) == seen
+
+
 @pytest.mark.parametrize("board", BOARDS)
 def test_memory_of_the_program(board):
     result, sizes = predicted(board, ROOT / "scenes/tiny.toml"), fleet.sizes(built(f"{board}/walk.elf"))
@@ -205,14 +220,14 @@ def test_a_board_whose_list_has_no_room(tmp_path):
 def test_the_records_of_a_board():
     """What a scene has beside its faces takes as much on a board as the host's program thinks."""
     records = {"INSTANCE": "fxl_instance", "PLACEMENT": "fxl_placement", "POINT": "fxl_point", "BEAM_LIGHT": "lighting",
-               "LIT_PIECES": "fxl_lit_pieces", "LIT_PIECE": "fxl_lit_piece", "LIGHT": "fxl_light", "SURFACES": "surface_memory",
-               "TEXTURE": "fxl_texture", "BILLBOARDS": "billboard_memory", "BILLBOARD": "fxl_billboard", "SPRITE": "fxl_sprite",
+               "LIT_PIECES": "fxl_lit_pieces", "LIT_PIECE": "fxl_lit_piece", "SURFACE_SET": "fxl_surface_set",
+               "TEXTURE": "fxl_texture", "BILLBOARD_SET": "fxl_billboard_set", "BILLBOARD": "fxl_billboard", "SPRITE": "fxl_sprite",
                "BSP_WORKSPACE": "fxl_bsp_workspace", "BSP_ITEM": "fxl_bsp_item"}
     header = ROOT / "host_tests/judges/predict/records.h"
     assert re.findall(r"ARM_(\w+) =", header.read_text(encoding="utf-8")) == list(records)
     compile_for_a_board("".join(
-        [*(f'#include "{ROOT / file}"\n' for file in ("lib/draw/beam_light.c", "lib/order/bsp_pieces.h", "firmware/walk/surfaces.c")),
-         "#define aligned another_aligned\n", *(f'#include "{file}"\n' for file in (ROOT / "firmware/walk/billboards.c", header)),
+        [*(f'#include "{ROOT / file}"\n' for file in ("lib/draw/beam_light.c", "lib/order/bsp_pieces.h")),
+         "#define aligned another_aligned\n", *(f'#include "{file}"\n' for file in ("fixel/all.h", header)),
          *(f'_Static_assert(sizeof({record}) == ARM_{name}, "{record}");\n' for name, record in records.items())]))
 
 

@@ -34,6 +34,7 @@ void setUp(void)
     memset(&plan, 0, sizeof plan);
     plan.scene = &scene;
     plan.config = &config;
+    plan.init_renderer = fxl_renderer_init;
     plan.start = &poses[2];
     lamp = (fxl_light_settings){.ambient = FXL_Q2_30_ONE / 2, .ramp = ramp, .levels = 2};
     for (uint32_t i = 0; i < sizeof ramp; i++) {
@@ -88,6 +89,9 @@ void test_arguments_that_are_refused(void)
     plan.config = NULL;
     refuse(FXL_E_ARGUMENT, &plan, HEIGHT, memory, LARGE, "plan->config", "not be null");
     plan.config = &config;
+    plan.init_renderer = NULL;
+    refuse(FXL_E_ARGUMENT, &plan, HEIGHT, memory, LARGE, "plan->init_renderer", "not be null");
+    plan.init_renderer = fxl_renderer_init;
     config.target = NULL;
     refuse(FXL_E_ARGUMENT, &plan, HEIGHT, memory, LARGE, "target", "not be null");
     config.target = &fxl_palette_depth_16;
@@ -117,6 +121,39 @@ void test_too_little_memory(void)
         TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_setup_init(&setup, &plan, 4, memory, 0));
         TEST_ASSERT_EQUAL(least, setup.memory_missing);
     }
+}
+
+/* A renderer that the program sets up, with tables of its own: it is handed what the depth leaves. */
+static fxl_status own_answer;
+
+static fxl_status init_own(fxl_renderer *renderer, const fxl_scene *of, const fxl_config *with,
+                           void *rest, size_t size)
+{
+    TEST_ASSERT_EQUAL_PTR(&setup.renderer, renderer);
+    TEST_ASSERT_EQUAL_PTR(&setup.scene, of);
+    TEST_ASSERT_EQUAL_PTR(memory, with->depth);
+    TEST_ASSERT_EQUAL(FXL_DEPTH_BYTES(WIDTH, 4, 16), with->depth_size);
+    TEST_ASSERT_EQUAL_PTR((uint8_t *)memory + with->depth_size, rest);
+    TEST_ASSERT_EQUAL(24, size);
+    return own_answer == FXL_OK ? fxl_renderer_init(renderer, of, with, again, sizeof again)
+                                : own_answer;
+}
+
+void test_tables_of_the_programs_own(void)
+{
+    const uint32_t depth = FXL_DEPTH_BYTES(WIDTH, 4, 16);
+    config.target = &fxl_palette_depth_16;
+    plan.init_renderer = init_own;
+    plan.has_tables = true;
+    own_answer = FXL_OK;
+    refuse(FXL_E_CAPACITY, &plan, 4, memory, depth - 1, "memory_size", "memory_missing");
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_setup_init(&setup, &plan, 4, memory, depth + 24));
+    TEST_ASSERT_NULL(fxl_setup_explain(&setup, &plan, 4, memory, depth + 24));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&setup.renderer, &poses[0], pixels[0], WIDTH));
+    own_answer = FXL_E_RANGE;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_setup_init(&setup, &plan, 4, memory, depth + 24));
+    TEST_ASSERT_EQUAL(FXL_SETUP_RENDERER, setup.step);
+    TEST_ASSERT_NOT_NULL(fxl_setup_explain(&setup, &plan, 4, memory, depth + 24));
 }
 
 static void draw_both(uint32_t frame)

@@ -51,8 +51,8 @@ const char fxl_player_reasons[] =
     ON_DEGENERATE "target must not be the position of pose\0";
 
 const char fxl_setup_reasons[] =
-    ON_ARGUMENT "setup, plan, memory, plan->scene, plan->config and its target must not be "
-    "null\0"
+    ON_ARGUMENT "setup, plan, memory, plan->scene, plan->config, its target and "
+    "plan->init_renderer must not be null\0"
     ON_RANGE "rows must be 1..plan->config->height where the target has a depth buffer, "
     "and width and height at most 1024\0"
     ON_CAPACITY "memory_size must be at least the bytes that the scene needs: "

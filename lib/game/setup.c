@@ -17,7 +17,7 @@ FXL_COLD fxl_status fxl_setup_divide(const fxl_setup *setup, const fxl_setup_pla
                                      uint16_t rows, const void *memory, fxl_setup_shares *shares)
 {
     if (setup == NULL || plan == NULL || memory == NULL || plan->scene == NULL ||
-        plan->config == NULL || plan->config->target == NULL) {
+        plan->config == NULL || plan->config->target == NULL || plan->init_renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
     const fxl_scene *scene = plan->scene;
@@ -50,7 +50,9 @@ FXL_COLD fxl_status fxl_setup_divide(const fxl_setup *setup, const fxl_setup_pla
         shares->depth = FXL_DEPTH_BYTES(config->width, rows, depth_bits);
     }
     shares->before_renderer = shares->motions + shares->beams + shares->tree + shares->depth;
-    shares->renderer = aligned(scene->draw_list_needed * sizeof(fxl_draw_entry));
+    if (!plan->has_tables) {
+        shares->renderer = aligned(scene->draw_list_needed * sizeof(fxl_draw_entry));
+    }
     return FXL_OK;
 }
 
@@ -77,8 +79,8 @@ static FXL_COLD fxl_status begin(fxl_setup *setup, const fxl_setup_plan *plan,
     config->tree_size = shares->tree;
     config->depth = block + shares->before_renderer - shares->depth;
     config->depth_size = shares->depth;
-    status = fxl_renderer_init(&setup->renderer, &setup->scene, config,
-                               block + shares->before_renderer, size - shares->before_renderer);
+    status = plan->init_renderer(&setup->renderer, &setup->scene, config,
+                                 block + shares->before_renderer, size - shares->before_renderer);
     if (status == FXL_OK && plan->set_centre != NULL) {
         setup->step = FXL_SETUP_CENTRE;
         status = plan->set_centre(&setup->renderer, plan->centre_x, plan->centre_y);

@@ -6,7 +6,7 @@
 #include "fixel/setup.h"
 
 /* Bytes of each share, in the order of the block: multiples of 8. The renderer's comes last, and
- * takes what is left, at least `renderer`. */
+ * takes what is left, at least `renderer`, 0 with tables of the program's own. */
 typedef struct {
     uint32_t instances, motions; /* the copies; the first of the two is a part of the second */
     uint32_t beams, tree, depth;

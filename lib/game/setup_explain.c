@@ -3,8 +3,8 @@
  * links none. */
 #include "setup.h"
 
-static const char *explain_step(const fxl_setup *setup, const fxl_setup_shares *shares,
-                                const uint8_t *block, size_t size)
+static const char *explain_step(const fxl_setup *setup, bool has_tables,
+                                const fxl_setup_shares *shares, const uint8_t *block, size_t size)
 {
     const char *const reasons[] = {
         fxl_setup_reasons, /* FXL_SETUP_NOTHING */
@@ -16,8 +16,9 @@ static const char *explain_step(const fxl_setup *setup, const fxl_setup_shares *
         fxl_surfaces_reasons, /* FXL_SETUP_SURFACES */
         fxl_surfaces_reasons, /* FXL_SETUP_LIT */
         fxl_billboards_reasons, /* FXL_SETUP_BILLBOARDS */
+        fxl_setup_reasons, /* FXL_SETUP_DONE */
     };
-    if (setup->step == FXL_SETUP_RENDERER || setup->step >= FXL_SETUP_DONE) {
+    if (!has_tables && (setup->step == FXL_SETUP_RENDERER || setup->step >= FXL_SETUP_DONE)) {
         return fxl_renderer_explain(&setup->renderer, &setup->scene, &setup->config,
                                     block + shares->before_renderer,
                                     size - shares->before_renderer);
@@ -35,5 +36,6 @@ FXL_COLD const char *fxl_setup_explain(const fxl_setup *setup, const fxl_setup_p
     }
     return memory_size < (size_t)shares.before_renderer + shares.renderer
                ? fxl_explain(fxl_setup_reasons, FXL_E_CAPACITY)
-               : explain_step(setup, &shares, (const uint8_t *)memory, memory_size);
+               : explain_step(setup, plan->has_tables, &shares, (const uint8_t *)memory,
+                              memory_size);
 }

@@ -13,7 +13,7 @@ WALK_TEST_CFLAGS := $(WARNINGS) -g1 $(RELATIVE_PATHS) -O1 -fsanitize=undefined -
     -I$(CMOCK_DIR)/src -I$(WALK_TEST_UNITY)/src -DWALK_BAND_BYTES=1024 -DWALK_ORDER_ENTRIES=4 -DWALK_LIST_BYTES=100 \
     -DWALK_CACHE_ENTRIES=8
 WALK_TEST_OBJECTS := $(addprefix $(WALK_TEST)/,test_walk.o test_path.o test_dump.o test_display.o test_window.o board_double.o scene_bytes.o \
-    walk.o billboards.o looks.o surfaces.o methods.o targets.o act_path.o path.o)
+    walk.o plan.o methods.o targets.o act_path.o path.o)
 
 UNITY_TESTS += $(addprefix $(WALK_TEST)/,test_walk test_path test_dump test_display test_window)
 
@@ -64,7 +64,7 @@ $(WALK_TEST)/cmock.o: $(CMOCK_DIR)/src/cmock.c
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -w -c $< -o $@
 
 $(WALK_TEST)/test_walk: $(addprefix $(WALK_TEST)/,test_walk.o test_walk_runner.o board_double.o \
-        scene_bytes.o walk.o billboards.o looks.o surfaces.o methods.o targets.o act_path.o path.o unity.o cmock.o) $(WALK_TEST_MOCKS:.c=.o) $(HOST_LIBRARIES) \
+        scene_bytes.o walk.o plan.o methods.o targets.o act_path.o path.o unity.o cmock.o) $(WALK_TEST_MOCKS:.c=.o) $(HOST_LIBRARIES) \
         $(BUILD)/host/libreference.a
 	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -Wl,--wrap=fxl_frame_draw -lm -o $@

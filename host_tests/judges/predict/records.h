@@ -11,10 +11,9 @@ enum {
     ARM_BEAM_LIGHT = 40,    /* what lib/draw/beam_light.c has at the start of its workspace */
     ARM_LIT_PIECES = 28,    /* fxl_lit_pieces */
     ARM_LIT_PIECE = 6,      /* fxl_lit_piece */
-    ARM_LIGHT = 136,        /* fxl_light */
-    ARM_SURFACES = 96,      /* what firmware/walk/surfaces.c has before its textures */
+    ARM_SURFACE_SET = 48,   /* fxl_surface_set */
     ARM_TEXTURE = 16,       /* fxl_texture */
-    ARM_BILLBOARDS = 24,    /* what firmware/walk/billboards.c has before its records */
+    ARM_BILLBOARD_SET = 12, /* fxl_billboard_set */
     ARM_BILLBOARD = 20,     /* fxl_billboard */
     ARM_SPRITE = 16,        /* fxl_sprite */
     ARM_BSP_WORKSPACE = 36, /* fxl_bsp_workspace */

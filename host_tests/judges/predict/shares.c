@@ -37,16 +37,15 @@ static uint32_t billboard_bytes(const fxl_scene_billboards *billboards)
 {
     return billboards->model_map == NULL
                ? 0
-               : aligned(ARM_BILLBOARDS + (ARM_BILLBOARD + ARM_SPRITE) * billboards->count);
+               : aligned(ARM_BILLBOARD_SET + (ARM_BILLBOARD + ARM_SPRITE) * billboards->count);
 }
 
 /* place pixel-format: what is counted */
 uint32_t taken_bytes(const fxl_scene_image *image)
 {
     return motion_bytes(image) + beam_bytes(&image->scene) +
-           (image->light.base != NULL ? aligned(ARM_LIGHT) : 0) +
            (image->surfaces.face_map != NULL
-                ? aligned(ARM_SURFACES + ARM_TEXTURE * image->surfaces.texture_count)
+                ? aligned(ARM_SURFACE_SET + ARM_TEXTURE * image->surfaces.texture_count)
                 : 0) +
            billboard_bytes(&image->billboards) +
            (image->pixel_bits == 16 ? 256 * (uint32_t)sizeof(uint16_t) : 0);
@@ -77,12 +76,15 @@ uint32_t tree_bytes(const fxl_scene_image *image, uint32_t room)
     return least + (movers > 0 && room > least ? (room - least) / 2u & ~7u : 0);
 }
 
-/* A row at least, and half of the rest. */
+/* A row at least, and as many more as half of the rest holds. */
 uint32_t depth_bytes(const fxl_scene_image *image, uint32_t room)
 {
     if (image->depth_bits == 0) {
         return 0;
     }
-    const uint32_t row = aligned(FXL_DEPTH_BYTES(image->lens.width, 1, image->depth_bits));
-    return row + (room > row ? (room - row) / 2u & ~7u : 0);
+    const uint32_t width = image->lens.width, height = image->lens.height;
+    const uint32_t row = FXL_DEPTH_BYTES(width, 1, image->depth_bits);
+    const uint32_t more = room > row ? (room - row) / 2u & ~7u : 0;
+    const uint32_t rows = (row - 8u + more) / (width * (image->depth_bits / 8u));
+    return FXL_DEPTH_BYTES(width, rows < height ? rows : height, image->depth_bits);
 }

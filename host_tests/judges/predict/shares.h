@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How the walk on a board shares the display list's memory: firmware/walk/walk.c. In bytes,
+/* How the walk on a board shares the display list's memory: firmware/walk/plan.c. In bytes,
  * multiples of 8, with records as an Armv6-M or Armv7-M has them. */
 #ifndef PREDICT_SHARES_H
 #define PREDICT_SHARES_H
@@ -9,7 +9,7 @@
 #include "fixel/scene.h"
 
 /* place pixel-format: what is counted */
-/* What motions, beams, light, surfaces, billboards and a palette of RGB565 take. */
+/* What motions, beams, surfaces, billboards and a palette of RGB565 take. */
 uint32_t taken_bytes(const fxl_scene_image *image);
 
 /* What the order by tree takes of so much; may be more. 0: the scene is drawn by distance. */

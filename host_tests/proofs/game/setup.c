@@ -45,6 +45,7 @@ static void make_any(void)
     plan.scene = nondet_bool() ? NULL : &scene;
     plan.config = nondet_bool() ? NULL : &config;
     plan.order = nondet_bool() ? NULL : &order;
+    plan.init_renderer = nondet_bool() ? NULL : fxl_renderer_init;
     plan.begin_motions = nondet_bool() ? NULL : any_begin_motions;
     plan.beam_memory_size = nondet_bool() ? NULL : any_beam_size;
     config.target = nondet_bool() ? NULL : &target;
@@ -68,7 +69,7 @@ void prove_setup_divide(void)
         const uint64_t sum = (uint64_t)shares.motions + shares.beams + shares.tree + shares.depth;
         ASSERT("the sum of the shares, which does not wrap", shares.before_renderer == sum && sum + shares.renderer < UINT32_MAX);
         ASSERT("all begin where records may", ((shares.instances | shares.motions | shares.beams | shares.tree | shares.depth | shares.renderer) & 7u) == 0);
-        ASSERT("room for all entries", shares.renderer >= (uint64_t)scene.draw_list_needed * sizeof(fxl_draw_entry));
+        ASSERT("room for all entries", shares.renderer >= (uint64_t)scene.draw_list_needed * sizeof(fxl_draw_entry) || plan.has_tables);
         ASSERT("copies of all that moves", plan.begin_motions == NULL ||
                                                (shares.instances >= (uint64_t)scene.instance_count * sizeof(fxl_instance) &&
                                                 shares.motions - shares.instances >= (uint64_t)(scene.instance_count - scene.first_turned) * sizeof(fxl_placement)));
@@ -116,6 +117,7 @@ void prove_setup_init(void)
     plan = nothing;
     plan.scene = &scene;
     plan.config = &config;
+    plan.init_renderer = fxl_renderer_init;
     setup.plan = NULL;
     setup.memory_missing = 0;
     const fxl_status status = fxl_setup_init(nondet_bool() ? NULL : &setup, nondet_bool() ? NULL : &plan, nondet_u16(), nondet_bool() ? NULL : block, size);

@@ -16,11 +16,17 @@ extern "C" {
 /* place pixel-format: the palette of an exported scene */
 /* What a scene has, and the functions of the library that set each part up. A header that
  * tools/scene.py export --c writes has one, NAME_setup. A member is null where the scene lacks the
- * part, so a program links no code for it. All that it points to must outlive the setup. */
+ * part, so a program links no code for it. All that it points to must outlive the setup, but for
+ * the records of scene, configuration, motions and light, which are copied. */
 typedef struct {
     const fxl_scene *scene;   /* checked */
     const fxl_config *config; /* the scene's lens, background, target and palette of RGB565 */
     const fxl_order *order;   /* null: fxl_by_distance */
+    /* fxl_renderer_init. Or a function of the program's own, which is given what the other shares
+     * leave of the memory: with has_tables it needs none of it, and has a draw list elsewhere. */
+    fxl_status (*init_renderer)(fxl_renderer *renderer, const fxl_scene *scene,
+                                const fxl_config *config, void *memory, size_t memory_size);
+    bool has_tables;
     const uint8_t *palette;   /* 256 x red, green, blue, for a display or a picture */
     const fxl_pose *start;    /* the scene's first pose */
     const fxl_pose *path;     /* a pose for each frame; null: there is no path */
@@ -90,13 +96,14 @@ typedef struct {
  * fxl_renderer_init divides it. rows is read where the target has a depth buffer, and is at least
  * the rows of the largest band that is not to be drawn in parts.
  * Requires tables as NAME_setup has them; none is changed.
- * FXL_E_ARGUMENT: a null pointer, also to the scene, the configuration or its target.
+ * FXL_E_ARGUMENT: a null pointer, also to the scene, the configuration, its target or the function
+ * init_renderer.
  * FXL_E_ALIGNMENT: memory is not aligned.
  * FXL_E_ORDER: the scene was not checked: its draw_list_needed is 0.
  * FXL_E_RANGE: rows is not 1..config->height, or width or height is above FXL_SCREEN_MAX.
  * FXL_E_CAPACITY: memory_size is too small, and setup->memory_missing has the missing bytes.
  * With each of these statuses: nothing else is written.
- * Any other status is that of a step, which setup->step names: fxl_motion_begin, fxl_renderer_init,
+ * Any other status is that of a step, which setup->step names: fxl_motion_begin, init_renderer,
  * fxl_renderer_set_centre or an attach function refused the plan's tables. Then the setup cannot
  * draw. */
 fxl_status fxl_setup_init(fxl_setup *setup, const fxl_setup_plan *plan, uint16_t rows, void *memory,
@@ -110,7 +117,8 @@ const fxl_pose *fxl_setup_frame(fxl_setup *setup, uint32_t frame);
 
 /* What was wrong with a call of fxl_setup_init that was refused: an English sentence that names the
  * argument or the part of the plan, and its range. Null: the call was not refused, and no two parts
- * of the setup exclude each other. The arguments are those of the call; none is changed. */
+ * of the setup exclude each other; with has_tables that is not looked at. The arguments are those of
+ * the call; none is changed. */
 const char *fxl_setup_explain(const fxl_setup *setup, const fxl_setup_plan *plan, uint16_t rows,
                               const void *memory, size_t memory_size);
 

@@ -10,7 +10,7 @@ import numpy as np
 from fixel.base import output, parallel, scratch
 from fixel.scene import look as looks, making, target
 from fixel.bench import bench_plan, bench_run, frame_costs
-from fixel.board import fleet, methods, qemu
+from fixel.board import emulator, fleet, methods, qemu
 from fixel.image import image, memory_needed
 from fixel.base.errors import ToolError
 from fixel.base.table import table
@@ -145,8 +145,9 @@ def deepest_stack(board, elf, sources, room, folder):
             continue
         try:
             seen.append(fleet.stack_seen(board, elf, file, pathlib.Path(folder)))
-        except ToolError:
-            continue    # no room for the scene's order, motions or surfaces
+        except ToolError as error:
+            if error.exit_code != emulator.exit_code("CAPACITY"):   # no room for the scene's order, motions or surfaces
+                raise
     return max(filter(None, seen), default=None)
 
 

@@ -97,7 +97,7 @@ def text(scene, name, frames):
         return ", ".join(rows) if there else ", ".join(["NULL"] * len(rows))
     painter, sprites = f"FXL_SURFACES_OF({target(scene)})", f"FXL_SPRITES_OF({target(scene)})"
     centre = scene.centre or (0, 0)
-    rows = [f"&{name}_scene, &{name}_config, {'&fxl_by_tree' if order else 'NULL'}, {name}_palette[0], &{name}_start",
+    rows = [f"&{name}_scene, &{name}_config, {'&fxl_by_tree' if order else 'NULL'}, fxl_renderer_init, false, {name}_palette[0], &{name}_start",
             f"{name}_path, {len(scene.path)}" if frames else "NULL, 0",
             str(_tree(scene)[1] if order else 0),
             f"{centre[0]}, {centre[1]}, {'fxl_renderer_set_centre' if scene.centre else 'NULL'}",
@@ -111,7 +111,7 @@ def text(scene, name, frames):
                      (256,))] if scene.pixel_bits == 16 else []
     return [*palette, _memory(scene, name),
             record("fxl_setup_plan", f"{name}_setup", rows,
-                   "For fxl_setup_init: scene, configuration, order, palette, first pose; path; memory for pieces; centre of "
+                   "For fxl_setup_init: scene, configuration, order, renderer, palette, first pose; path; memory for pieces; centre of "
                    "the lens; motions, beams, light, surfaces, light at corners, billboards, each with what sets it up.")]
 
 

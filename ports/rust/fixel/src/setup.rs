@@ -269,6 +269,7 @@ unsafe fn plan<T: Target>(parts: *mut Parts, scene: &Scene<'_>) {
     let plan = &mut (*parts).plan;
     plan.scene = &image.scene;
     plan.config = &raw const (*parts).config;
+    plan.init_renderer = Some(sys::fxl_renderer_init);
     plan.palette = image.palette;
     plan.start = &image.start.pose;
     if !image.poses.is_null() {
