@@ -3,12 +3,16 @@
 
 import json
 
-from board_programs import ROOT, built
-from conftest import run_make
-from fixel.board import unit_tests
+from board_programs import ROOT, built, made
+from conftest import run_cli, run_make
+from fixel.board import frame_crc, unit_tests
+from fixel.check import frozen_frames
+from fixel.scene import making, target
 
 SCENES = [("plaza", []), ("spin", []), ("room", ["PIXELS=rgb565"]), ("gallery", ["DEPTH=16"]), ("knot", [])]
 GAMES = [["DRIVER=st7789"], ["PIXELS=rgb565", "DEPTH=16"]]
+# Flat, a tree, beams, motions, textures with a depth buffer, billboards.
+EXPORTED = {"cube": None, "knot": None, "beam": None, "spin": None, "room": "16", "grove": None}
 UNITS = ["test_crc", "test_render", "test_project", "test_plane", "test_clip_view", "test_depth"]    # make test BOARD=<name> runs all
 
 
@@ -25,6 +29,19 @@ def draw_scene(board, out, scene, words):
     assert "equal to host          yes" in said and summary["host_frames_equal"] and summary["frames"] == 3
     assert summary["pixels_unexplained"] == 0 and len(set(summary["frame_crc"])) > 1
     return summary
+
+
+def draw_exported(board, folder, name):
+    """Two frames by the program that is written beside an exported scene, which must be those that the host draws of its image."""
+    source, own, depth = ROOT / "scenes" / f"{name}.toml", folder / "own", EXPORTED[name]
+    own.mkdir()
+    done = run_cli("export", "--c", source, "-o", own / "scene.h", "--name", "scene", "--program", own / "main.c", *(["--depth", depth] if depth else []))
+    assert done.returncode == 0, done.stderr
+    made("build/host/frames")
+    making.build(str(source), str(folder / "scene.fxls"), asked=target.Target(depth=depth))
+    frames = frozen_frames.drawn_by_host(folder / "scene.fxls", ROOT / "build", folder).frames[:2]
+    _, summary = run(board, folder / "out", f"PROGRAM={own}", "FRAMES=2")
+    assert summary["frame_crc"] == frame_crc.drawn(frames).each and summary["host_frames_equal"]
 
 
 def draw_game(board, out, words):

@@ -15,6 +15,7 @@ from fixel.base.errors import ToolError
 from fixel.board import dump, frame_crc
 from fixel.check import frozen_frames
 from fixel.image import image as images
+from fixel.report import showcase_models
 from fixel.scene import command as scene_command, compiler, look, making, target
 from test_export import compiled, printed
 
@@ -209,18 +210,14 @@ def test_a_program_links_what_the_setup_names_and_without_it_nothing(tmp_path, n
     assert linked(tmp_path, BY_HAND) == (HAVE[name] & {"clusters", "turned"}, False)
 
 
-@pytest.mark.parametrize("name", ["gallery", "grove", "tiny", "planet.obj", "animated.glb", "emissive.glb", "mirrored.glb", "vertex_colours.obj"])
-def test_the_program_that_is_written_too_draws_the_frames_of_make_run(tmp_path, name):
-    """In bands, and whole; of a model in the best look."""
-    source, header, program = CHECKOUT / "scenes" / f"{name}.toml", tmp_path / "scene.h", tmp_path / "main.c"
-    looks = (look.PLAIN,)
-    if "." in name:
-        source = write_planet(tmp_path).with_suffix(".obj") if name == "planet.obj" else CHECKOUT / "host_tests" / "tools" / "models" / name
-        looks = (look.best(look.Asked(), target.Target(), False),)
+def demand_frames_of_make_run(tmp_path, source, asked, options, **build):
+    """The program that is written too, in bands and whole, draws what the host draws of the same image. asked: a look.Asked of a model."""
+    header, program = tmp_path / "scene.h", tmp_path / "main.c"
+    looks = (look.PLAIN if asked is None else look.best(asked, target.Target(), False),)
     made("build/host/frames")
-    making.build(str(source), str(tmp_path / "scene.fxls"), looks=looks)
-    done = run_cli("export", "--c", source, "-o", header, "--name", "scene", "--program", program)
-    assert done.returncode == 0 and str(program) in done.stdout
+    making.build(str(source), str(tmp_path / "scene.fxls"), looks=looks, **build)
+    done = run_cli("export", "--c", source, "-o", header, "--name", "scene", "--program", program, *options)
+    assert done.returncode == 0 and str(program) in done.stdout, done.stderr
     frames = frozen_frames.drawn_by_host(tmp_path / "scene.fxls", ROOT / "build", tmp_path).frames
     text, shown = program.read_text(encoding="utf-8"), "(void)fxl_band_crc(&crc, &band);"
     height, path = frames[0].pixels.shape[0], images.load(tmp_path / "scene.fxls").path_kind == images.POSES
@@ -235,6 +232,26 @@ def test_the_program_that_is_written_too_draws_the_frames_of_make_run(tmp_path, 
         crcs = printed(compiled(tmp_path, drawn, name="shown.c")).split()
         assert crcs == frame_crc.drawn(frames).each[:len(crcs)] if path else len(crcs) == 1
         assert len(crcs) == (len(frames) if path else 1)
+
+
+@pytest.mark.parametrize("name", ["gallery", "grove", "tiny", "planet.obj", "animated.glb", "emissive.glb", "mirrored.glb", "vertex_colours.obj"])
+def test_the_program_that_is_written_too_draws_the_frames_of_make_run(tmp_path, name):
+    """In bands, and whole; of a model in the best look."""
+    source = CHECKOUT / "scenes" / f"{name}.toml"
+    if "." in name:
+        source = write_planet(tmp_path).with_suffix(".obj") if name == "planet.obj" else CHECKOUT / "host_tests" / "tools" / "models" / name
+    demand_frames_of_make_run(tmp_path, source, look.Asked() if "." in name else None, [])
+
+
+@pytest.mark.parametrize("model", showcase_models.MODELS, ids=lambda each: each.name)
+def test_the_program_of_a_showcase_model_draws_the_frames_of_make_run(tmp_path, monkeypatch, model):
+    """Of few pixels; the scan has fewer faces and texels, so that it is made in seconds."""
+    monkeypatch.setattr(showcase_models, "SCAN_FACES", 8000)
+    monkeypatch.setattr(showcase_models, "SCAN_IMAGE", 512)
+    words = model.look.split()
+    asked = look.Asked(flat="--flat" in words, simplify=int(words[1]) if "--simplify" in words else None)
+    demand_frames_of_make_run(tmp_path, showcase_models.write(model, tmp_path), asked, [*words, "--frames", FRAMES, "--screen", "64x48"],
+                              frames=FRAMES, screen=(64, 48))
 
 
 def test_a_program_of_the_users_own_is_not_written_over(tmp_path):

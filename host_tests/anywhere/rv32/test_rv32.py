@@ -32,6 +32,12 @@ def test_the_game_is_equal_and_a_display_shows_it(tmp_path, words):
 
 
 @here
+@pytest.mark.parametrize("name", own_tools.EXPORTED)
+def test_the_program_of_an_exported_scene_draws_the_frames_of_make_run(tmp_path, name):
+    own_tools.draw_exported("rv32", tmp_path, name)
+
+
+@here
 @pytest.mark.parametrize("name", own_tools.UNITS)
 def test_unit_tests_pass(name):
     assert own_tools.run_unit("rv32", name)["left_out"] == {}
