@@ -268,12 +268,14 @@ $(SAY)
 $(FIRMWARE_QUIET)$(1) -o $@
 endef
 
-# The same for a board, whose linker may say that the program is too large. $(1): the board.
+# The same for a board, whose linker may say that the program is too large. $(1): the board. Of a user's program the tables and arrays
+# alone may be: CHECK_OF_FILE looks before that.
 define TARGET_LINK
 $(MAKE_FOLDER)
+$(CHECK_OF_FILE)
 $(SAY)
 $(FIRMWARE_QUIET)code=0; $(2) -o $@ 2>$@.said || code=$$?; \
-    if [ $$code = 0 ]; then cat $@.said >&2; else python3 tools/fixel/board/room.py $(1) $@ $@.said; fi; rm -f $@.said; exit $$code
+    if [ $$code = 0 ]; then cat $@.said >&2; else python3 tools/fixel/board/room.py $(1) $@ $@.said || true; fi; rm -f $@.said; exit $$code
 endef
 
 # What a program of the user's own links beside its objects: own.c, which hands out its pictures, and any of the library. Its
@@ -300,6 +302,8 @@ $(FIRMWARE_OUT)/$(1)/libown.a: $(FIRMWARE_OUT)/$(1)/firmware/own/show_rows.o $(F
 
 $(call WALK_OF,$(1)): $(FIRMWARE_OUT)/$(1)/firmware/own/own.o $(if $(BOARD_HOSTED.$(1)),$(FIRMWARE_OUT)/$(1)/firmware/own/watched.o) $(OWN_REST_OF)
 $(call WALK_OF,$(1)): LINK_OF_FILE := $(OWN_WRAPPED:%=-Wl$(,)--wrap=%)
+$(call WALK_OF,$(1)): CHECK_OF_FILE = $$(FIRMWARE_QUIET)$(call CROSS_OF,$(1))size -A $$(filter $(FIRMWARE_OUT)/$(1)/own/%.o,$$^) >$$@.said; \
+    python3 tools/fixel/board/room.py $(1) $$@ --sizes $$@.said; code=$$$$?; rm -f $$@.said; exit $$$$code
 endef
 
 define BOARD_RULES

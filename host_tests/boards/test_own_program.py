@@ -6,12 +6,12 @@ import re
 
 import numpy
 import pytest
+import own_tools
 from conftest import CHECKOUT, run_cli, run_make
 from PIL import Image
 
-from fixel.board import dump, frame_crc, room
-from fixel.check import frozen_frames
-from fixel.scene import making, target
+from fixel.board import dump, room
+from fixel.scene import making
 from test_export_setup import write_planet
 
 HELLO = (CHECKOUT / "docs" / "hello.md").read_text(encoding="utf-8")
@@ -294,20 +294,9 @@ def test_a_folder_is_a_program(folder):
     assert summary["frame_crc"] == bands["frame_crc"], "with a display_rows of its own, too"
 
 
-# Flat, a tree, beams, motions, textures with a depth buffer, billboards.
-EXPORTED = {"cube": None, "knot": None, "beam": None, "spin": None, "room": "16", "grove": None}
-
-
-@pytest.mark.parametrize("name", EXPORTED)
-def test_the_program_of_an_exported_scene_draws_the_frames_of_make_run(build, tmp_path, name):
-    source, own, depth = CHECKOUT / "scenes" / f"{name}.toml", tmp_path / "own", EXPORTED[name]
-    own.mkdir()
-    done = run_cli("export", "--c", source, "-o", own / "scene.h", "--name", "scene", "--program", own / "main.c", *(["--depth", depth] if depth else []))
-    assert done.returncode == 0, done.stderr
-    making.build(str(source), str(tmp_path / "scene.fxls"), asked=target.Target(depth=depth))
-    frames = frozen_frames.drawn_by_host(tmp_path / "scene.fxls", build, tmp_path).frames[:2]
-    _, summary, _ = run(tmp_path, "own/", "BOARD=mps3-an547", "FRAMES=2")
-    assert summary["frame_crc"] == frame_crc.drawn(frames).each and summary["host_frames_equal"]
+@pytest.mark.parametrize("name", own_tools.EXPORTED)
+def test_the_program_of_an_exported_scene_draws_the_frames_of_make_run(tmp_path, name):
+    own_tools.draw_exported("mps3-an547", tmp_path, name)
 
 
 def test_a_setup_with_a_light_and_text_of_the_programs_own_draws_what_calls_by_hand_draw(tmp_path):
@@ -336,16 +325,31 @@ def test_a_program_that_fails_says_so(folder, text, code, sentence):
     assert not (folder / "failed").exists()
 
 
-def test_a_program_that_is_too_large_is_told_which_boards_have_the_room(folder):
-    """What it takes, what there is, and none of the linker's lines."""
-    (folder / "large.c").write_text("static char large[100000]; int main(void) { large[7] = 1; return large[5]; }", encoding="utf-8")
+@pytest.mark.parametrize("linked, size, low, high", [(False, 100_000, 100_000, 100_000), (True, 16_000, 16_385, 30_000)])
+def test_a_program_that_is_too_large_is_told_which_boards_have_the_room(folder, linked, size, low, high):
+    """What it takes, what there is, and none of the linker's lines; where its arrays alone are too large, before it is linked."""
+    (folder / "large.c").write_text(f"static char large[{size}]; int main(void) {{ large[7] = 1; return large[5]; }}", encoding="utf-8")
     done = run_make("run", f"PROGRAM={folder / 'large.c'}", "BOARD=microbit")
     errors = [line for line in done.stderr.splitlines() if not line.startswith(("make", "setup"))]
     assert done.returncode == 2 and len(errors) == 1 and "ld:" not in done.stderr, done.stderr
-    needs, has = map(int, re.search(r"needs (\d+) KB of RAM, and BOARD=microbit has (\d+) KB;", errors[0]).groups())
-    assert has == 16 and 98 < needs < 120
+    needs, has = (int(each.replace(",", "")) for each in re.search(r"needs ([\d,]+) bytes of RAM, and BOARD=microbit has ([\d,]+);", errors[0]).groups())
+    assert has == 16 * 1024 and low <= needs <= high
+    assert (CHECKOUT / "build/boards/microbit" / f"own-{str(folder / 'large.c').replace('/', '_').replace('.', '-')}.map").exists() == linked
     named = errors[0].split("are: ")[1].split(";")[0].split()
-    assert set(named) == {board.parent.name for board in (CHECKOUT / "boards").glob("*/memory.ld") if room.room(board.parent.name)["RAM"] >= 100_000}
+    assert set(named) == {board.parent.name for board in (CHECKOUT / "boards").glob("*/memory.ld") if room.room(board.parent.name)["RAM"] >= needs}
+
+
+def test_an_exported_scene_that_is_too_large_is_refused_before_it_is_linked(tmp_path):
+    """Its tables are those of the header."""
+    own = tmp_path / "own"
+    own.mkdir()
+    done = run_cli("export", "--c", CHECKOUT / "scenes/gallery.toml", "-o", own / "gallery.h", "--name", "gallery", "--program", own / "main.c", "--frames", "6000")
+    assert done.returncode == 0, done.stderr
+    done = run_make("run", f"PROGRAM={own}", "BOARD=microbit", f"OUT={tmp_path / 'out'}")
+    error, = (line for line in done.stderr.splitlines() if line.startswith("error: "))
+    needs, has = (int(each.replace(",", "")) for each in re.search(r"needs ([\d,]+) bytes of flash.* and BOARD=microbit has ([\d,]+)", error).groups())
+    assert done.returncode == 2 and needs > 6000 * 24 and has == 179 * 1024 and "mps2-an385" in error and "lm3s6965evb" not in error
+    assert not list((CHECKOUT / "build/boards/microbit").glob(f"own-{str(own).replace('/', '_')}.*"))
 
 
 def test_a_function_that_a_board_lacks_is_named_with_what_there_is_instead(folder):
@@ -359,11 +363,19 @@ def test_a_function_that_a_board_lacks_is_named_with_what_there_is_instead(folde
 def test_lines_of_the_linker_are_judged():
     has = room.room("microbit")
     assert has == {"FLASH": 179 * 1024, "RAM": 16 * 1024}
-    both = room.sentence("microbit", "x", "ld: region `FLASH' overflowed by 1000 bytes\nld: region `RAM' overflowed by 5000000 bytes", has)
-    assert "180 KB of flash and 4,899 KB of RAM" in both and "no board has so much" in both
-    assert "docs/hello.md" in both and "docs/hello.md" not in room.sentence("microbit", "x", "ld: region `FLASH' overflowed by 1000 bytes\n", has)
+    needs = room.needed("ld: region `FLASH' overflowed by 1000 bytes\nld: region `RAM' overflowed by 5000000 bytes", has)
+    both = room.sentence("microbit", "x", needs, has)
+    assert "184,296 bytes of flash and 5,016,384 bytes of RAM" in both and "no board has so much" in both
+    assert "docs/hello.md" in both and "docs/hello.md" not in room.sentence("microbit", "x", {"FLASH": needs["FLASH"]}, has)
     assert room.undefined("ld: `x' is in another section") == "" and room.undefined(2 * "undefined reference to `f'\n").count(" f,") == 1
-    assert room.sentence("microbit", "x", "ld: undefined reference to `f'", has) is None
+    assert room.sentence("microbit", "x", room.needed("ld: undefined reference to `f'", has), has) is None
+
+
+def test_lines_of_sizes_are_judged():
+    """Functions may be left out, tables and arrays not; data that changes takes both."""
+    said = "own.o  :\nsection  size  addr\n.text.main 900000 0\n.rodata 180000 0\n.rodata.str1.1 4000 0\n.data 10 0\n.bss 16380 0\n.debug_info 99999999 0\nTotal 1 \n"
+    assert room.needed_by_objects(said, room.room("microbit")) == {"FLASH": 184_010, "RAM": 16_390}
+    assert room.needed_by_objects(said, room.room("mps2-an385")) == {}
 
 
 @pytest.mark.parametrize("words, sentence", [
