@@ -81,6 +81,15 @@ def test_a_seed_draws_the_same_breaks_each_time_and_as_many_of_each_kind():
     assert len(breaks.draw(every, "1", 1000)) == 60
 
 
+def test_a_seed_draws_the_same_breaks_wherever_a_ledger_has_them(root):
+    entries = [(f"bound-{number}", "bound", "return a + b;", f"return {number};", "make test", "SPEC 1.1") for number in range(9)]
+    drawn = []
+    for some in (entries, entries[::-1]):
+        listed(root, *some)
+        drawn.append([each.id for each in breaks.draw(breaks.blind(root), "1", 8)])
+    assert drawn[0] == drawn[1] and len(drawn[0]) == 2
+
+
 def test_a_break_whose_text_is_there_no_more_is_named_and_not_drawn(root, capsys):
     listed(root, ("tag", "clause", "/* SPEC 1.1 */", "", "make trace", "SPEC 1.1"), ("gone", "bound", "return a * b;", "a", "make test", "SPEC 1.1"),
            ("same", "bound", "return a + b;", "return a + b;", "make test", "SPEC 1.1"))

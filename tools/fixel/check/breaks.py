@@ -29,8 +29,8 @@ RESULTS = (break_commands.NAMED, break_commands.UNNAMED, break_commands.PASSED)
 
 
 def blind(root):
-    """The breaks that it draws from."""
-    return [each for each in planting.entries(root) if each.blind]
+    """The breaks that it draws from, by their ids: a seed draws the same ones wherever their lines move."""
+    return sorted((each for each in planting.entries(root) if each.blind), key=lambda each: each.id)
 
 
 def draw(breaks, seed, count):
