@@ -305,7 +305,7 @@ def test_files_of_a_file_that_are_not_regular(tmp_path, name, text):
         assert_noted(tmp_path, tmp_path / name, "sound.mtl:2", "is a FIFO; give a regular file")
         (tmp_path / "scene.toml").write_text('[[objects]]\nmodel = "scene.obj"\nimages = true\n')
         (tmp_path / "out.fxls").unlink()
-        assert_refused(tmp_path, tmp_path / "scene.toml", "no material with an image that can be read")
+        assert_refused(tmp_path, tmp_path / "scene.toml", "no material with an image that can be read", "is a FIFO")
     else:
         assert_refused(tmp_path, tmp_path / name, "is a FIFO; give a regular file")
 

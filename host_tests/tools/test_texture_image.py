@@ -134,8 +134,20 @@ def test_an_image_that_cannot_be_read_is_a_note(tmp_path, model, kind):
     notes = [line for line in done.stderr.splitlines() if "colour of their material" in line]
     assert len(notes) == 1 and all(word in notes[0] for word in words), done.stderr
     assert model in notes[0] or "m.mtl:3" in notes[0]
+    assert "no image is named" not in done.stderr
     done = build(tmp_path, model, blob, "--no-textures")
     assert done.returncode == 0 and "colour of their material" not in done.stderr
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_a_scene_that_asks_for_an_image_that_cannot_be_read_is_told_why(tmp_path, model):
+    """It is the only one of the model."""
+    blob, words = UNREADABLE[next(iter(UNREADABLE))]
+    build(tmp_path, model, blob)
+    (tmp_path / "scene.toml").write_text(f'[[objects]]\nmodel = "{model}"\nimages = true\n')
+    done = run_cli("build", tmp_path / "scene.toml", "-o", tmp_path / "other.fxls")
+    assert_one_sentence(done, "scene.toml", "images", *words)
+    assert not (tmp_path / "other.fxls").exists()
 
 
 @pytest.mark.parametrize("what", ["folder", "gone"])

@@ -39,6 +39,7 @@ class Mesh:
     normals: list = field(default_factory=list)     # for each face those of its corners, or None; [] where the file has none
     scenery: object = None      # a nodes.Scenery of a file that has nodes
     smoothing: list = field(default_factory=list)   # for each face its smoothing group, creases.OFF or None; [] where the file has none
+    unread: list = field(default_factory=list)      # what is wrong with each image of the file that cannot be read
 
     @cached_property
     def extent(self):
@@ -64,7 +65,7 @@ class Mesh:
                     self.surfaces and self.surfaces.part(numbers, self.scenery is not None),
                     [self.uvs[number] for number in numbers] if self.uvs else [],
                     normals=[self.normals[number] for number in numbers] if self.normals else [], scenery=self.scenery,
-                    smoothing=[self.smoothing[number] for number in numbers] if self.smoothing else [])
+                    smoothing=[self.smoothing[number] for number in numbers] if self.smoothing else [], unread=self.unread)
 
 
 def without_unused(vertices, faces):

@@ -27,10 +27,10 @@ def _once(known, key, make):
 
 class Sources:
     """Reads files, and decodes each image once, by whatever name it is asked for. wants_images: whether a note tells of an image
-    that cannot be read."""
+    that cannot be read. unread: what is wrong with each such image."""
 
     def __init__(self, wants_images=True):
-        self.by_path, self.by_content, self.wants_images = {}, {}, wants_images
+        self.by_path, self.by_content, self.wants_images, self.unread = {}, {}, wants_images, []
 
     def read(self, path, most, advice):
         """The bytes of a file of a model; one of more than so many is refused."""
@@ -47,6 +47,7 @@ class Sources:
             raise
         except ToolError as error:
             said = [f"{error.message}. {without}"]
+            self.unread.append(error.message)
         if self.wants_images:
             notes += [note for note in said if note not in notes]
         return found

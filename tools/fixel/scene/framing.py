@@ -130,7 +130,8 @@ AMBIENT = Fraction(1, 3)
 
 
 def _without_image(mesh, name, look, read_notes):
-    """What there is to say of a mesh whose faces have texture coordinates, and whose file names no material and no image."""
+    """What there is to say of a mesh whose faces have texture coordinates, and whose file names no material and no image; each image that
+    a file names can be read."""
     if not look.texels or mesh.surfaces or not any(mesh.uvs) or any(note.endswith(MISSING_NOTE) for note in read_notes):
         return []
     return [f"{name}: there are texture coordinates, and no image is named: all faces have one colour. Name the image in the file (OBJ: mtllib, "
@@ -295,7 +296,7 @@ def compile_model(path, frames=None, progress=None, screen=None, framing=WALK, l
     told = {mesh.scenery.left_out.get(kind) for kind in played.uses}
     if any(thing.get("vertex_colours") is True for thing in data["objects"]):
         read_notes = [note for note in read_notes if not note.endswith(MEAN_NOTE)]
-    more += _without_image(mesh, shortened(name), look, read_notes)
+    more += [] if files.sources.unread else _without_image(mesh, shortened(name), look, read_notes)
     read_notes, more, notes = [note for note in read_notes if note not in told], played.notes + more, _first_of_a_kind(notes)
     if scene.depth_bits and _needs_no_depth(scene):
         scene.depth_bits = 0

@@ -142,9 +142,11 @@ def read(table, mesh_of, known):
     for key in ("texture", "textures", "mapping", "texels_per_unit", "tiles", "opacity"):
         if key in table:
             raise ToolError(f"{table.at(key)}: the materials' images and their opacity are the file's; keep one or the other")
-    surfaces = mesh_of().surfaces if "solid" not in table else None
+    mesh = mesh_of() if "solid" not in table else None
+    surfaces = mesh.surfaces if mesh else None
     if surfaces is None or not has_looks(surfaces):
-        raise ToolError(f"{table.at('images')}: the model has no material with an image that can be read, and none that is transparent")
+        raise ToolError(": ".join([f"{table.at('images')}: the model has no material with an image that can be read, and none that is "
+                                   "transparent", *(mesh.unread[:1] if mesh else [])]))
     return _known(surfaces, row, known)
 
 

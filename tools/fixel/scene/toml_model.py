@@ -160,7 +160,9 @@ def read(table, key, files, progress):
         raise ToolError(f"{table.at(key)}: there is no file {quoted(name)}; the path is taken from the scene file's folder")
     reader = model_file.READERS[".obj"] if key == "obj" else model_file.reader_of(name)
     progress.stage(f"reading {file}")
+    known = len(files.sources.unread)
     mesh, notes = reader(file, None, progress, files.sources)
+    mesh.unread = files.sources.unread[known:]
     return mesh, file, notes
 
 
