@@ -69,3 +69,10 @@ def test_the_reference_renderer_includes_its_own_headers_and_those_of_c():
                 for name in re.findall(r'^\s*#\s*include\s+([<"][^>"]+)', file.read_text(encoding="utf-8"), re.MULTILINE)}
     assert len(included) > 20
     assert not [name for name in included if not name.startswith('"reference/') and not re.fullmatch(r"<[a-z]+\.h", name)]
+
+
+def test_the_numbers_of_the_stipple_are_those_of_the_specification():
+    numbers = re.compile(r"((?:\d+, ){15}\d+)")
+    told = (CHECKOUT / "SPEC.md").read_text(encoding="utf-8").split("the pattern's number, nothing is drawn.", 1)[1]
+    table = (CHECKOUT / "lib/paint/texel_place.h").read_text(encoding="utf-8").split("stipple[16] = {", 1)[1]
+    assert numbers.search(told)[1] == numbers.match(table)[1]
