@@ -212,8 +212,8 @@ VIEW_REFUSED := $(if $(and $(OWN),$(filter view,$(MAKECMDGOALS))),$(firstword $(
 ifneq ($(VIEW_REFUSED),)
 $(error PROGRAM=$(PROGRAM) with $(VIEW_REFUSED)=$(value $(VIEW_REFUSED)): make view runs a program of your own on this machine, with its own scene and screen: leave out $(VIEW_REFUSED)=, or PROGRAM=)
 endif
-ifneq ($(and $(OWN),$(CLIPPER)$(VISIBILITY)$(ROWS)$(if $(filter-out flash,$(filter $(COMMANDS),$(MAKECMDGOALS))),$(DRIVER))$(PIXELS)$(ORDER)$(DEPTH)$(value LOOK)),)
-$(error PROGRAM=$(PROGRAM) chooses itself what it draws: leave out CLIPPER, VISIBILITY, ROWS, DRIVER, PIXELS, ORDER, DEPTH and LOOK)
+ifneq ($(and $(OWN),$(CLIPPER)$(VISIBILITY)$(ROWS)$(if $(filter-out run flash,$(filter $(COMMANDS),$(MAKECMDGOALS))),$(DRIVER))$(PIXELS)$(ORDER)$(DEPTH)$(value LOOK)),)
+$(error PROGRAM=$(PROGRAM) chooses itself what it draws: leave out CLIPPER, VISIBILITY, ROWS, PIXELS, ORDER, DEPTH and LOOK, and DRIVER but for make run and make flash)
 endif
 
 # What a board cannot do, which the tools would say only after it is built.

@@ -324,8 +324,8 @@ CHOICE_REST_OF = $(filter-out %/walk/walk.o $(if $(WALK_METHODS),%/game/targets_
     $(if $(DRIVER),$(patsubst %,$(FIRMWARE_OUT)/$(1)/%.o,$(call BOARD_WIRES_OF,$(1)))) \
     $(call LIB_OBJECTS_OF,$(1),$(PROGRAM_SOURCES.$(PROGRAM)) $(WALK_RECORDS) $(if $(DRIVER),boards/parts/driver_panel.c $(addsuffix .c,$(call BOARD_WIRES_OF,$(1)))))
 define CHOICE_RULES
-$(call WALK_OF,$(1)): $(call CHOICE_REST_OF,$(1)) $(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o $(if $(DRIVER),$(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o)
-$(call WALK_OF,$(1)): LINK_OF_FILE := $(WALK_METHODS_LINK) $(if $(DRIVER),-Wl$(,)--wrap=board_panels)
+$(call WALK_OF,$(1)): $(call CHOICE_REST_OF,$(1)) $(if $(OWN),,$(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o) $(if $(DRIVER),$(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o)
+$(call WALK_OF,$(1)): LINK_OF_FILE := $(WALK_METHODS_LINK) $(if $(DRIVER),-Wl$(,)--wrap=board_panels) $(if $(OWN),$(OWN_WRAPPED:%=-Wl$(,)--wrap=%))
 
 $(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o: firmware/walk/walk.c firmware/firmware.mk boards/$(1)/board.mk
 	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(WALK_LOOP_FLAGS) $(WALK_ROWS_MAX:%=-DWALK_ROWS_MAX=%) -Ilib/include -Iboards -Ifirmware/walk $$(call BOARD_DEFINES,$(1)))

@@ -117,7 +117,8 @@ static bool close(bool whole)
     return wires_close() && is_sent;
 }
 
-static const panel driver_panel = {open, NULL, flush, end, close};
+extern const panel driver_panel; /* firmware/own/own.c */
+const panel driver_panel = {open, NULL, flush, end, close};
 
 /* --- beside the board's own panels --------------------------------------------------------- */
 

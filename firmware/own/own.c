@@ -22,9 +22,10 @@ int __real_main(int argc, char **argv);
 int __wrap_main(int argc, char **argv);
 
 /* place pixel-format: the frames of a program of the user's own */
-/* The frame that is shown, and the board's first panel, to which it goes: the dump, or a display. */
+/* The frame that is shown, and the panels to which it goes: the board's first one, which is the dump or a display, and with
+ * DRIVER= that of the driver. */
 static struct {
-    const panel *shows; /* null: not open */
+    const panel *shows[2]; /* null: not open, or not there */
     bool in_frame, is_whole; /* is_whole: the frame was drawn in one band */
     uint32_t frames, most; /* ended; after how many the program ends, 0: it ends itself */
     uint16_t width, height, row;
@@ -49,6 +50,8 @@ static struct {
 
 static const void *cleared; /* pixels that fxl_frame_fill cleared and nothing drew into yet */
 static const uint8_t *first_frame; /* the stack of main is below */
+
+extern const panel driver_panel __attribute__((weak)); /* boards/parts/driver_panel.c */
 
 static void fail(const char *sentence, int status)
 {
@@ -75,15 +78,25 @@ static void print_done(void)
     system_text(" frames\n");
 }
 
+static bool close_panels(bool whole)
+{
+    bool is_shown = true;
+
+    for (uint32_t i = 0; i < 2 && shown.shows[i] != NULL; i++) {
+        is_shown = shown.shows[i]->close(whole) && is_shown;
+    }
+    return is_shown;
+}
+
 /* Ends the program where main drew no frame, or not the whole of its last one. */
 static void check_frames(void)
 {
-    if (shown.shows == NULL) {
+    if (shown.shows[0] == NULL) {
         fail("main drew no frame: it called neither fxl_render nor fxl_frame_draw",
              SYSTEM_EXIT_PROGRAM);
     }
     if (shown.in_frame) {
-        (void)shown.shows->close(false);
+        (void)close_panels(false);
         fail("main returned within a frame: its last rows were not drawn", SYSTEM_EXIT_PROGRAM);
     }
 }
@@ -91,40 +104,44 @@ static void check_frames(void)
 static void finish(void)
 {
     check_frames();
-    if (!shown.shows->close(true)) {
+    if (!close_panels(true)) {
         fail("the frames could not be shown", SYSTEM_EXIT_DISPLAY);
     }
     print_done();
     system_exit(SYSTEM_EXIT_DONE);
 }
 
-static void open_panel(void)
+static void open_panels(void)
 {
-    const panel *shows = board_panels()[0];
+    const panel *const panels[] = {board_panels()[0], &driver_panel};
     const fxl_lens *lens = &drawn.renderer->frame.view.lens;
     const panel_format format = {own_colours, 0, lens->width, lens->height, drawn.pixel_bits};
 
     shown.width = lens->width;
     shown.height = lens->height;
     shown.pixel_bits = drawn.pixel_bits;
-    if (shows->open(&format) != PANEL_READY) {
-        fail("the display could not be opened: the frames may be larger than it is", SYSTEM_EXIT_DISPLAY);
+    for (uint32_t i = 0; i < 2 && panels[i] != NULL && (i == 0 || panels[i] != panels[0]); i++) {
+        if (panels[i]->open(&format) != PANEL_READY) {
+            fail("the display could not be opened: the frames may be larger than it is", SYSTEM_EXIT_DISPLAY);
+        }
+        shown.shows[i] = panels[i];
     }
-    shown.shows = shows;
 }
 
 static void begin_frame(void)
 {
-    if (shown.shows == NULL) {
-        open_panel();
+    if (shown.shows[0] == NULL) {
+        open_panels();
     }
     if (drawn.width != shown.width || drawn.pixel_bits != shown.pixel_bits ||
         drawn.renderer->frame.view.lens.height != shown.height) {
         fail("a frame has another size, or other pixels, than the frame before",
              SYSTEM_EXIT_DISPLAY);
     }
-    if (shown.shows->begin != NULL && !shown.shows->begin(shown.frames, &drawn.pose)) {
-        fail("the frames could not be shown", SYSTEM_EXIT_DISPLAY);
+    for (uint32_t i = 0; i < 2 && shown.shows[i] != NULL; i++) {
+        if (shown.shows[i]->begin != NULL && !shown.shows[i]->begin(shown.frames, &drawn.pose)) {
+            fail("the frames could not be shown", SYSTEM_EXIT_DISPLAY);
+        }
     }
     shown.in_frame = true;
     shown.row = 0;
@@ -137,8 +154,10 @@ static void end_frame(void)
     if (shown.is_whole) {
         counters.spilled = 0; /* one band computed them, once */
     }
-    if (!shown.shows->end(&counters, 0, drawn.spent)) {
-        fail("the frames could not be shown", SYSTEM_EXIT_DISPLAY);
+    for (uint32_t i = 0; i < 2 && shown.shows[i] != NULL; i++) {
+        if (!shown.shows[i]->end(&counters, 0, drawn.spent)) {
+            fail("the frames could not be shown", SYSTEM_EXIT_DISPLAY);
+        }
     }
     shown.in_frame = false;
     shown.frames++;
@@ -174,8 +193,10 @@ void own_show(uint16_t first_row, uint16_t rows, const void *pixels, uint16_t st
         fail("the rows of a frame do not go downward, each once", SYSTEM_EXIT_DISPLAY);
     }
     for (uint16_t i = 0; i < rows; i = (uint16_t)(i + at_once)) {
-        if (!shown.shows->flush(0, (uint16_t)(first_row + i), shown.width, at_once, row)) {
-            fail("the frames could not be shown", SYSTEM_EXIT_DISPLAY);
+        for (uint32_t each = 0; each < 2 && shown.shows[each] != NULL; each++) {
+            if (!shown.shows[each]->flush(0, (uint16_t)(first_row + i), shown.width, at_once, row)) {
+                fail("the frames could not be shown", SYSTEM_EXIT_DISPLAY);
+            }
         }
         row += row_bytes;
     }

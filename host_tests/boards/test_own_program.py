@@ -260,6 +260,16 @@ def test_what_is_drawn_over_bands_of_16_bits_is_shown(folder):
     assert len(numpy.unique(frames[0].pixels)) > 5, "the cube is there too"
 
 
+@pytest.mark.parametrize("board", ["host", "mps2-an385"])
+def test_a_display_shows_the_bands_of_a_program(folder, board):
+    """What goes over the wires of DRIVER=, text over the bands too."""
+    done, summary, frames = run(folder, "hud.c", f"BOARD={board}", "DRIVER=ili9341", text=HUD)
+    assert summary["wires_frames_equal"] == 3 == len(frames) and "from the wires of an ili9341" in done.stdout
+    assert summary["host_frames_equal"] and summary["sent_crc"] == summary["frame_crc"] and len(set(summary["frame_crc"])) == 3
+    refused = run_make("run", f"PROGRAM={folder / 'hud.c'}", f"OUT={folder / 'small'}", f"BOARD={board}", "DRIVER=gc9a01")
+    assert refused.returncode == 2 and "larger than it is" in refused.stdout + refused.stderr and not (folder / "small").exists()
+
+
 def test_a_background_of_the_programs_own_does_not_hide_a_band(folder):
     """Nobody sees when the program paints it into the next band: so the band is shown as the renderer has drawn it."""
     _, _, frames = run(folder, "sky.c", "BOARD=host", text="#define BACKGROUND_OF_ITS_OWN\n" + HUD)
@@ -386,7 +396,6 @@ def test_lines_of_sizes_are_judged():
     (["view", "PROGRAM=examples/cube/main.c", "SCENE=scenes/cube.toml"], "PROGRAM=examples/cube/main.c with SCENE=scenes/cube.toml"),
     (["view", "PROGRAM=examples/cube/main.c", "BOARD=pico"], "PROGRAM=examples/cube/main.c with BOARD=pico"),
     (["flash", "PROGRAM=examples/cube/main.c", "BOARD=pico", "DRIVER=st7789", "ROWS=8"], "PROGRAM=examples/cube/main.c chooses itself what it draws"),
-    (["run", "PROGRAM=examples/cube/main.c", "DRIVER=st7789"], "PROGRAM=examples/cube/main.c chooses itself what it draws"),
     (["flash", "DRIVER=st7789"], "the boards that have one are: pico"), (["flash", "BOARD=pico", "DRIVER=st"], "the drivers are: gc9a01"),
     (["run", "PROGRAM=examples/cube/main.c", "DEPTH=16"], "PROGRAM=examples/cube/main.c chooses itself what it draws")])
 def test_what_make_refuses(words, sentence):

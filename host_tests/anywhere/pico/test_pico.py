@@ -244,10 +244,11 @@ def test_a_program_of_ones_own_draws_its_textured_model_on_a_display_without_a_d
     done = run_cli("export", "--c", "--board", "pico", "--frames", "3", TEXTURED, "-o", tmp_path / "own/model_scene.h", "--program", tmp_path / "own/main.c")
     assert done.returncode == 0, done.stderr
     _, drawn = run(tmp_path / "drawn", f"SCENE={TEXTURED}", "FRAMES=3", "DRIVER=st7789")
-    _, own = run(tmp_path / "out", f"PROGRAM={tmp_path / 'own'}")
+    _, own = run(tmp_path / "out", f"PROGRAM={tmp_path / 'own'}", "DRIVER=st7789")
     flash_alone(tmp_path, "st7789", f"PROGRAM={tmp_path / 'own'}")
     pictures, sent = shown_alone(tmp_path, "st7789", 320, 240, 5)
     expected = own["frame_crc"]
+    assert own["wires_frames_equal"] == 3 and own["sent_crc"] == expected
     assert expected == drawn["frame_crc"] == drawn["sent_crc"] and len(set(expected)) == 3
     assert pictures == sent == [*expected, *expected[:2]]
 

@@ -95,16 +95,6 @@ def summarise(options, program, drawn, equal):
             "host_frames_equal": equal, "driver": options.driver}
 
 
-def compare_wires(options, record, drawn):
-    """What came over the wires of DRIVER=, beside what was drawn, and the CRCs of both: for summary.json."""
-    frame = frame_crc.drawn(drawn.frames)
-    if not options.driver:
-        return {"wires_frames_equal": None, "wires_frame_sha256": None} | frame_crc.summary(frame, None)
-    with Progress(f"reading the wires of an {options.driver}") as progress:
-        found = wires.compare(record, options.driver, drawn, progress)
-    return {"wires_frames_equal": found.equal, "wires_frame_sha256": found.hashes} | frame_crc.summary(frame, found.sent)
-
-
 def write_pictures(folder, drawn, twin):
     """Every frame, every difference, and the walk as an animation."""
     for frame, other in steps("writing pictures", list(zip(drawn.frames, twin.frames))):
@@ -149,9 +139,7 @@ def print_summary(summary, out):
             counted.row(summary),
             ["equal to host", summary["host_frames_equal"]],
             ["CRC of all frames", frame_crc.both(summary["frame_crc_all"], summary["sent_crc_all"])],
-            *([[f"from the wires of an {summary['driver']}",
-                f"{summary['wires_frames_equal']} of {summary['frames']} frames as they were drawn"]]
-              if summary["driver"] else []),
+            *wires.rows(summary),
             *([["kept", f"{', '.join(summary['kept'])}: computed by an earlier command (FRESH=1 computes all)"]]
               if summary["kept"] else [])]
     print(table(rows))
@@ -229,7 +217,7 @@ def run(options, folder):
         hosted, _ = walk(firmware.HOST, options, image, twin_folder, name, part="host") \
             if options.board != firmware.HOST or options.whole_frames else (file, program)
         equal = frames_equal(drawn, dump.read_dump(hosted))
-        sent = compare_wires(options, record, drawn)
+        sent = wires.told(options.driver, record, drawn)
         verdicts, twin = UNJUDGED, drawn
         if options.program == methods.WALK:
             verdicts, twin = judge(options, image, drawn, file, work)

@@ -12,7 +12,7 @@ from fixel.base import output, picture, reading, scratch
 from fixel.base.errors import one_line
 from fixel.base.progress import Progress, steps
 from fixel.base.table import coloured, count_of, table
-from fixel.board import counted, dump, emulator, firmware, flash_memory, frame_crc, methods, model_look, spilled
+from fixel.board import counted, dump, emulator, firmware, flash_memory, frame_crc, methods, model_look, spilled, wires
 
 PREFIX = "own-"     # of the programs' names: firmware/firmware.mk
 FRAMES = 120        # after which a program without an end is ended
@@ -56,14 +56,14 @@ def greys():
     return numpy.repeat(numpy.arange(256, dtype=numpy.uint8)[:, None], 3, 1)
 
 
-def draw(board, options, image, folder):
-    """What the program draws on a board, and what it prints: (Dump, text)."""
-    elf = methods.elf_of(board, options.build, options.program)
+def draw(board, options, image, folder, record=None):
+    """What the program draws on a board, and what it prints: (Dump, text). record: where the wires' is to be."""
+    elf = methods.elf_of(board, options.build, methods.program(options))
     program = firmware.load(elf, board)
     file, flashed = folder / f"{board}.fxld", folder / f"{board}.bin"
     flash_memory.flash(board, elf, image, flashed)
     with Progress(f"running on {board} ({program.cpu})") as progress:
-        done = emulator.run(board, flashed, elf, file, options.frames or FRAMES, TIMEOUT, progress, at_most=True)
+        done = emulator.run(board, flashed, elf, file, options.frames or FRAMES, TIMEOUT, progress, at_most=True, record=record)
     return dump.read_dump(file), done.output
 
 
@@ -73,12 +73,18 @@ def same(one, other):
         all(numpy.array_equal(a.pixels, b.pixels) for a, b in zip(one.frames, other.frames))
 
 
-def summarise(options, program, drawn, equal):
+def summarise(options, program, drawn, equal, sent):
     """summary.json."""
     return {"board": options.board, "cpu": program.cpu, "program": options.program, "width": drawn.width, "height": drawn.height,
             "frames": len(drawn.frames),
             **counted.summary(drawn.frames, program),
-            "host_frames_equal": equal, "polygons_spilled": sum(frame.counters["spilled"] for frame in drawn.frames)} | frame_crc.summary(frame_crc.drawn(drawn.frames), None)
+            "host_frames_equal": equal, "polygons_spilled": sum(frame.counters["spilled"] for frame in drawn.frames),
+            "driver": options.driver} | sent
+
+
+def passes(summary):
+    """Whether the host draws the same, and a display shows it."""
+    return summary["host_frames_equal"] and summary["wires_frames_equal"] in (None, summary["frames"])
 
 
 def line_to_open(out):
@@ -94,10 +100,11 @@ def print_summary(summary, options):
                               + ("" if options.frames or summary["frames"] < FRAMES else f", then it was ended: FRAMES= takes more than {FRAMES}")],
                  counted.row(summary),
                  ["equal to host", summary["host_frames_equal"]],
-                 ["CRC of all frames", frame_crc.both(summary["frame_crc_all"], summary["sent_crc_all"])]]))
+                 ["CRC of all frames", frame_crc.both(summary["frame_crc_all"], summary["sent_crc_all"])],
+                 *wires.rows(summary)]))
     if summary["polygons_spilled"]:
-        print(spilled.of_own(summary["polygons_spilled"], exported_name(methods.elf_of(options.board, options.build, options.program))))
-    good = summary["host_frames_equal"]
+        print(spilled.of_own(summary["polygons_spilled"], exported_name(methods.elf_of(options.board, options.build, methods.program(options)))))
+    good = passes(summary)
     print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}: {one_line(options.out)}")
     print(line_to_open(options.out))
 
@@ -106,14 +113,16 @@ def run(options, folder):
     """The whole run; its files go into folder. The summary."""
     output.make_folder(options.build)
     with scratch.folder("run", options.build) as work:
-        elf = methods.elf_of(options.board, options.build, options.program)
+        elf = methods.elf_of(options.board, options.build, methods.program(options))
         program = firmware.load(elf, options.board)
         if not program.hosted:
             emulator.find_qemu(program.emulator)
         image = model_look.scene_image(options, elf, work)
-        drawn, said = draw(options.board, options, image, work)
+        record = work / wires.NAME if options.driver else None
+        drawn, said = draw(options.board, options, image, work, record)
         print(OURS.sub("", said), end="", flush=True)
         hosted = drawn if options.board == firmware.HOST else draw(firmware.HOST, options, image, work)[0]
+        sent = wires.told(options.driver, record, drawn)
         palette = palette_of(elf) if drawn.frames[0].pixels.itemsize == 1 else drawn.palette
         if palette is None:
             print("  the program has no palette of an exported scene: its colours are shown as greys", file=sys.stderr)
@@ -122,7 +131,7 @@ def run(options, folder):
             picture.palette_image(frame.pixels, palette).save(folder / f"frame_{frame.number:04d}.png")
         (folder / "walk.gif").write_bytes(picture.animation_bytes([frame.pixels for frame in drawn.frames], palette))
         (work / f"{options.board}.fxld").rename(folder / "board.fxld")
-    return summarise(options, program, drawn, same(drawn, hosted))
+    return summarise(options, program, drawn, same(drawn, hosted), sent)
 
 
 def command(options, patterns):
@@ -131,4 +140,4 @@ def command(options, patterns):
         summary = run(options, folder)
         output.write_json(folder / "summary.json", summary)
     print_summary(summary, options)
-    return 0 if summary["host_frames_equal"] else 1
+    return 0 if passes(summary) else 1

@@ -12,6 +12,7 @@ from fixel.base import reading
 from fixel.board import controllers, frame_crc, grey
 from fixel.board.controllers import require
 from fixel.base.errors import ToolError
+from fixel.base.progress import Progress
 
 NAME = "wires.bin"  # as boards write it, in the folder they start in
 HEAD = struct.Struct("<cI")
@@ -122,3 +123,19 @@ def compare(path, driver, drawn, progress=None):
                 progress(len(found.hashes), len(drawn.frames))
     require(len(found.hashes) == len(drawn.frames), f"{len(found.hashes)} frames come, and {len(drawn.frames)} were drawn")
     return found
+
+
+def told(driver, path, drawn):
+    """What came over the wires of DRIVER=, if there is one, beside what was drawn, and the CRCs of both: for summary.json."""
+    frame = frame_crc.drawn(drawn.frames)
+    if not driver:
+        return {"wires_frames_equal": None, "wires_frame_sha256": None} | frame_crc.summary(frame, None)
+    with Progress(f"reading the wires of an {driver}") as progress:
+        found = compare(path, driver, drawn, progress)
+    return {"wires_frames_equal": found.equal, "wires_frame_sha256": found.hashes} | frame_crc.summary(frame, found.sent)
+
+
+def rows(summary):
+    """A row for people of a summary; none without a driver."""
+    return [[f"from the wires of an {summary['driver']}", f"{summary['wires_frames_equal']} of {summary['frames']} frames as they were drawn"]] \
+        if summary["driver"] else []
