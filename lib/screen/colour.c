@@ -91,7 +91,7 @@ const fxl_display_family fxl_display_colour_18 = {&fxl_pixels_rgb666, set_up,   
 /* Its glass is blue, green, red, and its columns run from right to left. */
 const fxl_display_driver fxl_ili9341 = OF_COLOURS(240, 320, 240, 320, 0x48, false);
 
-/* place driver: the record of a driver */
+/* place driver: the record of a driver of colours */
 /* The glass is mounted with its first row at the bottom, and its first column at the right. */
 const fxl_display_driver fxl_st7735 = OF_COLOURS(132, 162, 128, 160, 0xC0, false);
 

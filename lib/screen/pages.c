@@ -102,7 +102,7 @@ const fxl_display_family fxl_display_sh1107 = {
             false \
     }
 
-/* place driver: the record of a driver */
+/* place driver: the record of a driver of pages */
 static const uint8_t sh1106_commands[] = {
     0xAD, 0x8B, /* its own voltage converter on */
     0xD9, 0x22, /* lengths of precharge and discharge: as after reset */
