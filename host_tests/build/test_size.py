@@ -11,7 +11,7 @@ from conftest import CHECKOUT
 
 from fixel.bench import linked_size, sizes, stack
 from fixel.board import fleet
-from fixel.scene import making, target
+from fixel.scene import making
 
 CROSS = "arm-none-eabi-"
 PURE = """
@@ -198,13 +198,12 @@ def test_the_firmwares_figure_is_not_below_what_a_run_shows(build):
 @pytest.mark.parametrize("row, beams, board, column", [("surfaces, lit ones or with holes", False, "mps2-an385", 2),
                                                        ("surfaces and light beams", True, "mps2-an385", 2), ("surfaces and light beams", True, "microbit", 1)])
 def test_the_stack_with_a_depth_buffer_is_what_its_page_says(build, tmp_path, row, beams, board, column):
-    """The scene that is deepest by a tree, with a depth buffer instead, and in RGB565 with holes, which is deeper."""
-    text = (CHECKOUT / "bench/costs_deepest_tree.toml").read_text(encoding="utf-8").replace('tree = "all"\n', "")
-    text = text.replace('pattern = "planks"', 'pattern = "grille"')
+    """The deepest scene of make costs."""
+    text = (CHECKOUT / "bench/costs_deepest.toml").read_text(encoding="utf-8")
     scene = tmp_path / "scene.toml"
     scene.write_text(text if beams else re.sub(r"\[\[beams\]\]\n(.+ = .+\n)+", "", text), encoding="utf-8")
     made = tmp_path / "scene.fxls"
-    making.build(scene, made, frames=sizes.SCENE_FRAMES, asked=target.Target("rgb565", depth="16"))
+    making.build(scene, made, frames=sizes.SCENE_FRAMES)
     seen = fleet.stack_seen(board, build / f"boards/{board}/walk.elf", made, tmp_path)
     page = (CHECKOUT / "docs/extras/depth.md").read_text(encoding="utf-8")
     stated = float(re.search(rf"^\| {row} \| ([\d.]+) KB \| ([\d.]+) KB \|$", page, re.M)[column])
