@@ -239,6 +239,7 @@ def test_what_is_drawn_over_a_frame_is_shown_and_a_loop_without_end_is_ended(fol
     done, summary, frames = run(folder, "overlay.c", "BOARD=host", text=OVERLAY)
     assert summary["frames"] == 120 and "FRAMES= takes more than 120" in done.stdout
     assert all((frame.pixels[:, 10 * number:10 * number + 10] == 1).all() for number, frame in enumerate(frames[:30]))
+    assert run(folder, "overlay.c", "BOARD=host", "FRAMES=130")[1]["frames"] == 130
 
 
 def test_colours_of_16_bits_and_a_stride(folder):

@@ -268,11 +268,21 @@ def test_a_program_that_crashes_says_so_and_its_last_frame_stays(page, folder, b
 
 
 def test_a_program_that_ends_says_so(page, folder):
-    change(folder, LAST="3")
+    change(folder, LAST="1")
     said = banner(page, "ended")
-    assert "3 frames" in said and "main returned 0" in said and number(page) == 2
+    assert "1 frame:" in said and "main returned 0" in said and number(page) == 0
     change(folder, LAST="0")    # now it draws none
     assert "main drew no frame" in banner(page, "drew no frame")
+
+
+def test_a_program_that_has_ended_begins_again(paused, folder):
+    change(folder, LAST="2", TOP="28")
+    wait_for_row(paused, 28)
+    for next_one in ("1", "0", "1", "0"):
+        paused.click("#step")
+        paused.wait_for_function("one => document.getElementById('number').textContent === one", arg=next_one)
+    change(folder)
+    wait_for_row(paused, 8)
 
 
 def test_copies_that_keep_frames_end_with_their_frames(page, window):

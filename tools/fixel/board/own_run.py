@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A program of the user's own on a board: its pictures, and whether the host draws the same (make run PROGRAM=my.c)."""
 
+import argparse
 import pathlib
 import re
 import sys
@@ -117,7 +118,8 @@ def run(options, folder):
         program = firmware.load(elf, options.board)
         if not program.hosted:
             emulator.find_qemu(program.emulator)
-        image = model_look.scene_image(options, elf, work)
+        # The board's start wants some scene; of what the program draws, frames have nothing to do with its path.
+        image = model_look.scene_image(argparse.Namespace(**vars(options) | {"frames": None}), elf, work)
         record = work / wires.NAME if options.driver else None
         drawn, said = draw(options.board, options, image, work, record)
         print(OURS.sub("", said), end="", flush=True)

@@ -137,7 +137,7 @@ static fxl_status draw(const fxl_pose *eye)
                                .palette = it.renderer.palette};
         fxl_frame_fill(&it.renderer, &band, %(name)s_config.background);
         status = fxl_frame_draw(&it.renderer, &band);
-        /* Here band.rows rows of pixels go to your display: docs/displays.md, docs/extras/pixels.md. */
+        /* Here band.rows rows of pixels go to your display: docs/displays.md. make run, view and flash take them by themselves. */
     }
     return status;
 #endif

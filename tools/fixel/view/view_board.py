@@ -76,6 +76,10 @@ class Buttons:
         self._worker.shutdown(wait=True, cancel_futures=True)
 
 
+class ProgramEnded(Exception):
+    """A program has come to its end without an error, and may begin again."""
+
+
 class Board:
     """A running board. Frames and restart are for one thread; hold and stop may come from another."""
 

@@ -16,9 +16,10 @@ import time
 
 from fixel.base import children
 from fixel.base.errors import ToolError, one_line, printable
+from fixel.base.table import count_of
 from fixel.board import emulator, execute, firmware, methods, own_run
 from fixel.board.ending import Ending, describe, last_lines
-from fixel.view.view_board import ENDLESS, Board
+from fixel.view.view_board import ENDLESS, Board, ProgramEnded
 from fixel.view.view_stream import KEYS_NAME
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
@@ -124,14 +125,16 @@ class Own(Board):
     # --- while it runs --------------------------------------------------------------
 
     def look(self):
-        """Raises where the program has ended."""
+        """Raises where the program has ended: ProgramEnded where it drew frames that can begin anew."""
         code = self._process.poll()
         if code is None:
             return
         text = self.text()
         done, words = DONE.search(text), last_lines(own_run.OURS.sub("", text))
+        if code == 0 and done and int(done[1]) > 1:
+            raise ProgramEnded
         if code == 0 and done:
-            said = f"has ended after {done[1]} frames: main returned 0"
+            said = f"has ended after {count_of(int(done[1]), 'frame')}: main returned 0"
         elif code < 0:
             said = f"crashed: signal {-code} ({signal.Signals(-code).name})"
         else:

@@ -5,6 +5,7 @@ import threading
 import time
 
 from fixel.base.errors import ToolError
+from fixel.view.view_board import ProgramEnded
 
 IDLE_RATE = 1.0     # frames a second while nobody looks on: enough to see the board end
 LOOK = 1.0          # seconds between two looks at a board that is paused: it may end
@@ -77,6 +78,9 @@ class Pump:
         while (task := self._next()) is not None:
             try:
                 self._do(task)
+            except ProgramEnded:
+                if task == FRAME:       # the last picture stays until the next one is due
+                    self.restart()
             except ToolError as error:
                 if self._closing:
                     return
