@@ -13,6 +13,7 @@ enum {
     HEIGHT = 16,
     WIDEST = 80,
     ROWS = 17,
+    LARGEST = WIDEST * ROWS * 3 / 4 + 2, /* words of a band of three bytes a pixel, and guards */
     GUARD = 0x5A
 };
 
@@ -83,7 +84,7 @@ static void pause(void *user, uint32_t milliseconds)
 static void demand_565(const fxl_pixels *pixels, const fxl_band *band, fxl_status status)
 {
     static uint16_t frame[WIDEST * ROWS];
-    static uint32_t out[WIDEST * ROWS / 2 + 2];
+    static uint32_t out[LARGEST];
     static const uint16_t colours[256];
     for (uint32_t i = 0; i < WIDEST * ROWS; i++) {
         frame[i] = (uint16_t)(i * 40503u);
@@ -96,6 +97,7 @@ static void demand_565(const fxl_pixels *pixels, const fxl_band *band, fxl_statu
         wide.first_column = (uint16_t)(columns == 0 ? 0 : (band->width - columns) / 2);
         const size_t size = fxl_pixels_size(pixels->format,
                                             columns == 0 ? band->width : columns, band->rows);
+        DEMAND(size < sizeof out);
         memset(out, GUARD, sizeof out);
         const fxl_status answer = fxl_pixels_convert(pixels, &wide, out, size);
         DEMAND(answer == status || (columns != 0 && status == FXL_E_RANGE));
@@ -112,7 +114,7 @@ static void demand_565(const fxl_pixels *pixels, const fxl_band *band, fxl_statu
 static void fuzz_formats(fuzz_input *in)
 {
     static uint8_t frame[WIDEST * ROWS];
-    static uint32_t out[WIDEST * ROWS / 2 + 2];
+    static uint32_t out[LARGEST];
     static fxl_pixels pixels;
     const uint32_t run = 1u + fuzz_below(in, 64), noise = fuzz_below(in, 2);
     fxl_band band = {.pixels = frame, .width = 0, .stride = 0, .first_row = 0, .rows = 0};
@@ -126,6 +128,7 @@ static void fuzz_formats(fuzz_input *in)
     for (uint32_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
         DEMAND(fxl_pixels_init(&pixels, formats[i], palette) == FXL_OK);
         const size_t size = fxl_pixels_size(formats[i], band.width, band.rows);
+        DEMAND(size < sizeof out);
         memset(out, GUARD, sizeof out);
         fxl_status status = fxl_pixels_convert(&pixels, &band, out, size);
         const bool is_empty = band.width == 0 || band.rows == 0;
