@@ -155,9 +155,14 @@ def page(tmp_path_factory):
     for name, text in (("rows.c", DISPLAY_ROWS), ("send.c", DISPLAY_SEND), ("keys.c", KEYS), ("threads.c", THREADS), ("least.h", LEAST),
                        ("wired.c", WIRED), ("whole.c", WHOLE)):
         (folder / name).write_text(text, encoding="utf-8")
-    making.export(str(EXAMPLE / "cube.obj"), str(folder / "cube_scene.h"), frames=60)
+    export(folder)
     library("host")
     return folder
+
+
+def export(folder):
+    """The page's scene, of palette entries."""
+    making.export(str(EXAMPLE / "cube.obj"), str(folder / "cube_scene.h"), frames=60)
 
 
 def compiled(folder, compiler, *files):
@@ -406,6 +411,8 @@ def firmware_of(page):
 
 
 def test_a_firmware_of_your_own_prints_the_frames(page):
+    """Of a scene of palette entries: the commands of the page have exported it in RGB565 meanwhile."""
+    export(page)
     firmware_of(page)
     frames = drawn(page, "whole.c").reshape(60, HEIGHT * WIDTH)
     process = subprocess.Popen(shlex.split(BOARD_COMMANDS[-1]), cwd=page, stdout=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True)
