@@ -41,6 +41,7 @@ int draw_open(const fxl_scene_image *image)
         text_with_number("bench: order entries needed", "", ": ", order_used);
         return SYSTEM_EXIT_CAPACITY;
     }
+    plan = (fxl_setup_plan){0};
     of = (walk_plan){.image = image,
                      .methods = &methods,
                      .tables = {order, order_used, list, DRAW_LIST_WORDS, cache, DRAW_CACHE_ENTRIES},

@@ -39,7 +39,7 @@ static uint32_t cache_used;
 
 /* What a scene has beside its faces, and a depth buffer of the whole frame. */
 static uint64_t looks[LOOKS_BYTES / 8u];
-static uint32_t looks_used;
+static uint32_t looks_used, record_bytes;
 
 /* Entries for the vertices of the scene's largest model, a power of two. */
 static uint32_t cache_entries(const fxl_scene *scene)
@@ -70,6 +70,7 @@ int draw_open(const fxl_scene_image *image)
     }
     methods = (walk_methods){&fxl_clipper_view, &fxl_by_distance,
                              image->depth_bits != 0 ? with_depth : plain};
+    plan = (fxl_setup_plan){0};
     of = (walk_plan){.image = image,
                      .methods = &methods,
                      .tables = {order, draw_list_needed, list, LIST_WORDS, cache, cache_used},
@@ -80,6 +81,7 @@ int draw_open(const fxl_scene_image *image)
         return SYSTEM_EXIT_RENDER;
     }
     looks_used = of.used;
+    record_bytes = image->surfaces.face_map != NULL || image->light.base != NULL ? sizeof setup : sizeof setup.renderer;
     return SYSTEM_EXIT_DONE;
 }
 
@@ -101,7 +103,7 @@ bool draw_frame(const fxl_pose *pose, const fxl_band *whole)
 
 uint32_t draw_memory(void)
 {
-    return (uint32_t)(sizeof setup + cache_used * sizeof cache[0] +
+    return (uint32_t)(record_bytes + cache_used * sizeof cache[0] +
                       draw_list_needed * sizeof order[0]) +
            4u * LIST_WORDS + looks_used;
 }

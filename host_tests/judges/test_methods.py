@@ -153,8 +153,8 @@ def test_a_board_of_8_kb_draws_surfaces_where_asked(build, tmp_path):
     making.build(str(CHECKOUT / "scenes/room.toml"), str(room), 24)
     summary = chosen(tmp_path / "out", room, "--visibility", "surfaces", board="stm32vldiscovery")
     assert summary["host_frames_equal"] and summary["pixels_unexplained"] == 0
-    # The list is too small, so each band of six rows walks the scene.
-    assert summary["texel_pixels"] > 0 and summary["polygons"]["spilled"] == summary["polygons"]["drawn"] > 0
+    # The list has room for a few of the polygons, so each band of six rows walks the scene.
+    assert summary["texel_pixels"] > 0 and summary["polygons"]["spilled"] > summary["polygons"]["drawn"] // 2 > 0
     sizes = fleet.sizes(build / "boards/stm32vldiscovery/walk-surfaces-view.elf")
     assert sizes["scene_room"] == 26 * 1024 and sizes["ram_bytes"] <= 8192
 

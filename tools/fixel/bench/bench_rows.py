@@ -6,6 +6,7 @@ from fixel.bench import bench_goals, bench_plan, link_map, places
 FLAGS = {"O2": "-O2", "Os": "-Os"}
 SMALL = {"small": "-Os -DFXL_SMALL", "small-flto": "-Os -DFXL_SMALL -flto"}     # the library alone
 LIMIT = "limit-"
+BANDS = "fixel-bands"
 
 
 def _ratio(value, other):
@@ -63,9 +64,9 @@ def sizes(plan, cores):
 
 
 def renderer_bytes(plan, cores):
-    """{core: bytes} of RAM of a renderer by itself: the variable of that name in the linker's map."""
+    """{core: bytes} of RAM of a renderer by itself: the variable of that name in the map of the program that draws in bands."""
     return {core: sum(size for section, size, _ in
-                      link_map.sections(plan.program(core, bench_goals.OURS).with_suffix(".map"))
+                      link_map.sections(plan.program(core, BANDS).with_suffix(".map"))
                       if section == ".bss.renderer") for core in cores}
 
 
