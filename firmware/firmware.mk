@@ -143,6 +143,11 @@ OWN_SOURCES := $(strip $(if $(or $(call ONE_OF,$(PROGRAM),$(PROGRAMS)),$(findstr
 ifeq ($(call ONE_OF,$(PROGRAM),$(PROGRAMS))$(OWN_SOURCES),)
 $(error there is no PROGRAM "$(PROGRAM)"; the programs are: $(PROGRAMS), and a C file or a folder of C files of your own)
 endif
+# The names of the files in it are the user's too.
+OWN_WRONG := $(strip $(foreach source,$(OWN_SOURCES),$(if $(strip $(foreach character,$(OWN_REFUSED),$(findstring $(character),$(source))))$(filter-out $(wildcard $(source)),$(source)),$(source))))
+ifneq ($(OWN_WRONG),)
+$(error the folder "$(PROGRAM)" has a C file whose name has a blank or a character that means something to the shell or to make: rename it)
+endif
 # A name of its path without a folder.
 OWN_NAME_OF = $(subst /,_,$(subst .,-,$(1)))
 OWN_PATH := $(if $(OWN_SOURCES),$(PROGRAM:/=))
@@ -300,6 +305,7 @@ $(FIRMWARE_OUT)/$(1)/libown.a: $(FIRMWARE_OUT)/$(1)/firmware/own/show_rows.o $(F
 	@rm -f $$@
 	@$(if $(BOARD_HOSTED.$(1)),ar,$(call CROSS_OF,$(1))ar) rcs $$@ $$^
 
+$(call WALK_OF,$(1)): $(filter-out %.c,$(OWN_PATH))
 $(call WALK_OF,$(1)): $(FIRMWARE_OUT)/$(1)/firmware/own/own.o $(if $(BOARD_HOSTED.$(1)),$(FIRMWARE_OUT)/$(1)/firmware/own/watched.o) $(OWN_REST_OF)
 $(call WALK_OF,$(1)): LINK_OF_FILE := $(OWN_WRAPPED:%=-Wl$(,)--wrap=%)
 $(call WALK_OF,$(1)): CHECK_OF_FILE = $$(FIRMWARE_QUIET)$(call CROSS_OF,$(1))size -A $$(filter $(FIRMWARE_OUT)/$(1)/own/%.o,$$^) >$$@.said; \

@@ -7,11 +7,11 @@ BOARD_CORE := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
 BOARD_QEMU := -M stm32vldiscovery
 BOARD_OPENOCD := -f board/stm32vldiscovery.cfg
 
-# How 8192 bytes are shared out: 1280 for the program's stack and 320 for the
-# handlers' (memory.ld), 2560 for the renderer, 128 that are free, and these: eight rows of 128, or one
+# How 8192 bytes are shared out: memory.ld has the program's stack and the
+# handlers'; the renderer takes 2560, and these take the rest: eight rows of 128, or one
 # of the widest screen; the 174 objects of the plaza, or what scenes/landscape.toml sorts; a list of
 # 15 polygons of four vertices, in which every frame of scenes/tiny.toml fits; no vertices are kept.
-# A program with surfaces has a stack of 2232 bytes and fewer entries. What else the walk is made of
+# A program with surfaces has a larger stack and fewer entries. What else the walk is made of
 # knows nothing of the entries, so only its own object differs.
 BOARD_BAND_BYTES := 1024
 BOARD_ORDER_ENTRIES := $(if $(filter surfaces,$(VISIBILITY)),106,178)

@@ -26,7 +26,7 @@ int __wrap_main(int argc, char **argv);
  * DRIVER= that of the driver. */
 static struct {
     const panel *shows[2]; /* null: not open, or not there */
-    bool in_frame, is_whole; /* is_whole: the frame was drawn in one band */
+    bool in_frame;
     uint32_t frames, most; /* ended; after how many the program ends, 0: it ends itself */
     uint16_t width, height, row;
     uint8_t pixel_bits;
@@ -39,6 +39,7 @@ static struct {
     uint64_t spent; /* instructions for the frame so far */
     uint16_t width;
     uint8_t pixel_bits;
+    bool is_whole; /* a frame in one band */
 } drawn;
 
 /* Rows that are shown when the next ones are cleared or drawn, or at the end: the program may draw
@@ -151,7 +152,7 @@ static void end_frame(void)
 {
     fxl_counters counters = drawn.renderer->workspace.counters;
 
-    if (shown.is_whole) {
+    if (drawn.is_whole) {
         counters.spilled = 0; /* one band computed them, once */
     }
     for (uint32_t i = 0; i < 2 && shown.shows[i] != NULL; i++) {
@@ -187,7 +188,6 @@ void own_show(uint16_t first_row, uint16_t rows, const void *pixels, uint16_t st
     }
     if (first_row == 0 && !shown.in_frame) {
         begin_frame();
-        shown.is_whole = rows == shown.height;
     }
     if (!shown.in_frame || first_row != shown.row || rows > shown.height - first_row) {
         fail("the rows of a frame do not go downward, each once", SYSTEM_EXIT_DISPLAY);
@@ -231,13 +231,16 @@ static void hold(uint16_t first_row, uint16_t rows, const void *pixels, uint16_t
     }
 }
 
-/* end_row: of what was drawn. */
-static void note(fxl_renderer *renderer, uint16_t width, uint32_t end_row)
+/* first_row, end_row: of what was drawn. */
+static void note(fxl_renderer *renderer, uint16_t width, uint32_t first_row, uint32_t end_row)
 {
+    const uint16_t height = renderer->frame.view.lens.height;
+
+    drawn.is_whole = first_row == 0 && end_row == height;
     drawn.renderer = renderer;
     drawn.width = width;
     drawn.pixel_bits = renderer->palette != NULL ? 16 : 8;
-    if (own_keep != NULL && end_row == renderer->frame.view.lens.height) {
+    if (own_keep != NULL && end_row == height) {
         own_keep(renderer);
     }
 }
@@ -276,7 +279,7 @@ fxl_status __wrap_fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
         return status;
     }
     drawn.spent += clock_instructions() - before;
-    note(renderer, band->width, (uint32_t)band->first_row + band->rows);
+    note(renderer, band->width, band->first_row, (uint32_t)band->first_row + band->rows);
     if (&own_has_display_rows == NULL) {
         if (band->columns != 0 && band->columns != band->width) {
             fail("a band of some columns cannot be shown", SYSTEM_EXIT_DISPLAY);
@@ -303,7 +306,7 @@ fxl_status __wrap_fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *
     }
     drawn.spent = clock_instructions() - before;
     drawn.pose = *eye;
-    note(renderer, renderer->frame.view.lens.width, renderer->frame.view.lens.height);
+    note(renderer, renderer->frame.view.lens.width, 0, renderer->frame.view.lens.height);
     if (&own_has_display_rows != NULL) {
         return FXL_OK;
     }

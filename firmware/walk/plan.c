@@ -152,7 +152,7 @@ static bool has_movers(const fxl_scene *scene)
 static uint16_t share_rest(walk_plan *of, fxl_setup_plan *plan)
 {
     const fxl_scene *scene = plan->scene;
-    const uint32_t half = (of->size - of->needed) / 2u & ~7u;
+    uint32_t half = (of->size - of->needed) / 2u & ~7u;
     const uint32_t depth_bits = of->config.target->depth_bits, height = of->config.height;
     uint32_t rows = of->rows;
 
@@ -164,6 +164,7 @@ static uint16_t share_rest(walk_plan *of, fxl_setup_plan *plan)
     }
     if (of->taken.target > 0) {
         of->taken.target += half;
+        half = half / 2u & ~7u; /* of what is left then */
     }
     if (plan->order->memory_size != NULL && scene->bsp_nodes != NULL && has_movers(scene)) {
         plan->pieces_size = half;

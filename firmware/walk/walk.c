@@ -221,6 +221,7 @@ static int open_renderer(const fxl_scene_image *image)
     if (code != SYSTEM_EXIT_DONE) {
         return code;
     }
+    plan = (fxl_setup_plan){0}; /* a path that begins again opens the scene again */
     *of = (walk_plan){.image = image,
                       .methods = methods,
                       .tables = {.draw_list = order,

@@ -410,3 +410,21 @@ def test_a_path_that_the_shell_would_read_is_refused(tmp_path, name):
     words = f"PROGRAM={name}" if name.startswith("-") else f"PROGRAM={tmp_path}/{name}"
     done = run_make("run", words)
     assert done.returncode == 2 and "there is no PROGRAM" in done.stderr and done.stdout == ""
+
+
+@pytest.mark.parametrize("name", ["a b.c", "a;b.c", "a`b`.c", "a'b.c"])
+def test_a_folder_with_a_file_that_the_shell_would_read_is_refused(tmp_path, name):
+    (tmp_path / "main.c").write_text("int main(void) { return 0; }\n")
+    (tmp_path / name).write_text("int other;\n")
+    done = run_make("run", f"PROGRAM={tmp_path}")
+    assert done.returncode == 2 and str(tmp_path) in done.stderr and "rename" in done.stderr and done.stdout == ""
+
+
+def test_a_file_that_is_gone_is_not_linked(tmp_path):
+    (tmp_path / "main.c").write_text("int more(void); int main(void) { return more(); }\n")
+    (tmp_path / "more.c").write_text("int more(void); int more(void) { return 0; }\n")
+    done = run_make("run", f"PROGRAM={tmp_path}", "BOARD=host")
+    assert done.returncode == 2 and "drew no frame" in done.stderr
+    (tmp_path / "more.c").unlink()
+    done = run_make("run", f"PROGRAM={tmp_path}", "BOARD=host")
+    assert done.returncode == 2 and "more" in done.stderr and "drew no frame" not in done.stderr

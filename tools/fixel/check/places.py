@@ -34,16 +34,17 @@ def main(argv):
     known, _ = recipes.load()
     if options.word and options.word not in known:
         raise ToolError(f"there is no recipe '{options.word}'{question(options.word, list(known))}; there are: {', '.join(known)}")
-    places = [tag for tag in recipes.tags(known) if options.word in ("", tag.word)]
+    words = [options.word] if options.word else list(known)
+    places = [tag for tag in recipes.tags(known) if tag.word in words] + \
+        [recipes.Tag(word, file, 0, what) for word in words for file, what in known[word].beside.items()]
     if options.json:
         output.write_json(options.json, [{"recipe": tag.word, "file": tag.file, "line": tag.line, "what": tag.what} for tag in places])
     if not options.word:
         print(table([[word, len({tag.file for tag in places if tag.word == word}), recipe.title] for word, recipe in known.items()],
                     ["recipe", "places", "change"]))
         return 0
-    beside = [recipes.Tag(options.word, file, 0, what) for file, what in known[options.word].beside.items()]
     for name in KINDS:
-        for tag in places + beside:
+        for tag in places:
             if recipes.kind(tag.file) == name:
                 print(f"{name}: {tag.file}{f':{tag.line}' if tag.line else ''}: {tag.what}")
     return 0
