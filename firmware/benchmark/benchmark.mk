@@ -12,7 +12,7 @@ BENCHMARK_HEADERS := $(foreach scene,cube spin plaza,$(BENCHMARK_OUT)/$(scene)_s
 BENCHMARK_OF = $(FIRMWARE_OUT)/$(1)/benchmark$(if $(BOARD_HOSTED.$(1)),,.elf)
 BENCHMARK_OBJECTS_OF = $(addprefix $(FIRMWARE_OUT)/$(1)/firmware/benchmark/,benchmark.o $(1).o)
 
-$(BENCHMARK_HEADERS): $(BENCHMARK_OUT)/%_scene.h: firmware/benchmark/benchmark.mk
+$(BENCHMARK_HEADERS): $(BENCHMARK_OUT)/%_scene.h: firmware/benchmark/benchmark.mk $(wildcard tools/fixel/image/*.py)
 	$(MAKE_FOLDER)
 	$(SAY)
 	$(FIRMWARE_QUIET)$(FIXEL) export --c --frames 8 --screen 320x240 $(BENCHMARK_SCENE.$*) -o $@ >/dev/null 2>&1
