@@ -18,7 +18,7 @@
 #   coverage Clang 19, which counts conditions, with its tools; the same as units
 #   rules   cppcheck, Python packages as for run
 #   tools   Python packages as for run
-#   simplify the same as tools, and node with meshoptimizer, by which --simplify keeps the seams of textures
+#   simplify the same as tools, and node with meshoptimizer, which --simplify needs
 #   completion Python packages as for run, and the one that makes completions for a shell
 #   predict compiler for the host, Python packages as for run
 #   gdb     the same as run, and a GDB that knows Arm

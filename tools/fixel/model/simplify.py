@@ -2,9 +2,9 @@
 """Models of fewer faces. Borders of materials and groups, and seams of texture coordinates, stay where they are, no group goes, and no
 edge opens: a result in which one does is refused.
 
-meshoptimizer does it where tools/setup.sh simplify has set it up. It takes a vertex for each position, material, group and
-texture coordinate, finds by equal positions which of them lie on a seam, and collapses both sides of a seam together.
-Without it fast-simplification does it, which knows no seams: models with images or with materials that meet are refused."""
+meshoptimizer does it, by node. It takes a vertex for each position, material, group and texture coordinate, finds by equal
+positions which of them lie on a seam, and collapses both sides of a seam together. Its WebAssembly gives the same bytes on every
+machine: the packages of Python are built for one machine each, and their floats differ."""
 
 import pathlib
 import shutil
@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from fixel.base import children
+from fixel.base import children, interpreter
 from fixel.base.errors import ToolError
 from fixel.model import deviation, t_junctions
 from fixel.model.mesh import UNIT, Mesh, newell
@@ -22,8 +22,7 @@ from fixel.model.triangles import triangulate
 
 FACES_MIN = 4
 PROGRAM = pathlib.Path(__file__).with_suffix(".mjs")
-MODULE = pathlib.Path(__file__).resolve().parents[3] / ".node" / "node_modules" / "meshoptimizer" / "meshopt_simplifier.js"
-SET_UP = "tools/setup.sh simplify sets up meshoptimizer, which keeps them"
+_MODULE = pathlib.Path("node_modules", "meshoptimizer", "meshopt_simplifier.js")
 _AREA_MIN, _SHAPE = 1e-7, 0.1    # of a face; how far the surface of a group may move, of its extent
 _HEAP = 1024                # MiB of node's own memory
 _NORMAL, _COORDINATE, _COLOUR = 0.3, 1.0, 0.5   # weights beside a position, whose extent is 1
@@ -31,11 +30,10 @@ _NORMAL, _COORDINATE, _COLOUR = 0.3, 1.0, 0.5   # weights beside a position, who
 
 @dataclass(frozen=True)
 class Result:
-    """A mesh of fewer faces, and how many the other one had, as triangles; by: what made it. deviation: how far the surface
-    moved at most, in units of the file."""
+    """A mesh of fewer faces, and how many the other one had, as triangles. deviation: how far the surface moved at most, in
+    units of the file."""
     mesh: Mesh
     before: int
-    by: str
     deviation: float
 
 
@@ -138,7 +136,7 @@ def _by_meshoptimizer(made, points, count, name, error=1.0):
     attributes = np.column_stack([_normals(points, made.places[made.corners])[made.places], coordinates, _mean_tints(made) / 255])
     weights = [_NORMAL] * 3 + [_COORDINATE] * 2 + [_COLOUR] * 3
     data = points[made.places].astype("<f4").tobytes() + attributes.astype("<f4").tobytes() + made.corners.astype("<u4").tobytes()
-    command = ["node", "--disable-wasm-trap-handler", f"--max-old-space-size={_HEAP}", PROGRAM, MODULE.as_uri(), len(made.keys),
+    command = ["node", "--disable-wasm-trap-handler", f"--max-old-space-size={_HEAP}", PROGRAM, _module(name).as_uri(), len(made.keys),
                attributes.shape[1], made.corners.size, 3 * count, error, *weights]
     with children.start(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         out, said = process.communicate(data)
@@ -170,71 +168,18 @@ def _without_loss(made, points, left, count, name):
     return np.concatenate(found)
 
 
-def _parts(made):
-    """Of each triangle the number of the connected part that it is in."""
-    parent = list(range(int(made.places.max()) + 1))
-
-    def root(number):
-        while parent[number] != number:
-            parent[number] = number = parent[parent[number]]
-        return number
-    corners = made.places[made.corners]
-    for a, b, c in corners.tolist():
-        a, b, c = root(a), root(b), root(c)
-        parent[b] = parent[c] = a
-    return np.array([root(corner) for corner in corners[:, 0].tolist()])
+def module():
+    """Where meshoptimizer is; None if it is not, or node is not. Of an installed package's user it is in the folder of work."""
+    folder = pathlib.Path.cwd() if interpreter.INSTALLED.exists() else interpreter.TOOLS.parent / ".node"
+    return folder / _MODULE if (folder / _MODULE).exists() and shutil.which("node") else None
 
 
-def _refuse_seams(mesh, made, parts, name):
-    """Refuses what fast-simplification would tear: images, and parts of several materials or groups."""
-    materials = mesh.surfaces.materials if mesh.surfaces else []
-    used = sorted({made.keys[wedge][1] for wedge in made.corners[:, 0].tolist()})
-    textured = [materials[number].name for number in used if materials and materials[number].image is not None]
-    if textured:
-        raise ToolError(f"{name}: simplify: the material {textured[0]!r} has an image, whose seams would tear: {SET_UP}")
-    kinds = {}
-    for part, wedge in zip(parts.tolist(), made.corners[:, 0].tolist()):
-        if kinds.setdefault(part, made.keys[wedge][1:3]) != made.keys[wedge][1:3]:
-            raise ToolError(f"{name}: simplify: a part of the model has several materials or groups, whose borders would tear: {SET_UP}")
-
-
-def _by_fast_simplification(mesh, made, points, count, name):
-    """(the corners that are left, as vertices; of each the triangle before whose material it has)."""
-    import fast_simplification
-    parts, found, sources = _parts(made), [], []
-    _refuse_seams(mesh, made, parts, name)
-    corners = made.places[made.corners]
-    for part in np.unique(parts).tolist():
-        numbers = np.flatnonzero(parts == part)
-        used, own = np.unique(corners[numbers], return_inverse=True)
-        wanted = max(FACES_MIN, count * len(numbers) // len(corners))
-        left = own.reshape(-1, 3)
-        if wanted < len(numbers):
-            # Its collapses keep the one end of an edge or the middle; the vertices of the model are taken, which are exact.
-            moved, left = fast_simplification.simplify(points[used], left.astype(np.int32), target_count=wanted)
-            left = _nearest(points[used], moved)[left]
-            left = left[(left[:, 0] != left[:, 1]) & (left[:, 1] != left[:, 2]) & (left[:, 0] != left[:, 2])]
-        found.append(used[left])
-        sources += [int(numbers[0])] * len(left)
-    return np.concatenate(found), sources
-
-
-def _nearest(points, others):
-    """Of each of the others the number of the nearest point that no other has taken."""
-    taken, result = set(), np.zeros(len(others), dtype=np.int64)
-    for number, other in enumerate(np.asarray(others, dtype=np.float32)):
-        away = ((points - other) ** 2).sum(axis=1)
-        best = int(away.argmin())
-        if best in taken:
-            best = next(int(each) for each in np.argsort(away) if int(each) not in taken)
-        taken.add(best)
-        result[number] = best
-    return result
-
-
-def is_set_up():
-    """Whether meshoptimizer is there, and node."""
-    return MODULE.exists() and shutil.which("node") is not None
+def _module(name):
+    found = module()
+    if found is None:
+        way = "npm install meshoptimizer in this folder" if interpreter.INSTALLED.exists() else "tools/setup.sh simplify"
+        raise ToolError(f"{name}: simplify: this needs node with meshoptimizer: {way} sets it up")
+    return found
 
 
 def simplified(mesh, count, name):
@@ -247,18 +192,14 @@ def simplified(mesh, count, name):
     whole, mesh = len(made.corners), t_junctions.split(mesh, vertex_of)
     made = _triangles(mesh, vertex_of)
     before = made.places[made.corners]
-    if is_set_up():
-        left = _without_loss(made, points, _by_meshoptimizer(made, points, count, name), count, name)
-        result, after, by = _of_wedges(mesh, made, left), made.places[left], "meshoptimizer"
-    else:
-        after, sources = _by_fast_simplification(mesh, made, points, count, name)
-        result, by = _of_vertices(mesh, made, after, sources), "fast-simplification"
+    left = _without_loss(made, points, _by_meshoptimizer(made, points, count, name), count, name)
+    after = made.places[left]
     if not len(after):
         raise ToolError(f"{name}: simplify: no face is left; give more than {count:,}")
     if has_new_open_edges(before, after):
-        raise ToolError(f"{name}: simplify: {by} would open edges that are closed; {'give more faces' if is_set_up() else SET_UP}")
+        raise ToolError(f"{name}: simplify: edges that are closed would open; give more faces than {count:,}")
     exact = np.array(mesh.vertices, dtype=float) / UNIT
-    return Result(result, whole, by, deviation.between((exact, before), (exact, after)))
+    return Result(_of_wedges(mesh, made, left), whole, deviation.between((exact, before), (exact, after)))
 
 
 def _runs(names):
@@ -274,36 +215,16 @@ def _runs(names):
     return runs
 
 
-def _mesh(mesh, corners, names, materials, uvs, tints):
-    """A Mesh of triangles, (vertex, vertex, vertex) each, of the vertices of another one."""
-    order, place = {}, "a face of the simplified model"
-    faces = [[order.setdefault(vertex, len(order)) for vertex in three] for three in corners]
-    surfaces = Surfaces(mesh.surfaces.materials, materials, uvs, tints) if mesh.surfaces else None
-    return replace(mesh, vertices=[mesh.vertices[vertex] for vertex in order], faces=faces, places=[place] * len(faces), surfaces=surfaces, uvs=uvs,
-                   groups=_runs(names) if mesh.groups else {}, normals=[], smoothing=[])
-
-
 def _of_wedges(mesh, made, left):
     """The Mesh of the triangles that meshoptimizer has left. Faces stand in the order of their groups and materials."""
     rows = sorted(left.tolist(), key=lambda three: (made.keys[three[0]][2], made.keys[three[0]][1]))
-    keys = [[made.keys[wedge] for wedge in three] for three in rows]
+    keys, order, place = [[made.keys[wedge] for wedge in three] for three in rows], {}, "a face of the simplified model"
+    faces = [[order.setdefault(key[0], len(order)) for key in three] for three in keys]
     tints = [None] * len(rows)
     if any(tint is not None for tint in made.tints):
         means = np.rint(_mean_tints(made)[np.array(rows)].mean(axis=1)).astype(int)
         tints = [None if tint == WHITE else tint for tint in map(tuple, means.tolist())]
     uvs = [[key[3] for key in three] if all(key[3] is not None for key in three) else None for three in keys]
-    return _mesh(mesh, [[key[0] for key in three] for three in keys], [three[0][2] for three in keys], [three[0][1] for three in keys],
-                 uvs, tints)
-
-
-def _of_vertices(mesh, made, after, sources):
-    """The Mesh of the triangles that fast-simplification has left, without texture coordinates."""
-    keys = [made.keys[made.corners[source, 0]] for source in sources]
-    tints = [None] * len(sources)
-    if any(tint is not None for tint in made.tints):
-        sums, counts = np.zeros((len(mesh.vertices), 3)), np.zeros(len(mesh.vertices))
-        np.add.at(sums, made.places, _mean_tints(made))
-        np.add.at(counts, made.places, 1)
-        means = np.rint((sums / np.maximum(counts, 1)[:, None])[after].mean(axis=1)).astype(int)
-        tints = [None if tint == WHITE else tint for tint in map(tuple, means.tolist())]
-    return _mesh(mesh, after.tolist(), [key[2] for key in keys], [key[1] for key in keys], [None] * len(sources), tints)
+    surfaces = Surfaces(mesh.surfaces.materials, [three[0][1] for three in keys], uvs, tints) if mesh.surfaces else None
+    return replace(mesh, vertices=[mesh.vertices[vertex] for vertex in order], faces=faces, places=[place] * len(faces), surfaces=surfaces, uvs=uvs,
+                   groups=_runs([three[0][2] for three in keys]) if mesh.groups else {}, normals=[], smoothing=[])

@@ -38,7 +38,7 @@ def note(scene, record):
     """One sentence; two where the model has more faces than were asked for."""
     result = record.result
     moved, nearest, left = result.deviation * record.scale, _nearest(scene, record.balls), len(result.mesh.faces)
-    text = f"{record.name}: simplify: {result.before:,} triangles became {left:,} by {result.by}; the surface moved by at most " \
+    text = f"{record.name}: simplify: {result.before:,} triangles became {left:,}; the surface moved by at most " \
         f"{_short(moved)} units"
     if nearest is not None:
         focal = scene.width / 2 / math.tan(scene.fov * math.pi / 2 ** 32)
