@@ -7,6 +7,7 @@ import subprocess
 import pytest
 
 from clipper_names import clipper_names
+from fixel.image import image, image_lens
 from fixel.scene import making
 
 WIDTH, HEIGHT, FRAMES = 320, 240, 3
@@ -24,11 +25,11 @@ keys = [{ position = [0, 0, 0], yaw = 0, frames = FRAMES }, { position = [0, 0, 
 """
 
 
-def judged(build, folder, inset, clipper="view"):
+def judged(build, folder, inset, clipper="view", near="1/256"):
     """A room so small that its walls are where near is, drawn with such an inset: (frames' pixels of background,
     the judge's verdict)."""
     source, compiled, dump, verdict = (folder / f"room.{end}" for end in ("toml", "fxls", "fxld", "json"))
-    source.write_text(ROOM.replace(", INSET", inset).replace("FRAMES", str(FRAMES)), encoding="utf-8")
+    source.write_text(ROOM.replace(", INSET", inset).replace("1/256", near).replace("FRAMES", str(FRAMES)), encoding="utf-8")
     making.build(source, compiled)
     subprocess.run([build / "host" / "frames", compiled, dump, "--clipper", clipper], check=True, capture_output=True)
     subprocess.run([build / "host" / "judge", compiled, dump, "--clipper", clipper, "--json", verdict], check=True,
@@ -52,3 +53,13 @@ def test_the_default_leaves_no_border(build, tmp_path, clipper):
     background, verdict = judged(build, tmp_path, "", clipper)
     assert background == [0] * FRAMES
     assert verdict["pixels_unexplained"] == 0
+
+
+@pytest.mark.parametrize("near, inset", [("1/256", 1), ("1/128", 1), ("1/110", 1), ("1/128", 2), ("1/256", 0)])
+def test_a_run_says_beforehand_that_the_inset_hides_pixels(build, tmp_path, near, inset):
+    """Where a half pixel of border is hidden at the near plane, where the room's walls are, there are unexplained ones."""
+    told = judged(build, tmp_path, f', inset = "{inset}/65536"', near=near)[1]["pixels_unexplained"]
+    scene = image.load(tmp_path / "room.fxls")
+    note = image_lens.note_of_inset(scene)
+    assert (note is not None) == (told > 0) == (image_lens.hidden_border(scene) > 0.5)
+    assert note is None or f"{image_lens.hidden_border(scene):.2f} pixel" in note and "view.inset" in note

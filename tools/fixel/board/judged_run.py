@@ -9,7 +9,7 @@ import numpy
 from fixel.base import kept, output, picture, scratch, spent
 from fixel.board import counted, drawing, dump, emulator, firmware, frame_crc, methods, model_look, order_check, own_run, spilled, wires
 from fixel.model import close_faces
-from fixel.image import image as scene_image
+from fixel.image import image as scene_image, image_lens
 from fixel.base.errors import ToolError, one_line
 from fixel.board.programs import HostPrograms
 from fixel.base.progress import Progress, steps
@@ -184,13 +184,13 @@ UNJUDGED = dict.fromkeys(["pixels_differing", "texel_pixels", "pixels_unexplaine
                           "max_edge_distance_px", "order_wrong_pixels", "order_judged_pixels"])
 
 
-def say_what_depth_confuses(image, options):
-    """A note about faces that a depth buffer cannot tell apart, if one draws."""
+def say_what_will_differ(image, options):
+    """Notes about faces that a depth buffer cannot tell apart, if one draws, and about what an inset hides."""
     scene = scene_image.load(image)
     bits = methods.depth_bits(options, scene)
-    note = close_faces.note(scene, bits) if bits else None
-    if note:
-        print(f"  {one_line(note)}", file=sys.stderr)
+    for note in (close_faces.note(scene, bits) if bits else None, image_lens.note_of_inset(scene)):
+        if note:
+            print(f"  {one_line(note)}", file=sys.stderr)
 
 
 def run(options, folder):
@@ -203,7 +203,7 @@ def run(options, folder):
             emulator.find_qemu(firmware.load(elf, options.board).emulator)
         image = model_look.scene_image(options, elf, work)
         methods.check_scene(options, scene_image.load(image))
-        say_what_depth_confuses(image, options)
+        say_what_will_differ(image, options)
         record = work / wires.NAME if options.driver else None
         if options.driver:
             scene = scene_image.load(image)

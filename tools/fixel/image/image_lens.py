@@ -17,6 +17,21 @@ def focal_pixels(width, fov):
     return width / 2 / math.tan(fov * math.pi / 2 ** 32)
 
 
+def hidden_border(scene):
+    """The widest border in pixels that the inset hides, at the near plane (docs/accuracy.md, 4.1)."""
+    focal, half = focal_pixels(scene.width, scene.fov), max(scene.width, scene.height) / 2
+    return focal * scene.inset * math.hypot(1, half / focal) / (scene.near + scene.inset)
+
+
+def note_of_inset(scene):
+    """A sentence about an inset that hides centres of pixels; None where it hides none."""
+    border = hidden_border(scene)
+    if border <= 0.5:
+        return None
+    return (f"view.inset = {scene.inset / 65536:g} hides a border of up to {border:.2f} pixel of {scene.width}x{scene.height} (near = "
+            f"{scene.near / 65536:g}): pixels there count as unexplained, since double has no inset; a smaller one ends that, 0 is enough")
+
+
 def middle(width, height):
     """The middle of the screen in the image's integers: the centre of every other lens."""
     return width << 15, height << 15
