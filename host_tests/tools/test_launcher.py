@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """fixel COMMAND: the tools as one program."""
 
+import ast
 import os
 import re
 import resource
@@ -128,10 +129,10 @@ def test_the_exit_code_is_the_tools():
     assert done.returncode == 2 and "no such.fxls" in done.stderr
 
 
-def test_each_package_has_a_readme_that_names_modules_and_commands():
+def test_each_package_says_its_modules_and_commands():
     told = set()
     for package in (TOOLS / "fixel").glob("*/__init__.py"):
-        text = (package.parent / "README.md").read_text(encoding="utf-8")
+        text = ast.get_docstring(ast.parse(package.read_text(encoding="utf-8")))
         modules = re.findall(r"`(\w+\.py)`", text)
         assert modules and all((package.parent / module).exists() for module in modules), package
         told |= set(re.findall(r"`([a-z-]+)`", text.replace("`fixel ", "`")))
