@@ -53,7 +53,6 @@ def test_every_row_has_its_harness_and_its_checks_on_record():
         assert row.checks > 0, f"{row.id}: fixel prove --tidy writes them down"
         if row.tool == "cbmc":
             harness = re.search(rf"^void {row.harness}\(void\)\n{{\n(.*?)\n}}", row.place.read_text(encoding="utf-8"), re.M | re.S)
-            assert harness, f"{row.id}: {row.place} has no {row.harness}"
             assert harness[1].rstrip().endswith("PROOF_ENDS();"), row.id
 
 
@@ -217,35 +216,59 @@ def test_exact_numbers():
     ("{ x in [0, 1] -> x in [0, 1] }\ny -> x / z;\n", "divides"),
 ])
 def test_a_script_of_gappa_that_shows_nothing_is_refused(tmp_path, text, words):
-    script = tmp_path / "a.gappa"
-    script.write_text(text, encoding="utf-8")
     with pytest.raises(cbmc.Failed, match=words):
-        others._gappa(tmp_path, tmp_path, rows.Row(function="f:a", property="", place=script, id="a", tool="gappa"))
+        others._gappa(tmp_path, tmp_path, rows.Row(function="f:a", property="", place=tmp_path / "a.gappa", id="a", tool="gappa", program=text))
+
+
+PROPERTY = ' * property = "p"\n'
+HARNESS = " */\nvoid prove_a(void)\n{\n}\n"
+ROW = '/* [[row]]\n * function = "a"\n'
+
+
+def harness_file(folder, text, name="arith.c"):
+    """A file of harnesses in a checkout that has nothing else."""
+    path = folder / rows.PROOFS / "math" / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
+    return path
 
 
 @pytest.mark.parametrize("text, words", [
-    ('[[row]]\nfunction = "a"\n', "'property' is missing"),
-    ('[[row]]\nfunction = "a"\nproperty = "p"\n', "'file' is missing"),
-    ('file = "f"\n[[row]]\nfunction = "a"\nproperty = "p"\nunwnd = 3\n', "unknown 'unwnd'"),
-    ('file = "f"\n[[row]]\nfunction = "a"\nproperty = "p"\ntool = "coq"\n', "no tool 'coq'"),
+    (ROW + HARNESS, "arith.c:1: 'property' is missing"),
+    (ROW + PROPERTY + HARNESS, "'file' is missing"),
+    (ROW + PROPERTY + ' * file = "f"\n * unwnd = 3\n' + HARNESS, "unknown 'unwnd'"),
+    (ROW + PROPERTY + ' * file = "f"\n * unwind = true\n' + HARNESS, "'unwind' is no int"),
+    (ROW + PROPERTY + ' * file = "f"\n */\nint a;\n', "no harness"),
+    (ROW + " * property = p\n" + HARNESS, "cannot be read"),
+    ("/*[[row]]\n" + PROPERTY + HARNESS, "a row is a comment of its own"),
 ])
 def test_a_wrong_row_is_refused(tmp_path, text, words):
-    folder = tmp_path / rows.PROOFS / "math"
-    folder.mkdir(parents=True)
-    (folder / "arith.c").touch()
-    (folder / "arith.toml").write_text(text, encoding="utf-8")
+    harness_file(tmp_path, text)
     with pytest.raises(ToolError, match=words):
         rows.read(tmp_path)
 
 
+def test_a_row_is_of_the_harness_below_and_of_the_source_above(tmp_path):
+    path = harness_file(tmp_path, '#include "math/a.c"\n#include "math/b.h"\n' + ROW + PROPERTY + ' */\n/* [[row]]\n * id = "again"\n * function = "a"\n * file = "f"\n'
+                        + PROPERTY + HARNESS + '#include "math/c.c"\n/* [[row]]\n * function = "c"\n' + PROPERTY + HARNESS.replace("_a", "_c"))
+    assert [(row.id, row.function, row.harness, row.tool) for row in rows.rows_of(path)] == [
+        ("a", "lib/math/a.c:a", "prove_a", "cbmc"), ("again", "f:a", "prove_a", "cbmc"), ("c", "lib/math/c.c:c", "prove_c", "cbmc")]
+
+
+def test_rows_of_a_prover_have_the_text_below_them(tmp_path):
+    one = '; [[row]]\n; function = "a"\n; file = "f"\n; property = "p"\n\n'
+    path = harness_file(tmp_path, "; head\n" + one + one.replace('"a"', '"b"') + "(one)\n" + one.replace('"a"', '"c"') + "(two)\n", "equations.smt2")
+    assert [(row.name, row.tool, row.program) for row in rows.rows_of(path)] == [
+        ("a", "z3", "; head\n\n(one)\n"), ("b", "z3", "; head\n\n(one)\n"), ("c", "z3", "; head\n\n(two)\n")]
+
+
 def test_tidy_takes_out_what_is_proved_and_writes_checks(tmp_path):
-    folder = tmp_path / rows.PROOFS / "math"
-    folder.mkdir(parents=True)
-    (folder / "measured.toml").write_text('# c\nmost = 3\n\n[[measured]]\nfile = "f"\nby = ["fuzz"]\nwhy = "w"\nfunctions = [\n    "a",\n]\n\n'
-                                          '[[measured]]\nfile = "g"\nby = ["fuzz"]\nwhy = "w"\nfunctions = [\n    "a",\n    "b",\n]\n', encoding="utf-8")
+    path = harness_file(tmp_path, '# c\nmost = 3\n\n[[measured]]\nfile = "f"\nby = ["fuzz"]\nwhy = "w"\nfunctions = [\n    "a",\n]\n\n'
+                        '[[measured]]\nfile = "g"\nby = ["fuzz"]\nwhy = "w"\nfunctions = [\n    "a",\n    "b",\n]\n', "measured.toml")
     rows.tidy(tmp_path, {"f:a", "g:b"})
     assert rows.measured(tmp_path) == ({"g:a": ("fuzz", "w")}, [])
-    (folder / "x.c").touch()
-    (folder / "x.toml").write_text('file = "f"\n\n[[row]]\nfunction = "a"\nproperty = "p"\n', encoding="utf-8")
-    rows.record_checks(tmp_path, {"a": 7})
-    assert [each.checks for each in rows.read(tmp_path)] == [7]
+    path = harness_file(tmp_path, '#include "math/a.c"\n' + ROW + PROPERTY + HARNESS)
+    for checks in (7, 8):
+        rows.record_checks(tmp_path, {"a": checks})
+        assert [each.checks for each in rows.read(tmp_path)] == [checks]
+    assert path.read_text(encoding="utf-8").count("checks =") == 1

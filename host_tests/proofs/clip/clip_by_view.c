@@ -75,6 +75,14 @@ fxl_clip_result any_assembled(const fxl_model_view *model_view, const fxl_face *
     return assembled;
 }
 
+/* [[row]]
+ * function = "fxl_clip_by_view"
+ * property = "any face of 3 to 24 corners, any vertices: nothing is out of bounds, and each shift and sum is in its range"
+ * checks = 239
+ * unwind = 25
+ * stands_in = { fxl_fetch_vertex = "any_fetch", is_outside = "any_is_outside", fxl_clip_assembled = "any_assembled" }
+ * stubs = { fxl_clip_assembled = "any result: no row proves it", fxl_project_inside = "any place on the screen: that a vertex inside the planes has one is what make report measures" }
+ */
 void prove_clip_by_view(void)
 {
     const fxl_model_view of = any_face();
@@ -83,6 +91,13 @@ void prove_clip_by_view(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "is_outside"
+ * property = "any face of 3 to 24 corners: nothing is out of bounds"
+ * checks = 100
+ * unwind = 25
+ * stands_in = { fxl_fetch_vertex = "any_fetch" }
+ */
 void prove_is_outside(void)
 {
     const fxl_model_view of = any_face();

@@ -2,12 +2,26 @@
 #include "clip/clip_view.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "project_onto"
+ * property = "nothing overflows"
+ * checks = 12
+ * contract = true
+ * equations = true
+ */
 void prove_project_onto(void)
 {
     (void)project_onto(nondet_s32(), nondet_s64(), nondet_s32(), nondet_s64());
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_view_distance"
+ * property = "nothing overflows, and each distance is below 2^62"
+ * checks = 262
+ * contract = true
+ * uses = ["project_onto"]
+ */
 void prove_view_distance(void)
 {
     fxl_view_frustum *frustum;
@@ -34,6 +48,12 @@ static void any_cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, uin
     written++;
 }
 
+/* [[row]]
+ * function = "fxl_cut_edge"
+ * file = "lib/clip/cut_polygon.h"
+ * property = "one step in any state at capacity 32: never more vertices than the capacity, never out of bounds, each crossing from inside to outside"
+ * checks = 418
+ */
 void prove_cut_edge(void)
 {
     fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
@@ -53,6 +73,12 @@ void prove_cut_edge(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_cut_bit"
+ * file = "lib/clip/cut_polygon.h"
+ * property = "the bit of each vertex, exactly"
+ * checks = 3
+ */
 void prove_cut_bit(void)
 {
     const int64_t distance = nondet_s64();
@@ -82,6 +108,13 @@ void any_intersection(const fxl_view_point *from, const fxl_view_point *to, cons
     ASSUME(in_view(point));
 }
 
+/* [[row]]
+ * id = "copy of a view"
+ * function = "copy"
+ * property = "any two places of a polygon: nothing is out of bounds, and the point stays in the view"
+ * checks = 97
+ * stands_in = { fxl_intersect_edge = "any_intersection" }
+ */
 void prove_copy(void)
 {
     const uint32_t from = nondet_u32(), to = nondet_u32();
@@ -93,6 +126,13 @@ void prove_copy(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * id = "cross of a view"
+ * function = "cross"
+ * property = "any edge from the inside to the outside: what the intersection requires, and a point in the view"
+ * checks = 99
+ * stands_in = { fxl_intersect_edge = "any_intersection" }
+ */
 void prove_cross(void)
 {
     const uint32_t inside = nondet_u32(), outside = nondet_u32(), to = nondet_u32();
@@ -131,6 +171,13 @@ bool any_cut_edge(fxl_cut *cut, fxl_cut_copy *copies, fxl_cut_cross *crosses, ui
     return nondet_bool();
 }
 
+/* [[row]]
+ * function = "fxl_clip_view_to_plane"
+ * property = "any polygon of up to 32 vertices: each step is one that the row of fxl_cut_edge takes, and what is cut has 3 to 32 vertices"
+ * checks = 196
+ * unwind = 33
+ * stands_in = { fxl_view_distance = "any_distance", fxl_cut_edge = "any_cut_edge" }
+ */
 void prove_clip_view_to_plane(void)
 {
     fxl_view_frustum frustum;
@@ -177,6 +224,13 @@ fxl_clip_result any_cut(const fxl_view_polygon *in, const fxl_view_frustum *frus
     return (fxl_clip_result)result;
 }
 
+/* [[row]]
+ * function = "by_plane"
+ * property = "any polygon, any plane: the row of fxl_clip_view_to_plane takes it, and counts are those of polygons"
+ * checks = 70
+ * unwind = 8
+ * stands_in = { fxl_clip_view_to_plane = "any_cut", fxl_clip_stats_add = "any_stats" }
+ */
 void prove_by_plane(void)
 {
     fxl_view_frustum frustum;
@@ -192,6 +246,13 @@ void prove_by_plane(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_clip_view_by_planes"
+ * property = "any polygon, any planes: each cut is one that the row of fxl_clip_view_to_plane takes, and the result is the input, a polygon of the workspace, or null"
+ * checks = 106
+ * unwind = 8
+ * stands_in = { fxl_clip_view_to_plane = "any_cut", fxl_clip_stats_add = "any_stats" }
+ */
 void prove_clip_view_by_planes(void)
 {
     fxl_view_frustum frustum;
@@ -207,6 +268,13 @@ void prove_clip_view_by_planes(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_clip_view_to_planes"
+ * property = "the same without counts"
+ * checks = 105
+ * unwind = 8
+ * stands_in = { fxl_clip_view_to_plane = "any_cut", fxl_clip_stats_add = "any_stats" }
+ */
 void prove_clip_view_to_planes(void)
 {
     fxl_view_frustum frustum;
@@ -218,6 +286,13 @@ void prove_clip_view_to_planes(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_clip_stats_add"
+ * file = "lib/clip/clip_view.h"
+ * property = "any distances of up to 32 vertices, or no counts: nothing is out of bounds"
+ * checks = 26
+ * unwind = 33
+ */
 void prove_clip_stats_add(void)
 {
     fxl_clip_stats stats;

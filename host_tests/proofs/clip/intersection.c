@@ -2,24 +2,53 @@
 #include "clip/intersection.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_intersection_fraction"
+ * property = "nothing overflows"
+ * checks = 23
+ * contract = true
+ * uses = ["fxl_fraction"]
+ */
 void prove_intersection_fraction(void)
 {
     (void)fxl_intersection_fraction(nondet_s64(), nondet_s64());
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_intersection_part"
+ * property = "nothing overflows, and the result lies between the ends"
+ * checks = 26
+ * contract = true
+ * uses = ["fxl_multiply_high"]
+ */
 void prove_intersection_part(void)
 {
     (void)fxl_intersection_part(nondet_s64(), nondet_s64(), nondet_u64());
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_intersection_varying"
+ * property = "nothing overflows, and the result lies between the ends"
+ * checks = 26
+ * contract = true
+ * uses = ["fxl_multiply_high"]
+ */
 void prove_intersection_varying(void)
 {
     (void)fxl_intersection_varying(nondet_s32(), nondet_s32(), nondet_u64());
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_intersection_vertex"
+ * property = "nothing overflows, no varying is out of bounds, and the vertex is in range"
+ * checks = 210
+ * contract = true
+ * unwind = 8
+ * uses = ["fxl_intersection_part", "fxl_intersection_varying"]
+ */
 void prove_intersection_vertex(void)
 {
     fxl_varying_vertex *inside, *outside, *vertex;
@@ -27,6 +56,13 @@ void prove_intersection_vertex(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_copy_vertex"
+ * property = "nothing is out of bounds"
+ * checks = 96
+ * contract = true
+ * unwind = 8
+ */
 void prove_copy_vertex(void)
 {
     fxl_varying_vertex *from, *to;
@@ -34,6 +70,13 @@ void prove_copy_vertex(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_intersect_edge"
+ * property = "nothing overflows, and the point is in range"
+ * checks = 263
+ * contract = true
+ * uses = ["fxl_fraction", "fxl_multiply_high"]
+ */
 void prove_intersect_edge(void)
 {
     fxl_view_point *from, *to, *point;
@@ -42,6 +85,13 @@ void prove_intersect_edge(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_intersection_screen"
+ * file = "lib/clip/intersection.h"
+ * property = "any edge and border of the screen: nothing overflows"
+ * checks = 7
+ * stands_in = { fxl_divide_round = "any_part" }
+ */
 void prove_intersection_screen(void)
 {
     const fxl_q16_16 from = nondet_s32(), to = nondet_s32();

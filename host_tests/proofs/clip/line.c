@@ -53,6 +53,12 @@ void fxl_copy_vertex(const fxl_varying_vertex *from, uint32_t carried, fxl_varyi
     to->position = from->position;
 }
 
+/* [[row]]
+ * function = "move_end"
+ * property = "any two ends of the view on two sides of a plane: what the intersection requires, and an end in the view"
+ * checks = 60
+ * stubs = { fxl_intersection_fraction = "any fraction", fxl_intersection_vertex = "any vertex of the view", fxl_copy_vertex = "copies the position" }
+ */
 void prove_move_end(void)
 {
     fxl_varying_vertex inside, outside;
@@ -84,6 +90,14 @@ static fxl_clip_line any_line(void)
     return line;
 }
 
+/* [[row]]
+ * function = "fxl_line_by_planes"
+ * property = "any distances: what the intersection requires, at most one a plane, and ends in the view"
+ * checks = 68
+ * unwind = 7
+ * stands_in = { move_end = "any_move_end" }
+ * stubs = { fxl_half_space_distance = "any distances that differ by less than 2^63" }
+ */
 void prove_line_by_planes(void)
 {
     fxl_clip_line line = any_line();
@@ -94,6 +108,12 @@ void prove_line_by_planes(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "distance_of"
+ * property = "a remainder of 30 bits"
+ * checks = 64
+ * stubs = { fxl_half_space_distance = "any distance" }
+ */
 void prove_distance_of(void)
 {
     fxl_half_space plane;
@@ -121,6 +141,11 @@ static void any_distances(void)
     ASSUME(found[0].whole >= 0 ? found[1].whole > found[0].whole - margin : found[1].whole < found[0].whole + margin);
 }
 
+/* [[row]]
+ * function = "difference"
+ * property = "any two distances from a plane: nothing overflows, and it is zero only of equal ones"
+ * checks = 42
+ */
 void prove_difference(void)
 {
     any_distances();
@@ -130,6 +155,12 @@ void prove_difference(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * id = "magnitude of line"
+ * function = "magnitude"
+ * property = "any distance: exact, and below 2^94"
+ * checks = 29
+ */
 void prove_magnitude(void)
 {
     exact value;
@@ -141,6 +172,13 @@ void prove_magnitude(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "quotient_bits"
+ * property = "31 and 64 bits of any quotient: the loop ends, and there are no more bits"
+ * checks = 184
+ * cases = [31, 64]
+ * unwind = 66
+ */
 void prove_quotient_bits(void)
 {
     wide remainder, whole;
@@ -162,6 +200,12 @@ uint64_t any_bits(wide *remainder, const wide *whole, unsigned bits)
     return quotient;
 }
 
+/* [[row]]
+ * id = "quotient_bits, a step"
+ * function = "quotient_bits"
+ * property = "a step leaves less than the divisor"
+ * checks = 91
+ */
 void prove_quotient_step(void)
 {
     wide remainder, whole;
@@ -171,6 +215,13 @@ void prove_quotient_step(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * id = "divide of line"
+ * function = "divide"
+ * property = "any distances below 2^94: the dividend is below the divisor, and the whole part below 2^31"
+ * checks = 75
+ * stands_in = { quotient_bits = "any_bits" }
+ */
 void prove_divide(void)
 {
     wide part, all;
@@ -180,6 +231,13 @@ void prove_divide(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * id = "move of line"
+ * function = "move"
+ * property = "any parameter: nothing overflows, and what is moved is in the view"
+ * checks = 47
+ * uses = ["fxl_multiply_high"]
+ */
 void prove_move(void)
 {
     parameter t;
@@ -208,6 +266,12 @@ bool any_move(fxl_q18_46 from, fxl_q18_46 to, const parameter *t, bool negative,
     return nondet_bool();
 }
 
+/* [[row]]
+ * function = "fxl_line_meet_plane"
+ * property = "any two points of the view and any distances from the plane: nothing overflows, and no division is by zero"
+ * checks = 195
+ * stands_in = { distance_of = "any_distance_of", divide = "any_divide", move = "any_move" }
+ */
 void prove_line_meet_plane(void)
 {
     fxl_view_point first, second;

@@ -2,12 +2,26 @@
 #include "clip/split.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "along"
+ * property = "nothing overflows, and the result lies between the ends"
+ * checks = 26
+ * contract = true
+ * uses = ["fxl_multiply_high"]
+ */
 void prove_along(void)
 {
     (void)along(nondet_s32(), nondet_s32(), nondet_u64());
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_split_edge"
+ * property = "nothing overflows, and the point is in range"
+ * checks = 159
+ * contract = true
+ * uses = ["along", "fxl_intersection_fraction"]
+ */
 void prove_split_edge(void)
 {
     fxl_point *front, *behind;
@@ -15,6 +29,11 @@ void prove_split_edge(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "append_point"
+ * property = "in any state: never more points than the capacity"
+ * checks = 26
+ */
 void prove_append_point(void)
 {
     fxl_piece front, back;
@@ -66,6 +85,14 @@ bool any_append(const fxl_point *point, fxl_q18_46 distance, fxl_piece *front, f
     return nondet_bool();
 }
 
+/* [[row]]
+ * function = "fxl_split_piece"
+ * property = "any piece of 2 to 32 points: each edge is one that the split takes, and each point one that is appended; nothing is out of bounds"
+ * checks = 124
+ * unwind = 33
+ * stands_in = { fxl_split_edge = "any_split_edge", append_point = "any_append" }
+ * stubs = { fxl_plane_distance = "any distance below 2^62" }
+ */
 void prove_split_piece(void)
 {
     ANY_CONTENT(&piece);

@@ -2,6 +2,12 @@
 #include "clip/volume.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_half_space_from_plane"
+ * property = "nothing overflows"
+ * checks = 68
+ * contract = true
+ */
 void prove_half_space_from_plane(void)
 {
     fxl_plane *plane;
@@ -10,6 +16,12 @@ void prove_half_space_from_plane(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_clip_place"
+ * property = "each coordinate is at most 2^59"
+ * checks = 164
+ * contract = true
+ */
 void prove_clip_place(void)
 {
     fxl_point *point;
@@ -18,6 +30,11 @@ void prove_clip_place(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "side_plane"
+ * property = "the normal is one of a half-space"
+ * checks = 49
+ */
 void prove_side_plane(void)
 {
     const int32_t across = nondet_s32(), along = nondet_s32();
@@ -27,6 +44,12 @@ void prove_side_plane(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_volume_from_sides"
+ * property = "nothing is undefined for any frustum and focal length"
+ * checks = 96
+ * unwind = 7
+ */
 void prove_volume_from_sides(void)
 {
     fxl_view_frustum sides;
@@ -56,6 +79,13 @@ int64_t any_s32(int32_t a, int32_t b)
     return product;
 }
 
+/* [[row]]
+ * function = "fxl_half_space_distance"
+ * property = "any half-space and point of the view: nothing overflows"
+ * checks = 245
+ * contract = true
+ * stands_in = { fxl_multiply_su32 = "any_su32", fxl_multiply_s32 = "any_s32" }
+ */
 void prove_half_space_distance(void)
 {
     fxl_half_space *plane;
@@ -74,6 +104,13 @@ fxl_q18_46 any_distance(const fxl_half_space *plane, const fxl_view_point *point
     return nondet_s64();
 }
 
+/* [[row]]
+ * function = "fxl_volume_code"
+ * property = "any distances: a bit a plane"
+ * checks = 63
+ * unwind = 7
+ * stands_in = { fxl_half_space_distance = "any_distance" }
+ */
 void prove_volume_code(void)
 {
     fxl_view_point point;
@@ -82,6 +119,13 @@ void prove_volume_code(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_volume_holds"
+ * property = "any distances: nothing is out of bounds"
+ * checks = 61
+ * unwind = 7
+ * stands_in = { fxl_half_space_distance = "any_distance" }
+ */
 void prove_volume_holds(void)
 {
     fxl_view_point point;
@@ -90,6 +134,12 @@ void prove_volume_holds(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_volume_from_window"
+ * property = "any window, or null: nothing overflows, and its planes are half-spaces"
+ * checks = 119
+ * unwind = 7
+ */
 void prove_volume_from_window(void)
 {
     fxl_volume window;
@@ -110,6 +160,13 @@ void fxl_view_frustum_from_lens(const fxl_lens *lens, fxl_view_frustum *frustum)
     ASSUME(frustum->near_z >= 0 && frustum->near_z < (int64_t)1 << 61 && frustum->far_z >= 0 && frustum->far_z < (int64_t)1 << 61);
 }
 
+/* [[row]]
+ * function = "fxl_volume_from_lens"
+ * property = "any lens and any planes of the screen: nothing overflows"
+ * checks = 150
+ * unwind = 7
+ * stubs = { fxl_view_frustum_from_lens = "any sides in their ranges" }
+ */
 void prove_volume_from_lens(void)
 {
     fxl_lens lens;

@@ -9,6 +9,13 @@ void fxl_renderer_set_shader(fxl_renderer *renderer, uint32_t rank, fxl_shader *
     renderer->shader = shader;
 }
 
+/* [[row]]
+ * function = "fxl_renderer_attach"
+ * file = "lib/draw/combination.c"
+ * property = "any renderer and shader: all that it has is looked at before the next frame"
+ * checks = 13
+ * stubs = { fxl_renderer_set_shader = "its own row", fxl_choose_with_memory = "not called", fxl_refuse = "not called" }
+ */
 void prove_renderer_attach(void)
 {
     fxl_renderer renderer;
@@ -33,6 +40,12 @@ fxl_status fxl_refuse(fxl_workspace *workspace, fxl_status status)
     return status;
 }
 
+/* [[row]]
+ * function = "fxl_renderer_choose"
+ * property = "any renderer and configuration whose order needs no tables of its own, and null pointers: chosen only with a scene and nothing attached"
+ * checks = 76
+ * stubs = { fxl_renderer_set_shader = "not called", fxl_choose_with_memory = "any status", fxl_refuse = "its own row" }
+ */
 void prove_renderer_choose(void)
 {
     fxl_renderer renderer;

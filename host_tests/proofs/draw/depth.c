@@ -39,6 +39,13 @@ static bool is_range(const fxl_band *band)
     return from == FXL_DEPTH_ALL_CLEAR || (from <= to && from >= band->first_row && to <= band->first_row + band->rows);
 }
 
+/* [[row]]
+ * function = "fxl_depth_clear"
+ * file = "lib/draw/depth.c"
+ * property = "any rows: nothing but cells of the band is cleared, and the rows that are clear stay rows of the band; bands of up to 4 rows of 4 cells"
+ * checks = 159
+ * stubs = { fxl_fill_band = "asserts that all lies within the cells of the band" }
+ */
 void prove_depth_clear(void)
 {
     fxl_workspace workspace;
@@ -53,6 +60,13 @@ void prove_depth_clear(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_depth_clear_all"
+ * file = "lib/draw/depth.c"
+ * property = "from any state: nothing but cells of the band is cleared, and all are clear; bands of up to 4 rows of 4 cells"
+ * checks = 172
+ * stubs = { fxl_fill_band = "asserts that all lies within the cells of the band" }
+ */
 void prove_depth_clear_all(void)
 {
     fxl_workspace workspace;

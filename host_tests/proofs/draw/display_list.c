@@ -19,6 +19,12 @@ static void *any_copy(void *to, const void *from, size_t size)
 
 #define WORDS 72 /* of the largest polygon, and a small one */
 
+/* [[row]]
+ * function = "fxl_display_list_append"
+ * property = "any list of up to 72 words and any polygon: never beyond the capacity"
+ * checks = 100
+ * stubs = { memcpy = "asserts that both objects have so many bytes" }
+ */
 void prove_display_list_append(void)
 {
     uint32_t words[WORDS];
@@ -36,6 +42,11 @@ void prove_display_list_append(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_display_list_next"
+ * property = "any list of up to two polygons of up to 8 points: nothing is out of bounds, and a record of the list is found"
+ * checks = 123
+ */
 /* A list of any records that are whole: up to two. */
 void prove_display_list_next(void)
 {
@@ -64,6 +75,13 @@ const fxl_conflict *fxl_find_conflict(const fxl_renderer *renderer)
     return nondet_bool() ? NULL : &any_conflict;
 }
 
+/* [[row]]
+ * function = "fxl_renderer_conflict"
+ * file = "lib/draw/conflict.c"
+ * property = "any conflict, and null pointers: both parts have a name"
+ * checks = 45
+ * stubs = { fxl_find_conflict = "any conflict of the table, or none" }
+ */
 void prove_renderer_conflict(void)
 {
     fxl_renderer renderer;
@@ -74,6 +92,14 @@ void prove_renderer_conflict(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_conflict_sentence"
+ * file = "lib/draw/conflict.c"
+ * property = "any two parts, and null pointers: nothing is read beyond the table"
+ * checks = 28
+ * unwind = 12
+ * stubs = { fxl_find_conflict = "any two parts, or none" }
+ */
 void prove_conflict_sentence(void)
 {
     fxl_renderer renderer;
@@ -82,6 +108,13 @@ void prove_conflict_sentence(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_renderer_set_shader"
+ * file = "lib/draw/shader.c"
+ * property = "shaders stay in the order of their ranks, one of each; up to two before"
+ * checks = 94
+ * stubs = { fxl_find_conflict = "not called" }
+ */
 void prove_renderer_set_shader(void)
 {
     fxl_renderer renderer;
@@ -107,6 +140,13 @@ void prove_renderer_set_shader(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_pieces_begin"
+ * file = "lib/draw/pieces.c"
+ * property = "nothing is undefined, and no outcome is left from before"
+ * checks = 43
+ * stubs = { fxl_find_conflict = "not called" }
+ */
 void prove_pieces_begin(void)
 {
     fxl_pieces pieces;

@@ -6,6 +6,11 @@
 #include "scene/lens.h"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_count_outcome"
+ * property = "any outcome: a face is counted once, or the display list is what it was"
+ * checks = 38
+ */
 void prove_count_outcome(void)
 {
     fxl_traversal traversal;
@@ -22,6 +27,13 @@ void prove_count_outcome(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_cache_entries"
+ * file = "lib/draw/workspace.c"
+ * property = "up to 2 models of any size: it ends, with a power of two that fits the memory"
+ * checks = 30
+ * unwind = 19
+ */
 void prove_cache_entries(void)
 {
     fxl_scene scene;
@@ -35,6 +47,12 @@ void prove_cache_entries(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_pieces_end"
+ * file = "lib/draw/pieces.c"
+ * property = "any outcome of pieces: a face is counted once"
+ * checks = 55
+ */
 void prove_pieces_end(void)
 {
     fxl_pieces pieces;
@@ -99,6 +117,12 @@ static void make_any(fxl_renderer *renderer)
     renderer->target = &target;
 }
 
+/* [[row]]
+ * function = "fxl_workspace_begin"
+ * file = "lib/draw/renderer.h"
+ * property = "any workspace: no shade and no order of faces is left"
+ * checks = 20
+ */
 void prove_workspace_begin(void)
 {
     fxl_workspace workspace;
@@ -109,6 +133,13 @@ void prove_workspace_begin(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "are_equal"
+ * file = "lib/draw/workspace.c"
+ * property = "any two records up to a camera's size: whether all bytes are the same, and none beyond is read"
+ * checks = 31
+ * unwind = 50
+ */
 /* No record that is compared is larger than a camera. */
 void prove_are_equal(void)
 {
@@ -125,6 +156,12 @@ void prove_are_equal(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "has_room"
+ * file = "lib/draw/workspace.c"
+ * property = "up to 2 models, any room: whether the tables are the same ones and each sorted model fits"
+ * checks = 129
+ */
 void prove_has_room(void)
 {
     fxl_renderer renderer;
@@ -139,6 +176,13 @@ void prove_has_room(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "note_settings"
+ * file = "lib/draw/workspace.c"
+ * property = "any renderer of up to 2 shaders: what is noted is current as long as nothing changes"
+ * checks = 503
+ * unwind = 50
+ */
 /* What was noted is current as long as nothing is changed; a change of one member is noticed. */
 void prove_note_settings(void)
 {
@@ -165,6 +209,14 @@ bool any_are_equal(const void *a, const void *b, size_t size)
     return equal;
 }
 
+/* [[row]]
+ * function = "is_current"
+ * file = "lib/draw/workspace.c"
+ * property = "any renderer of up to 2 shaders, any workspace: current only with the same number, parts, shaders, sizes, lens and camera"
+ * checks = 482
+ * unwind = 8
+ * stands_in = { are_equal = "any_are_equal" }
+ */
 void prove_is_current(void)
 {
     fxl_renderer renderer;
@@ -245,6 +297,15 @@ fxl_status any_refuse(fxl_workspace *workspace, fxl_status status)
 #define WORKSPACE(renderer, other) NULL
 #endif
 
+/* [[row]]
+ * function = "fxl_frame_draw_with"
+ * file = "lib/draw/workspace.c"
+ * property = "any renderer and workspace, and null pointers: draws in the renderer's own or a current one alone, else refuses; a workspace's room stays"
+ * checks = 192
+ * cases = [1, 2, 3]
+ * stands_in = { fxl_draw_in_workspace = "any_draw_in_workspace", is_current = "any_is_current", note_settings = "any_note_settings", fxl_refuse = "any_refuse" }
+ * stubs = { fxl_draw_in_workspace = "any status: it is measured" }
+ */
 void prove_frame_draw_with(void)
 {
     fxl_renderer renderer;

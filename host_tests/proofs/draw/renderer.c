@@ -2,6 +2,11 @@
 #include "draw/renderer.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_refuse"
+ * property = "the status that it is given, and one call more is counted"
+ * checks = 8
+ */
 void prove_refuse(void)
 {
     fxl_workspace workspace;
@@ -12,6 +17,11 @@ void prove_refuse(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_frame_release_scene"
+ * property = "any renderer, or null: released only in a frame whose instances are all done"
+ * checks = 32
+ */
 void prove_frame_release_scene(void)
 {
     fxl_renderer renderer;
@@ -24,6 +34,11 @@ void prove_frame_release_scene(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_frame_end"
+ * property = "any renderer, or null: no frame is left"
+ * checks = 7
+ */
 void prove_frame_end(void)
 {
     fxl_renderer renderer;

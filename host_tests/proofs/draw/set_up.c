@@ -23,6 +23,12 @@ void fxl_view_set_lens(fxl_view *view, const fxl_lens *lens)
     view->frame = nondet_u32();
 }
 
+/* [[row]]
+ * function = "fxl_renderer_set_centre"
+ * property = "any renderer and centre: the count of frames stays, and refused, so does the lens"
+ * checks = 63
+ * stubs = { fxl_refuse = "its own row", fxl_lens_set_centre = "any status", fxl_view_set_lens = "any count of frames" }
+ */
 void prove_renderer_set_centre(void)
 {
     fxl_renderer renderer;
@@ -41,6 +47,14 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
     return nondet_bool() ? FXL_OK : FXL_E_ARGUMENT;
 }
 
+/* [[row]]
+ * id = "fxl_renderer_init_with"
+ * function = "fxl_renderer_init_with_for_polygons_of_32"
+ * file = "lib/draw/renderer_init_with.c"
+ * property = "a renderer that is set up has a clipper, an order and a target"
+ * checks = 19
+ * stubs = { fxl_renderer_init_bare = "any status" }
+ */
 void prove_renderer_init_with(void)
 {
     fxl_renderer renderer;
@@ -70,6 +84,13 @@ uint32_t fxl_lit_corners_needed(const fxl_beam *beams, uint32_t beam_count)
     return corners;
 }
 
+/* [[row]]
+ * function = "fxl_beam_light_workspace_size"
+ * file = "lib/draw/beam_light.c"
+ * property = "any beams, or null: a multiple of 8 that does not overflow, with room for the corners"
+ * checks = 2
+ * stubs = { fxl_beams_fit = "its own row", fxl_lit_pieces_needed = "at most 9^4, as its row says", fxl_lit_corners_needed = "up to six for each piece" }
+ */
 void prove_beam_light_workspace_size(void)
 {
     fxl_beam beams[FXL_BEAMS_MAX];

@@ -2,6 +2,11 @@
 #include "draw/submit_surface.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "has_few_texels"
+ * property = "nothing overflows for coordinates below 2^30, and it is true where all differ by less than 2^23 from the first corner's, or by -2^23"
+ * checks = 35
+ */
 /* Coordinates are within FXL_TEXEL_MAX. */
 void prove_has_few_texels(void)
 {
@@ -29,6 +34,13 @@ void fxl_find_corner(const fxl_model_view *model_view, uint32_t number, const fx
     corner->z = depths[number];
 }
 
+/* [[row]]
+ * function = "nearest_depth"
+ * property = "faces and whole faces of up to 5 vertices: the least depth of the whole face, and of the corners alone where they are told to be all"
+ * checks = 219
+ * unwind = 11
+ * stubs = { fxl_find_corner = "any depth: it is measured" }
+ */
 /* Vertices 0, 1, 2 are the corners. A face has up to 5, and so has the whole one, of which it is a part. */
 void prove_nearest_depth(void)
 {

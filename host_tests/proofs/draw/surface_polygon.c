@@ -28,6 +28,13 @@ static void *copy_words(void *to, const void *from, size_t size)
 #define WORDS  128 /* of a list: more than the largest record has */
 #define POINTS 8
 
+/* [[row]]
+ * function = "fxl_surface_polygon_append"
+ * property = "any list of up to 128 words, any polygon: nothing is written beyond the capacity"
+ * checks = 292
+ * stubs = { memcpy = "asserts that both objects have so many bytes", __builtin_memcpy = "copies words" }
+ * unwind = 8
+ */
 void prove_surface_polygon_append(void)
 {
     uint32_t words[WORDS];
@@ -44,6 +51,13 @@ void prove_surface_polygon_append(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_surface_polygon_read"
+ * property = "any record of up to 8 points: nothing is read beyond its longest form"
+ * checks = 148
+ * stubs = { __builtin_memcpy = "copies words" }
+ * unwind = 8
+ */
 void prove_surface_polygon_read(void)
 {
     struct {

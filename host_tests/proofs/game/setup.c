@@ -55,6 +55,11 @@ static void make_any(void)
     ASSUME(target.depth_bits == 0 || target.depth_bits == 16 || target.depth_bits == 32);
 }
 
+/* [[row]]
+ * function = "fxl_setup_divide"
+ * property = "any plan of a checked scene with up to 2^24 bytes for each of tree, pieces and beams, and null pointers: no size wraps, each share is aligned and holds its records; refused, none is written"
+ * checks = 269
+ */
 void prove_setup_divide(void)
 {
     fxl_setup setup;
@@ -107,6 +112,13 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *of, const 
     return nondet_bool() ? FXL_OK : FXL_E_CAPACITY;
 }
 
+/* [[row]]
+ * function = "fxl_setup_init"
+ * property = "any shares, memory of up to 512 bytes, and null pointers: no share lies outside it; set up whole, or what is missing is told"
+ * checks = 473
+ * stands_in = { fxl_setup_divide = "any_divide" }
+ * stubs = { fxl_renderer_init = "any status" }
+ */
 /* A plan of a scene with no more than a renderer, a tree and a depth buffer. */
 void prove_setup_init(void)
 {

@@ -2,6 +2,12 @@
 #include "math/arith.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_leading_zeros"
+ * file = "lib/math/core.h"
+ * property = "the number of zeros above the highest 1, exactly"
+ * checks = 5
+ */
 void prove_leading_zeros(void)
 {
     const uint32_t value = nondet_u32();
@@ -12,6 +18,12 @@ void prove_leading_zeros(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_bit_length"
+ * file = "lib/math/arith.h"
+ * property = "the number of bits, exactly"
+ * checks = 4
+ */
 void prove_bit_length(void)
 {
     const uint64_t value = nondet_u64();
@@ -21,6 +33,13 @@ void prove_bit_length(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_round_shift"
+ * file = "lib/math/arith.h"
+ * property = "floor(value / 2^shift + 1/2) for |value| <= 2^62, for each shift"
+ * checks = 40
+ * cases = [1, 2, 3, 61, 62]
+ */
 #ifdef CASE
 void prove_round_shift(void)
 {
@@ -33,6 +52,13 @@ void prove_round_shift(void)
 }
 #endif
 
+/* [[row]]
+ * function = "fxl_divide_u64"
+ * property = "nothing overflows"
+ * checks = 101
+ * contract = true
+ * equations = true
+ */
 void prove_divide_u64(void)
 {
     uint32_t *remainder;
@@ -40,24 +66,55 @@ void prove_divide_u64(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_fraction"
+ * property = "nothing overflows"
+ * checks = 37
+ * contract = true
+ */
 void prove_fraction(void)
 {
     (void)fxl_fraction(nondet_u64(), nondet_u64());
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_divide_down"
+ * file = "lib/math/arith.h"
+ * property = "nothing overflows; a quotient of a coordinate of the screen is below 2^28"
+ * checks = 55
+ * contract = true
+ * uses = ["fxl_divide_u64"]
+ */
 void prove_divide_down(void)
 {
     (void)fxl_divide_down(nondet_s64(), nondet_u32());
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_divide_round"
+ * file = "lib/math/arith.h"
+ * property = "nothing overflows; a quotient of a coordinate of the screen is below 2^28"
+ * checks = 30
+ * contract = true
+ * uses = ["fxl_divide_down"]
+ */
 void prove_divide_round(void)
 {
     (void)fxl_divide_round(nondet_s64(), nondet_u32());
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_divide_floor"
+ * file = "lib/math/arith.h"
+ * property = "nothing overflows, and the remainder is below the denominator"
+ * checks = 81
+ * contract = true
+ * uses = ["fxl_divide_u32"]
+ * flags = ["--object-bits", "8"]
+ */
 void prove_divide_floor(void)
 {
     int32_t *remainder;
@@ -65,6 +122,13 @@ void prove_divide_floor(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_ratio"
+ * property = "nothing overflows, and each quotient fits"
+ * checks = 71
+ * contract = true
+ * uses = ["fxl_divide_round"]
+ */
 void prove_ratio(void)
 {
     int32_t *quotient;
@@ -72,6 +136,13 @@ void prove_ratio(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_dot"
+ * file = "lib/math/arith.h"
+ * property = "nothing overflows; below 7 2^59, and below 7 2^58 for coordinates below 2^29"
+ * checks = 81
+ * contract = true
+ */
 void prove_dot(void)
 {
     fxl_direction *direction;
@@ -79,6 +150,14 @@ void prove_dot(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_subtract"
+ * file = "lib/math/arith.h"
+ * property = "differences of points of the world are below 2^30"
+ * checks = 173
+ * contract = true
+ * uses = ["fxl_point_in_range"]
+ */
 void prove_subtract(void)
 {
     fxl_point *a, *b, *difference;
@@ -86,6 +165,13 @@ void prove_subtract(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_point_in_range"
+ * file = "lib/math/arith.h"
+ * property = "what it says, for every point"
+ * checks = 78
+ * contract = true
+ */
 void prove_point_in_range(void)
 {
     fxl_point *point;
@@ -93,6 +179,12 @@ void prove_point_in_range(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_real_of"
+ * file = "lib/math/arith.h"
+ * property = "the mantissa's highest bit is 1"
+ * checks = 10
+ */
 void prove_real_of(void)
 {
     const int exponent = nondet_s32();
@@ -104,6 +196,13 @@ void prove_real_of(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_mantissa_ratio"
+ * file = "lib/math/arith.h"
+ * property = "the quotient fits, and nothing overflows"
+ * checks = 61
+ * uses = ["fxl_divide_u64"]
+ */
 void prove_mantissa_ratio(void)
 {
     const fxl_real part = {nondet_u32(), 0}, whole = {nondet_u32(), 0};
@@ -112,6 +211,12 @@ void prove_mantissa_ratio(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_magnitude"
+ * file = "lib/math/arith.h"
+ * property = "the magnitude of every value, exactly"
+ * checks = 1
+ */
 void prove_magnitude(void)
 {
     const int64_t value = nondet_s64();
@@ -120,6 +225,14 @@ void prove_magnitude(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_divide_u32"
+ * file = "lib/math/core.h"
+ * property = "nothing overflows"
+ * checks = 37
+ * contract = true
+ * equations = true
+ */
 void prove_divide_u32(void)
 {
     uint32_t *remainder;
@@ -127,6 +240,14 @@ void prove_divide_u32(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_multiply_high"
+ * file = "lib/math/core.h"
+ * property = "nothing is undefined"
+ * checks = 7
+ * contract = true
+ * equations = true
+ */
 void prove_multiply_high(void)
 {
     (void)fxl_multiply_high(nondet_u64(), nondet_u64());

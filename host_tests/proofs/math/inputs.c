@@ -37,6 +37,14 @@ static int64_t wave(uint32_t angle)
     return wanted[angle >> 30];
 }
 
+/* [[row]]
+ * id = "every angle, folded"
+ * function = "magnitude_q62"
+ * file = "lib/math/angle.c"
+ * property = "sine and cosine are those of the first quarter, folded and with their sign, and rounded, for every angle"
+ * checks = 4294967296
+ * flags = ["-DFOLDED"]
+ */
 void enumerate_folded(void)
 {
     uint32_t angle = 0;
@@ -51,6 +59,14 @@ void enumerate_folded(void)
 
 #elif FXL_CORE_ARMV6M
 
+/* [[row]]
+ * id = "leading zeros, Armv6-M"
+ * function = "fxl_leading_zeros"
+ * file = "lib/math/core.h"
+ * property = "the text for Armv6-M counts what the compiler counts, for every value above 0"
+ * checks = 4294967295
+ * flags = ["-DFXL_CORE_ARMV6M=1"]
+ */
 void enumerate_leading_zeros(void)
 {
     uint32_t value = 0;
@@ -59,6 +75,14 @@ void enumerate_leading_zeros(void)
     }
 }
 
+/* [[row]]
+ * id = "reciprocal of 16 bits, Armv6-M"
+ * function = "fxl_reciprocal_half"
+ * file = "lib/math/core.h"
+ * property = "it is within 3 units of 2^31 / value"
+ * checks = 32769
+ * flags = ["-DFXL_CORE_ARMV6M=1"]
+ */
 void enumerate_reciprocal_half(void)
 {
     for (int64_t value = 1 << 15; value <= 1 << 16; value++) {
@@ -71,6 +95,15 @@ void enumerate_reciprocal_half(void)
 
 #define BLOCK 4096 /* angles that a rotation goes on with before it begins anew */
 
+/* [[row]]
+ * id = "sine of every angle"
+ * function = "quarter_sine_q62"
+ * file = "lib/math/angle.c"
+ * property = "it is within 0.02 unit of 2^-31 of the sine, for every angle of the first quarter of a turn"
+ * checks = 1073741825
+ * cases = [1, 2, 3, 4]
+ * every = true
+ */
 /* A quarter of a turn has four cases. The reference is exact to 2^-50: a step of the rotation by
  * 2^-32 turn errs by less than 2^-62. */
 void enumerate_quarter_sine(void)
@@ -94,6 +127,14 @@ void enumerate_quarter_sine(void)
     }
 }
 
+/* [[row]]
+ * id = "every reciprocal of a fraction"
+ * function = "reciprocal_below"
+ * file = "lib/math/arith.c"
+ * property = "it is at most 2^60 / value, and too small by at most 2^-27 of itself"
+ * checks = 1073741824
+ * every = true
+ */
 void enumerate_reciprocal_below(void)
 {
     const uint64_t exact = (uint64_t)1 << 60;
@@ -103,6 +144,14 @@ void enumerate_reciprocal_below(void)
     }
 }
 
+/* [[row]]
+ * id = "every first centre"
+ * function = "fxl_first_centre_from"
+ * file = "lib/math/pixel_centre.h"
+ * property = "its centre is at or past the coordinate, and the one before is not, for every coordinate"
+ * checks = 2147483647
+ * every = true
+ */
 void enumerate_first_centre_from(void)
 {
     for (int32_t coordinate = 1 - (1 << 30); coordinate < 1 << 30; coordinate++) {
@@ -112,6 +161,14 @@ void enumerate_first_centre_from(void)
     }
 }
 
+/* [[row]]
+ * id = "every centre"
+ * function = "fxl_centre_of"
+ * file = "lib/math/pixel_centre.h"
+ * property = "it is half a pixel past the row's coordinate, and the first centre from itself"
+ * checks = 32767
+ * every = true
+ */
 void enumerate_centre_of(void)
 {
     for (int32_t row = 1 - (1 << 14); row < 1 << 14; row++) {

@@ -5,6 +5,13 @@
 #include "math/product.h"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_plane_from_point"
+ * property = "the distance is below 2^61 and fits"
+ * checks = 198
+ * contract = true
+ * uses = ["fxl_dot", "fxl_point_in_range"]
+ */
 void prove_plane_from_point(void)
 {
     fxl_point *point;
@@ -13,6 +20,13 @@ void prove_plane_from_point(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_plane_distance"
+ * property = "nothing overflows for any plane and point in range"
+ * checks = 182
+ * contract = true
+ * uses = ["fxl_dot", "fxl_point_in_range"]
+ */
 void prove_plane_distance(void)
 {
     fxl_plane *plane;
@@ -21,6 +35,13 @@ void prove_plane_distance(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_is_unit"
+ * file = "lib/math/plane.h"
+ * property = "nothing overflows for any direction"
+ * checks = 102
+ * contract = true
+ */
 void prove_is_unit(void)
 {
     fxl_direction *normal;
@@ -28,12 +49,25 @@ void prove_is_unit(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_square_root"
+ * file = "lib/math/plane.h"
+ * property = "it ends after 32 rounds"
+ * checks = 7
+ * contract = true
+ * unwind = 33
+ */
 void prove_square_root(void)
 {
     (void)fxl_square_root(nondet_u64());
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "cross"
+ * property = "each component is at most 2^61"
+ * checks = 77
+ */
 void prove_cross(void)
 {
     fxl_point a, b;
@@ -45,6 +79,12 @@ void prove_cross(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_plane_from_points"
+ * property = "nothing overflows for any points and null pointers"
+ * checks = 309
+ * uses = ["fxl_unit_cross", "fxl_point_in_range", "fxl_plane_from_point", "fxl_subtract"]
+ */
 void prove_plane_from_points(void)
 {
     fxl_point *a = nondet_bool() ? NULL : __CPROVER_allocate(sizeof *a, 0);
@@ -55,12 +95,26 @@ void prove_plane_from_points(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "shifted"
+ * property = "at most 2^30, and not 0 for the longest component"
+ * checks = 23
+ * contract = true
+ */
 void prove_shifted(void)
 {
     (void)shifted(nondet_s64(), (int)nondet_s32());
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "normalise"
+ * property = "nothing overflows, and each quotient fits"
+ * checks = 165
+ * contract = true
+ * equations = true
+ * uses = ["fxl_square_root", "fxl_divide_round", "shifted"]
+ */
 void prove_normalise(void)
 {
     wide_vector *v;
@@ -69,6 +123,13 @@ void prove_normalise(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_unit_cross"
+ * property = "nothing overflows, and each component of the result is at most 1"
+ * checks = 304
+ * contract = true
+ * uses = ["normalise"]
+ */
 void prove_unit_cross(void)
 {
     fxl_point *a, *b;
@@ -79,6 +140,12 @@ void prove_unit_cross(void)
 
 /* --- what is inline beside it ---------------------------------------------------------------- */
 
+/* [[row]]
+ * function = "fxl_first_centre_from"
+ * file = "lib/math/pixel_centre.h"
+ * property = "it is at most a row if and only if the coordinate is at most that row's centre"
+ * checks = 5
+ */
 void prove_first_centre_from(void)
 {
     const int32_t coordinate = nondet_s32(), row = nondet_s32();
@@ -87,12 +154,24 @@ void prove_first_centre_from(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_is_aligned"
+ * file = "lib/math/memory.h"
+ * property = "nothing is undefined"
+ * checks = 2
+ */
 void prove_is_aligned(void)
 {
     (void)fxl_is_aligned((const void *)nondet_size(), (size_t)1 << (nondet_u8() & 3));
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_upper_product"
+ * file = "lib/math/product.h"
+ * property = "none of these products overflows or shifts wrongly"
+ * checks = 3
+ */
 void prove_upper_product(void)
 {
     (void)fxl_upper_product(nondet_s32(), nondet_s32());

@@ -21,6 +21,11 @@ static bool lies_in_pixels(const fxl_sprite *sprite)
            (sprite->colours == NULL || (sprite->colours >= pixels && sprite->colours + (1u << sprite->bits) <= pixels + PIXELS));
 }
 
+/* [[row]]
+ * function = "make_sprite"
+ * property = "any billboard of an image: the pixels and colours of one that passes lie in those of the image"
+ * checks = 293
+ */
 void prove_make_sprite(void)
 {
     fxl_scene_billboard one;
@@ -59,6 +64,12 @@ fxl_status any_set(const fxl_billboard_set *found, const fxl_scene *of, fxl_scen
     return passed ? FXL_OK : FXL_E_COUNT;
 }
 
+/* [[row]]
+ * function = "fxl_billboards_open"
+ * property = "any image of up to 2 billboards: each has its sprite, a set is opened after its check, and refused, it stays"
+ * checks = 238
+ * stands_in = { make_sprite = "any_sprite", fxl_billboards_check = "any_set" }
+ */
 void prove_billboards_open(void)
 {
     const uint32_t capacity = nondet_u32();
@@ -82,6 +93,11 @@ static bool has_sides(const fxl_billboard *board)
            board->height >= 1 && board->height <= FXL_BILLBOARD_SIDE_MAX && board->anchor_y >= 0 && board->anchor_y <= board->height;
 }
 
+/* [[row]]
+ * function = "check_billboard"
+ * property = "any billboard: one that passes has a sprite with pixels, and sides in their range"
+ * checks = 128
+ */
 void prove_check_billboard(void)
 {
     fxl_sprite sprite;
@@ -94,6 +110,11 @@ void prove_check_billboard(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "square_beyond"
+ * property = "any side and anchor: below 2^58"
+ * checks = 2
+ */
 void prove_square_beyond(void)
 {
     const fxl_q16_16 side = nondet_s32(), anchor = nondet_s32();
@@ -111,6 +132,14 @@ uint64_t any_square(fxl_q16_16 side, fxl_q16_16 anchor)
     return square;
 }
 
+/* [[row]]
+ * id = "check_model of a billboard"
+ * function = "check_model"
+ * property = "any model of a checked scene and any checked billboard: one that passes is convex and has one face"
+ * checks = 335
+ * unwind = 8
+ * stands_in = { square_beyond = "any_square" }
+ */
 void prove_check_model(void)
 {
     any_checked_scene();
@@ -138,6 +167,13 @@ fxl_status any_model(const fxl_model *model, const fxl_billboard *board)
     return (fxl_status)nondet_u32();
 }
 
+/* [[row]]
+ * function = "fxl_billboards_check"
+ * property = "any set of up to 2 billboards of a checked scene: nothing is out of bounds, and each model has a checked billboard of the table, or none"
+ * checks = 490
+ * unwind = 8
+ * stands_in = { check_billboard = "any_billboard", check_model = "any_model" }
+ */
 void prove_billboards_check(void)
 {
     any_checked_scene();

@@ -2,6 +2,11 @@
 #include "paint/colour_run.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_paint_colour_run"
+ * property = "any words: no other pixel is written, and the first one has the levels of the words; runs of up to 4 pixels"
+ * checks = 48
+ */
 void prove_paint_colour_run(void)
 {
     uint16_t pixels[5];

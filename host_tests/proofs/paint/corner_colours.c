@@ -6,6 +6,12 @@
 /* The most by which corners differ, in 7.25, and the most of a coefficient. */
 #define DIFFERENCE_MAX (INT32_MAX - (1 << 23) + 1)
 
+/* [[row]]
+ * function = "range_of_channel"
+ * property = "no two corners differ by more, and nothing overflows"
+ * checks = 121
+ * unwind = 4
+ */
 void prove_range_of_channel(void)
 {
     const int32_t values[3] = {nondet_s32(), nondet_s32(), nondet_s32()};
@@ -20,6 +26,11 @@ void prove_range_of_channel(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "is_near"
+ * property = "exactly where weights differ by at most 1/128 of the least one"
+ * checks = 13
+ */
 void prove_is_near(void)
 {
     fxl_corner_planes planes;
@@ -29,6 +40,11 @@ void prove_is_near(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "shift_up"
+ * property = "nothing overflows, and true exactly where the result fits"
+ * checks = 29
+ */
 void prove_shift_up(void)
 {
     const int32_t value = nondet_s32();
@@ -42,6 +58,11 @@ void prove_shift_up(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "share"
+ * property = "nothing overflows, and the place of a corner is that of its pixel and less than half of one"
+ * checks = 200
+ */
 void prove_share(void)
 {
     fxl_corner_planes planes;
@@ -69,6 +90,11 @@ static shared_planes any_shared(void)
     return shared;
 }
 
+/* [[row]]
+ * function = "find_channel"
+ * property = "sums of two products do not overflow"
+ * checks = 50
+ */
 void prove_find_channel(void)
 {
     const shared_planes shared = any_shared();
@@ -78,6 +104,11 @@ void prove_find_channel(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "two_words"
+ * property = "both words, exactly"
+ * checks = 2
+ */
 void prove_two_words(void)
 {
     const uint32_t low = nondet_u32(), high = nondet_u32();
@@ -87,6 +118,11 @@ void prove_two_words(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "channel_of_colours"
+ * property = "nothing overflows, for all colours"
+ * checks = 91
+ */
 void prove_channel_of_colours(void)
 {
     const shared_planes shared = any_shared();
@@ -97,6 +133,12 @@ void prove_channel_of_colours(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "channel_of_values"
+ * property = "nothing overflows, for all levels from 1/16 to 63 15/16"
+ * checks = 93
+ * unwind = 4
+ */
 void prove_channel_of_values(void)
 {
     const shared_planes shared = any_shared();
@@ -108,6 +150,11 @@ void prove_channel_of_values(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "set_words"
+ * property = "nothing is undefined"
+ * checks = 235
+ */
 void prove_set_words(void)
 {
     channel_words channels[3];
@@ -121,6 +168,11 @@ void prove_set_words(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_corner_colours"
+ * property = "any colours of corners: each channel is a level of it"
+ * checks = 57
+ */
 void prove_corner_colours(void)
 {
     fxl_mapped_face mapped;
@@ -132,6 +184,11 @@ void prove_corner_colours(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_corner_colours_light"
+ * property = "any light of a ramp and any channels: nothing overflows"
+ * checks = 76
+ */
 void prove_corner_colours_light(void)
 {
     fxl_light_settings settings;

@@ -6,6 +6,12 @@
 /* The depth test of a run: four cells at once and the rest, so six cells have every path. */
 #define CELLS 6
 
+/* [[row]]
+ * function = "fxl_depth_keep_visible"
+ * property = "for runs of up to 6 cells, any codes and any cells: visible cells keep their code, others stay, none is out of bounds"
+ * checks = 78
+ * unwind = 10
+ */
 void prove_depth_keep_visible(void)
 {
     uint16_t cells[CELLS], before[CELLS];
@@ -21,6 +27,12 @@ void prove_depth_keep_visible(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_depth_skip_hidden"
+ * property = "for runs of up to 6 cells: it ends at the first visible one"
+ * checks = 72
+ * unwind = 10
+ */
 void prove_depth_skip_hidden(void)
 {
     uint16_t cells[CELLS];
@@ -41,6 +53,12 @@ static fxl_depth_scale any_scale(void)
     return scale;
 }
 
+/* [[row]]
+ * function = "fxl_depth_scale_of"
+ * file = "lib/paint/depth_code.h"
+ * property = "for every lens: 1 to 24 octaves, 11 to 15 bits, at most 65,536 codes"
+ * checks = 19
+ */
 void prove_depth_scale_of(void)
 {
     fxl_lens lens;
@@ -52,6 +70,12 @@ void prove_depth_scale_of(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_depth_octave_of"
+ * file = "lib/paint/depth_code.h"
+ * property = "nothing overflows, and every shift is in its range"
+ * checks = 133
+ */
 void prove_depth_octave_of(void)
 {
     const fxl_depth_scale scale = any_scale();
@@ -62,6 +86,12 @@ void prove_depth_octave_of(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_depth_octave_of_word"
+ * file = "lib/paint/depth_code.h"
+ * property = "every shift is in its range, and the octave holds the word"
+ * checks = 68
+ */
 void prove_depth_octave_of_word(void)
 {
     const fxl_depth_scale scale = any_scale();
@@ -74,6 +104,12 @@ void prove_depth_octave_of_word(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_depth_shifted"
+ * file = "lib/paint/depth_code.h"
+ * property = "the lowest 32 bits of the floor, exactly"
+ * checks = 17
+ */
 void prove_depth_shifted(void)
 {
     const int64_t value = nondet_s64();

@@ -67,6 +67,15 @@ uint32_t fxl_depth_skip_hidden(const uint16_t *cells, uint32_t count, uint32_t c
     return hidden;
 }
 
+/* [[row]]
+ * function = "fxl_depth_visible_end"
+ * file = "lib/paint/depth_cells.h"
+ * property = "runs of up to 4 cells of 16 or 32 bits, by either rule: nothing is out of bounds, and it ends at a hidden one"
+ * checks = 310
+ * unwind = 6
+ * cases = [16, 32]
+ * stubs = { fxl_depth_keep_visible = "any number of the run's", fxl_depth_skip_hidden = "any number of the run's" }
+ */
 void prove_depth_visible_end(void)
 {
     int32_t x0, x1;
@@ -81,6 +90,15 @@ void prove_depth_visible_end(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_depth_hidden_end"
+ * file = "lib/paint/depth_cells.h"
+ * property = "runs of up to 4 cells of 16 or 32 bits, by either rule: nothing is out of bounds, and it ends at a visible one"
+ * checks = 246
+ * unwind = 6
+ * cases = [16, 32]
+ * stubs = { fxl_depth_keep_visible = "any number of the run's", fxl_depth_skip_hidden = "any number of the run's" }
+ */
 void prove_depth_hidden_end(void)
 {
     int32_t x0, x1;
@@ -94,6 +112,14 @@ void prove_depth_hidden_end(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_depth_keep"
+ * file = "lib/paint/depth_cells.h"
+ * property = "any cell: no other changes, and the pixel passes again only where equal ones do"
+ * checks = 146
+ * cases = [16, 32]
+ * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
+ */
 void prove_depth_keep(void)
 {
     const int32_t x = nondet_s32(), beside = nondet_s32();
@@ -137,6 +163,14 @@ static void any_paint(const void *with, int32_t x0, int32_t x1, void *cells, fxl
     painted_to = x1;
 }
 
+/* [[row]]
+ * function = "fxl_depth_paint_line"
+ * property = "rows of up to 4 cells: it ends, and what is painted goes left to right, no pixel twice"
+ * checks = 54
+ * unwind = 6
+ * stands_in = { fxl_depth_visible_end = "any_visible_end", fxl_depth_hidden_end = "any_hidden_end" }
+ * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
+ */
 void prove_depth_paint_line(void)
 {
     int32_t x0, x1;
@@ -174,6 +208,13 @@ bool any_holds(const fxl_depth_octave *octave, int64_t value)
     return nondet_bool();
 }
 
+/* [[row]]
+ * function = "fxl_depth_octave_holds"
+ * file = "lib/paint/depth_code.h"
+ * property = "any octave and value: low <= value < high"
+ * checks = 13
+ * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
+ */
 void prove_depth_octave_holds(void)
 {
     const fxl_depth_octave octave = {nondet_s64(), nondet_s64(), 0, 0, 0, false};
@@ -182,6 +223,14 @@ void prove_depth_octave_holds(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_depth_words_end"
+ * property = "any 16 columns of the screen: it ends, after one column or more"
+ * checks = 39
+ * unwind = 6
+ * stands_in = { fxl_depth_octave_of_word = "any_octave_of_word", fxl_depth_octave_holds = "any_holds" }
+ * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
+ */
 void prove_depth_words_end(void)
 {
     const int32_t x0 = nondet_s32(), x1 = nondet_s32();
@@ -192,6 +241,14 @@ void prove_depth_words_end(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_depth_octave_end"
+ * property = "any 8 columns of the screen, and a plane that changes by up to 2^52 a pixel: nothing overflows, and it ends, after one column or more"
+ * checks = 51
+ * unwind = 5
+ * stands_in = { fxl_depth_octave_of = "any_octave_of", fxl_depth_octave_holds = "any_holds" }
+ * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
+ */
 void prove_depth_octave_end(void)
 {
     const int32_t x0 = nondet_s32(), x1 = nondet_s32();
@@ -231,6 +288,15 @@ void any_line(const fxl_depth_painting *of, void *cells, int32_t x0, int32_t x1,
     painted_to = x1;
 }
 
+/* [[row]]
+ * function = "fxl_depth_paint_row"
+ * property = "rows of up to 4 cells of 16 and 32 bits, any plane that changes by up to 2^52 a pixel: nothing overflows, and each column is tested once, in cells of the band"
+ * checks = 392
+ * cases = [16, 32]
+ * unwind = 6
+ * stands_in = { fxl_depth_words_end = "any_words_end", fxl_depth_octave_end = "any_octave_end", fxl_depth_paint_line = "any_line" }
+ * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
+ */
 void prove_depth_paint_row(void)
 {
     int32_t x0, x1;
@@ -246,6 +312,13 @@ void prove_depth_paint_row(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_depth_begin"
+ * property = "any plane and band: nothing overflows"
+ * checks = 63
+ * stands_in = { fxl_depth_octave_of = "any_octave_of", fxl_depth_octave_of_word = "any_octave_of_word" }
+ * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
+ */
 void prove_depth_begin(void)
 {
     fxl_depth_painting of;
@@ -255,6 +328,13 @@ void prove_depth_begin(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_depth_rows_go"
+ * file = "lib/paint/depth_rows.h"
+ * property = "any plane and row: nothing overflows, and the cells are those of the row"
+ * checks = 211
+ * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
+ */
 void prove_depth_rows(void)
 {
     fxl_depth_rows rows;
@@ -269,6 +349,13 @@ void prove_depth_rows(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_depth_outline_begin"
+ * file = "lib/paint/depth_outline.h"
+ * property = "any plane and band: what is taken is front to back, has all columns, and the cells of the band"
+ * checks = 160
+ * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
+ */
 void prove_depth_outline_begin(void)
 {
     fxl_depth_outline outline;

@@ -2,6 +2,11 @@
 #include "paint/gradients.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_block"
+ * property = "any components of at most 2^61: nothing overflows, each becomes at most 2^30, and the exponent is in its range"
+ * checks = 8
+ */
 void prove_block(void)
 {
     const int64_t x = nondet_s64(), y = nondet_s64(), z = nondet_s64();
@@ -13,6 +18,11 @@ void prove_block(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_find_least_weights"
+ * property = "any weights from 1 to 2^31 and any division: no weight is 0"
+ * checks = 105
+ */
 void prove_find_least_weights(void)
 {
     fxl_gradients gradients;
@@ -24,6 +34,12 @@ void prove_find_least_weights(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "cube_root_up"
+ * property = "from 1 to 2^10, and no cube overflows"
+ * checks = 1
+ * unwind = 11
+ */
 void prove_cube_root_up(void)
 {
     const uint32_t value = nondet_u32();
@@ -33,6 +49,11 @@ void prove_cube_root_up(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "power_up"
+ * property = "from 1 to 2^31, and no shift is undefined"
+ * checks = 9
+ */
 void prove_power_up(void)
 {
     const uint32_t number = nondet_u32();
@@ -43,6 +64,11 @@ void prove_power_up(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_gradient_of_plane"
+ * property = "any vector of at most 2^30 and any projection of a screen: nothing overflows, and values on the screen have at most 62 bits"
+ * checks = 107
+ */
 void prove_gradient_of_plane(void)
 {
     fxl_block_vector vector;

@@ -15,6 +15,16 @@
 
 #if CASE_OF_LIGHT
 
+/* [[row]]
+ * id = "every reciprocal of a root"
+ * function = "root_reciprocal"
+ * property = "it is within 2^-25 of itself of 2^46 / value^(1/2), for every value from 2^30"
+ * checks = 3221225472
+ * flags = ["-DCASE_OF_LIGHT"]
+ * links = ["lib/math/arith.c", "lib/math/plane.c"]
+ * cases = [1, 2, 3]
+ * every = true
+ */
 /* The square of the root, times the value, is 2^92 within twice 2^-25, less the square of that. */
 void enumerate_root_reciprocal(void)
 {
@@ -30,6 +40,16 @@ void enumerate_root_reciprocal(void)
 
 #elif CASE_OF_GRADIENTS
 
+/* [[row]]
+ * id = "every cube root"
+ * function = "cube_root_up"
+ * file = "lib/paint/gradients.c"
+ * property = "it is the least integer whose cube is not below the value, for every value from 1 to 2^30"
+ * checks = 1073741824
+ * flags = ["-DCASE_OF_GRADIENTS"]
+ * links = ["lib/math/arith.c", "lib/math/plane.c", "lib/view/project.c"]
+ * every = true
+ */
 void enumerate_cube_root_up(void)
 {
     uint64_t root = 1; /* the least whose cube is not below the value */
@@ -39,6 +59,16 @@ void enumerate_cube_root_up(void)
     }
 }
 
+/* [[row]]
+ * id = "every third"
+ * function = "third"
+ * file = "lib/paint/gradients.c"
+ * property = "it is floor(number / 3), from -599 to 2^20"
+ * checks = 1049175
+ * flags = ["-DCASE_OF_GRADIENTS"]
+ * links = ["lib/math/arith.c", "lib/math/plane.c", "lib/view/project.c"]
+ * every = true
+ */
 void enumerate_third(void)
 {
     for (int number = -599; number < 1 << 20; number++) {
@@ -56,6 +86,16 @@ static uint64_t least_above(uint64_t number, int exponent)
     return exponent < -40 ? 1 : (number + (((uint64_t)1 << -exponent) - 1)) >> -exponent;
 }
 
+/* [[row]]
+ * id = "every power"
+ * function = "power_up"
+ * file = "lib/paint/gradients.c"
+ * property = "it is number 2^exponent, rounded up and held to 1 and 2^31, for every number and exponents from -400 to 400"
+ * checks = 52493535
+ * flags = ["-DCASE_OF_GRADIENTS"]
+ * links = ["lib/math/arith.c", "lib/math/plane.c", "lib/view/project.c"]
+ * every = true
+ */
 void enumerate_power_up(void)
 {
     for (int exponent = -400; exponent <= 400; exponent++) {
@@ -74,6 +114,14 @@ static uint32_t lowest(uint32_t channel)
     return channel & (0u - channel);
 }
 
+/* [[row]]
+ * id = "every colour, spread"
+ * function = "fxl_spread_565"
+ * file = "lib/paint/rgb565_colour.h"
+ * property = "each channel has its place, for every colour"
+ * checks = 65536
+ * every = true
+ */
 void enumerate_spread(void)
 {
     for (uint32_t colour = 0; colour < 1u << 16; colour++) {
@@ -82,6 +130,13 @@ void enumerate_spread(void)
     }
 }
 
+/* [[row]]
+ * id = "every blend"
+ * function = "fxl_blend_565"
+ * file = "lib/paint/rgb565_colour.h"
+ * property = "each channel is the mean by sixteenths, rounded down, for every two levels of it and every part"
+ * checks = 208896
+ */
 /* Channels of the sum are fields of a word, so one meets another only by a carry, which is there if
  * it is with the largest colours. So a channel is tried with the others at both ends. */
 void enumerate_blend(void)
@@ -100,6 +155,14 @@ void enumerate_blend(void)
     }
 }
 
+/* [[row]]
+ * id = "every sum of colours"
+ * function = "fxl_add_channel_565"
+ * file = "lib/paint/rgb565_colour.h"
+ * property = "it is the sum, or the channel's largest level, for every two levels"
+ * checks = 6144
+ * every = true
+ */
 /* It masks both colours by the channel, so these are all its inputs. */
 void enumerate_add_channel(void)
 {
@@ -114,6 +177,14 @@ void enumerate_add_channel(void)
     }
 }
 
+/* [[row]]
+ * id = "every mixture"
+ * function = "fxl_mix_channel_565"
+ * file = "lib/paint/rgb565_colour.h"
+ * property = "it is the mean by 256ths, rounded to nearest, for every two levels and every part"
+ * checks = 1579008
+ * every = true
+ */
 /* So does it. */
 void enumerate_mix_channel(void)
 {
@@ -131,6 +202,13 @@ void enumerate_mix_channel(void)
     }
 }
 
+/* [[row]]
+ * id = "every opacity"
+ * function = "fxl_is_stippled_away"
+ * file = "lib/paint/texel_place.h"
+ * property = "of a square of 16 pixels as many are drawn as the opacity says"
+ * checks = 17
+ */
 void enumerate_stipple(void)
 {
     for (uint32_t opacity = 0; opacity <= 16; opacity++) {
@@ -142,6 +220,14 @@ void enumerate_stipple(void)
     }
 }
 
+/* [[row]]
+ * id = "every level's side"
+ * function = "fxl_level_log"
+ * file = "lib/paint/texture_level.h"
+ * property = "a level's side is half of the one before, and at least the least"
+ * checks = 496
+ * every = true
+ */
 /* A texture has sides of up to 2^15 texels, and a row of 4 bits a texel has at least two. */
 void enumerate_level_log(void)
 {

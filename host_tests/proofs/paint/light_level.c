@@ -2,6 +2,11 @@
 #include "paint/light_level.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_light_corners_of"
+ * property = "any checked settings and normals: nothing overflows or is out of bounds"
+ * checks = 114
+ */
 void prove_light_corners_of(void)
 {
     fxl_light_settings settings;
@@ -20,6 +25,12 @@ void prove_light_corners_of(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_light_corner_level"
+ * file = "lib/paint/light_level.h"
+ * property = "any brightness from 0 to 1: a level of the ramp"
+ * checks = 1
+ */
 void prove_light_corner_level(void)
 {
     const fxl_q2_30 brightness = nondet_s32();
@@ -30,6 +41,12 @@ void prove_light_corner_level(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_light_level"
+ * file = "lib/paint/light_level.h"
+ * property = "any brightness from 0 to 1: a level of the ramp"
+ * checks = 1
+ */
 void prove_light_level(void)
 {
     const fxl_q2_30 brightness = nondet_s32();
@@ -39,6 +56,12 @@ void prove_light_level(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_light_shade"
+ * file = "lib/paint/light_level.h"
+ * property = "any brightness from 0 to 1: nothing overflows, and 1 leaves all of a colour"
+ * checks = 1
+ */
 void prove_light_shade(void)
 {
     const fxl_q2_30 brightness = nondet_s32();

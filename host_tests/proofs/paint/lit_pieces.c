@@ -2,6 +2,11 @@
 #include "paint/lit_pieces.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_lit_pieces_needed"
+ * property = "any checked beams: at most 9^4 pieces"
+ * checks = 17
+ */
 void prove_lit_pieces_needed(void)
 {
     fxl_beam beams[FXL_BEAMS_MAX];
@@ -15,6 +20,13 @@ void prove_lit_pieces_needed(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_lit_corners_needed"
+ * property = "any checked beams that fit a triangle: it ends, and nothing is out of bounds"
+ * checks = 32
+ * unwind = 33
+ * links = ["lib/scene/beam.c"]
+ */
 void prove_lit_corners_needed(void)
 {
     fxl_beam beams[FXL_BEAMS_MAX];
@@ -29,6 +41,12 @@ void prove_lit_corners_needed(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_lit_outline"
+ * property = "any piece of a table of 8 corners, whatever its count: nothing is out of bounds"
+ * checks = 72
+ * unwind = 33
+ */
 void prove_lit_outline(void)
 {
     fxl_point table[8], points[FXL_POLYGON_CAPACITY];

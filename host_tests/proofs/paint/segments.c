@@ -2,6 +2,12 @@
 #include "paint/segments.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_stipple_of"
+ * property = "any opacity from 1 to 16: 16 bits, all of them at 16"
+ * checks = 8
+ * unwind = 17
+ */
 void prove_stipple_of(void)
 {
     const uint32_t opacity = nondet_u32();
@@ -20,6 +26,12 @@ void prove_reciprocal_of(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_attribute_of"
+ * file = "lib/paint/segments.h"
+ * property = "any value, reciprocal and shift: nothing overflows, and no shift is undefined"
+ * checks = 16
+ */
 void prove_attribute_of(void)
 {
     fxl_reciprocal reciprocal;

@@ -28,6 +28,12 @@ static uint32_t first_bytes(const fxl_scene_texture *texture)
     return texture->format == FXL_TEXTURE_565 ? 2 * count : texture->format == FXL_TEXTURE_4 ? count / 2 : count;
 }
 
+/* [[row]]
+ * function = "texel_bytes"
+ * property = "any texture in its range: at most nine times 2^17 bytes, and at least those of its first level"
+ * checks = 87
+ * unwind = 10
+ */
 void prove_texel_bytes(void)
 {
     fxl_scene_texture texture;
@@ -47,6 +53,13 @@ uint32_t any_bytes(const fxl_scene_texture *texture)
     return bytes;
 }
 
+/* [[row]]
+ * id = "check_place of a texture"
+ * function = "check_place"
+ * property = "any texture: one that passes lies in the texels, and so do its colours"
+ * checks = 102
+ * stands_in = { texel_bytes = "any_bytes" }
+ */
 void prove_check_place(void)
 {
     fxl_scene_texture texture;
@@ -78,6 +91,12 @@ fxl_status any_set(const fxl_surface_set *found, const fxl_scene *of, uint32_t p
     return passed ? FXL_OK : FXL_E_COUNT;
 }
 
+/* [[row]]
+ * function = "fxl_surfaces_open"
+ * property = "any image of up to 2 textures: texels lie in the image, a set is opened after its check, and refused, it stays"
+ * checks = 353
+ * stands_in = { check_place = "any_place", fxl_surfaces_check = "any_set" }
+ */
 void prove_surfaces_open(void)
 {
     const uint32_t capacity = nondet_u32();
@@ -93,6 +112,11 @@ void prove_surfaces_open(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "check_texture"
+ * property = "any texture: one that passes has its sides, levels and colours in their range"
+ * checks = 118
+ */
 void prove_check_texture(void)
 {
     fxl_texture texture;
@@ -106,6 +130,11 @@ void prove_check_texture(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "check_surface"
+ * property = "any surface: one that passes has a texture of the table, an opacity in its range and what it blends with"
+ * checks = 108
+ */
 void prove_check_surface(void)
 {
     fxl_surface surface;
@@ -120,6 +149,11 @@ void prove_check_surface(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "on_one_line"
+ * property = "any three points below 2^30: nothing overflows"
+ * checks = 97
+ */
 void prove_on_one_line(void)
 {
     fxl_point a, b, c;
@@ -128,6 +162,11 @@ void prove_on_one_line(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "check_texels"
+ * property = "any mapped face: texels that pass are in their range, and colours have 24 bits"
+ * checks = 74
+ */
 void prove_check_texels(void)
 {
     fxl_mapped_face face;
@@ -171,6 +210,13 @@ static void any_tables(void)
     ASSUME(set.surface_count <= ENTRIES && set.face_count <= ENTRIES && set.normal_count <= ENTRIES && set.texture_count <= ENTRIES);
 }
 
+/* [[row]]
+ * function = "check_face"
+ * property = "any mapped face of a checked scene and tables of up to 2 entries: one that passes has a surface, vertices and normals of their tables"
+ * checks = 469
+ * unwind = 8
+ * stands_in = { on_one_line = "any_line", check_texels = "any_texels" }
+ */
 void prove_check_face(void)
 {
     any_tables();
@@ -193,6 +239,14 @@ fxl_status any_face(const fxl_surface_set *of, const fxl_scene *in, const fxl_mo
     return (fxl_status)nondet_u32();
 }
 
+/* [[row]]
+ * id = "check_faces of surfaces"
+ * function = "check_faces"
+ * property = "any face map of a checked scene and up to 2 mapped faces: one that passes has records of the table"
+ * checks = 349
+ * unwind = 8
+ * stands_in = { check_face = "any_face" }
+ */
 void prove_check_faces(void)
 {
     any_tables();
@@ -227,6 +281,13 @@ fxl_status any_faces(const fxl_surface_set *of, const fxl_scene *in, fxl_scene_f
     return (fxl_status)nondet_u32();
 }
 
+/* [[row]]
+ * function = "fxl_surfaces_check"
+ * property = "any set of tables of up to 2 entries, or without some: nothing is out of bounds, and one that passes has the tables that it needs"
+ * checks = 471
+ * unwind = 8
+ * stands_in = { check_texture = "any_texture", check_surface = "any_surface", fxl_is_unit = "any_unit", check_faces = "any_faces" }
+ */
 void prove_surfaces_check(void)
 {
     any_tables();

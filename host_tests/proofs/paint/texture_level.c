@@ -2,6 +2,11 @@
 #include "paint/texture_level.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_texel_area"
+ * property = "nothing overflows for coordinates below 2^30"
+ * checks = 100
+ */
 void prove_texel_area(void)
 {
     int32_t values[FXL_ATTRIBUTES][3];
@@ -12,6 +17,11 @@ void prove_texel_area(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_texel_density_find"
+ * property = "any depth, projection and volume: nothing overflows, and both numbers have 32 bits"
+ * checks = 39
+ */
 void prove_texel_density_find(void)
 {
     fxl_view view;
@@ -25,6 +35,11 @@ void prove_texel_density_find(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_texture_level_choose"
+ * property = "any texture and density: nothing overflows, and the level is one that the texture has"
+ * checks = 86
+ */
 void prove_texture_level_choose(void)
 {
     fxl_texture texture;
@@ -39,6 +54,11 @@ void prove_texture_level_choose(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_texture_level_find"
+ * property = "textures of up to 16 x 16 texels and 5 levels: nothing overflows, and the level lies in the texture"
+ * checks = 127
+ */
 void prove_texture_level_find(void)
 {
     uint8_t texels[2 * (16 * 16 + 8 * 8 + 4 * 4 + 2 * 2 + 1)];

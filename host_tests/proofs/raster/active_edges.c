@@ -32,6 +32,14 @@ static uint32_t find(fxl_active_edges *edges, uint32_t most)
     return count;
 }
 
+/* [[row]]
+ * function = "find_edges"
+ * property = "any outline of up to 5 points that a row crosses: two edges or more, each with what its set-up requires"
+ * checks = 216
+ * unwind = 7
+ * unwindset = { "any_outline.0" = 33 }
+ * stands_in = { fxl_slope_set = "any_slope" }
+ */
 void prove_find_edges(void)
 {
     fxl_active_edges edges;
@@ -40,6 +48,15 @@ void prove_find_edges(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * id = "find_edges, windings"
+ * function = "find_edges"
+ * property = "any outline of up to 4 points: as many edges go down as up"
+ * checks = 218
+ * unwind = 6
+ * unwindset = { "any_outline.0" = 33 }
+ * stands_in = { fxl_slope_set = "any_slope" }
+ */
 void prove_windings(void)
 {
     fxl_active_edges edges;
@@ -52,6 +69,13 @@ void prove_windings(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "next_vertex_row"
+ * property = "any outline of up to 8 points: a row below, at most the end"
+ * checks = 45
+ * unwind = 10
+ * unwindset = { "any_outline.0" = 33 }
+ */
 void prove_next_vertex_row(void)
 {
     fxl_active_edges edges;
@@ -74,6 +98,13 @@ int32_t any_step(fxl_slope *slope)
     return x;
 }
 
+/* [[row]]
+ * function = "step_edges"
+ * property = "up to 32 edges: nothing is out of bounds"
+ * checks = 46
+ * unwind = 33
+ * stands_in = { step = "any_step" }
+ */
 void prove_step_edges(void)
 {
     fxl_active_edges edges;
@@ -115,6 +146,12 @@ static bool is_state(const fxl_active_edges *edges)
            (edges->row + 1 >= edges->steady_end || (edges->found_count >= 2 && edges->found_count <= FXL_POLYGON_CAPACITY));
 }
 
+/* [[row]]
+ * function = "next_row"
+ * property = "one step in any state: the next row, with two edges or more, until the end"
+ * checks = 185
+ * stands_in = { step_edges = "any_step_edges", find_edges = "any_find_edges", next_vertex_row = "any_vertex_row" }
+ */
 void prove_next_row(void)
 {
     fxl_active_edges edges;
@@ -129,6 +166,12 @@ void prove_next_row(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "end_of_stretch"
+ * property = "up to 4 edges, as many down as up: it ends at a crossing, and the next lies to the right"
+ * checks = 66
+ * unwind = 5
+ */
 void prove_end_of_stretch(void)
 {
     fxl_active_edges edges;
@@ -170,6 +213,12 @@ int32_t any_end(fxl_active_edges *edges)
     return last;
 }
 
+/* [[row]]
+ * function = "fxl_active_edges_next"
+ * property = "any state with up to 2 rows and 2 stretches to come: a span of the band, or none"
+ * checks = 128
+ * stands_in = { next_row = "any_next_row", end_of_two = "any_end", end_of_stretch = "any_end" }
+ */
 void prove_active_edges_next(void)
 {
     fxl_active_edges edges;
@@ -192,6 +241,13 @@ void *any_memset(void *to, int byte, size_t size)
     return to;
 }
 
+/* [[row]]
+ * function = "fxl_active_edges_fill"
+ * property = "up to 3 rows of up to 16 pixels: each stretch lies in its row of the band, and the last is above the next vertex"
+ * checks = 142
+ * stands_in = { step = "any_step", memset = "any_memset" }
+ * stubs = { memset = "asserts that all bytes lie in the band" }
+ */
 void prove_active_edges_fill(void)
 {
     static uint8_t pixels[ROWS * STRIDE];
@@ -209,6 +265,12 @@ void prove_active_edges_fill(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_band_begin_at_column_0"
+ * file = "lib/raster/columns.h"
+ * property = "any column: so many bytes before"
+ * checks = 21
+ */
 void prove_band_begin_at_column_0(void)
 {
     fxl_band band;

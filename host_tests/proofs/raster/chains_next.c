@@ -41,6 +41,15 @@ int32_t any_set(const fxl_screen_point *above, const fxl_screen_point *below, in
     return good;
 }
 
+/* [[row]]
+ * function = "begin_edge"
+ * property = "any outline of up to 5 points that is scanned by chains, any vertex above the row, in both directions: the loop ends, the edge crosses the row, and the next one begins above its end"
+ * checks = 306
+ * cases = [1, 2]
+ * unwind = 7
+ * stands_in = { fxl_edge_set = "any_set" }
+ * stubs = { fxl_active_edges_next = "not called", fxl_active_edges_begin = "not called" }
+ */
 void prove_begin_edge(void)
 {
     fxl_scan scan;
@@ -97,6 +106,13 @@ static bool is_scan(const fxl_scan *scan)
            WITHIN(last->edges[0].step, 1026) && WITHIN(last->edges[1].step, 1026);
 }
 
+/* [[row]]
+ * function = "fxl_scan_next_trapezoid"
+ * property = "one step in any state: rows of the scan, at least one, from the end of those before; both chains end there or below"
+ * checks = 336
+ * stands_in = { begin_edge = "any_begin_edge" }
+ * stubs = { fxl_active_edges_next = "any span of a band, or none", fxl_active_edges_begin = "not called" }
+ */
 void prove_scan_next_trapezoid(void)
 {
     fxl_scan scan;
@@ -125,6 +141,14 @@ const fxl_trapezoid *any_trapezoid(fxl_scan *scan)
     return &scan->trapezoid;
 }
 
+/* [[row]]
+ * function = "next_row_of_chains"
+ * file = "lib/raster/scan.c"
+ * property = "any state with up to 3 rows to come: it ends, with a row of the scan or none"
+ * checks = 256
+ * stands_in = { fxl_scan_next_trapezoid = "any_trapezoid" }
+ * stubs = { fxl_active_edges_next = "not called", fxl_active_edges_begin = "not called" }
+ */
 void prove_next_row_of_chains(void)
 {
     fxl_scan scan;
@@ -144,6 +168,14 @@ bool any_row(fxl_scan *scan, fxl_span *span)
     return fxl_active_edges_next(&scan->active_edges, span);
 }
 
+/* [[row]]
+ * function = "fxl_scan_next"
+ * file = "lib/raster/scan.c"
+ * property = "either kind of scan: rows come from its own"
+ * checks = 19
+ * stands_in = { next_row_of_chains = "any_row" }
+ * stubs = { fxl_active_edges_next = "any span of a band, or none", fxl_active_edges_begin = "not called" }
+ */
 void prove_scan_next(void)
 {
     fxl_scan scan;

@@ -2,12 +2,26 @@
 #include "raster/edge.h"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_edge_dividend"
+ * property = "nothing overflows, and the dividend is at most 2^43"
+ * checks = 11
+ * contract = true
+ * equations = true
+ */
 void prove_edge_dividend(void)
 {
     (void)fxl_edge_dividend(nondet_s32(), nondet_s32(), nondet_s32(), nondet_s32());
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_edge_first_pixel"
+ * property = "nothing overflows, and the quotient fits"
+ * checks = 186
+ * contract = true
+ * uses = ["fxl_edge_dividend", "fxl_divide_down"]
+ */
 void prove_edge_first_pixel(void)
 {
     fxl_screen_point *top, *bottom;
@@ -16,6 +30,13 @@ void prove_edge_first_pixel(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_slope_set"
+ * property = "nothing overflows; both remainders are below the height"
+ * checks = 325
+ * contract = true
+ * uses = ["fxl_edge_first_pixel", "fxl_divide_floor"]
+ */
 void prove_slope_set(void)
 {
     fxl_screen_point *top, *bottom;
@@ -24,6 +45,11 @@ void prove_slope_set(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_edge_advance"
+ * property = "nothing overflows over the rows of a screen"
+ * checks = 27
+ */
 void prove_edge_advance(void)
 {
     fxl_edge edge;
@@ -33,6 +59,12 @@ void prove_edge_advance(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_edge_divide"
+ * file = "lib/raster/edge_divide.h"
+ * property = "nothing overflows"
+ * checks = 24
+ */
 void prove_edge_divide(void)
 {
     const uint32_t height = nondet_u32();
@@ -45,6 +77,13 @@ void prove_edge_divide(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_edge_divider_shift"
+ * file = "lib/raster/edge_divide.h"
+ * property = "the largest shift, exactly; the loop ends"
+ * checks = 11
+ * unwind = 33
+ */
 void prove_edge_divider_shift(void)
 {
     const uint32_t height = nondet_u32();
@@ -56,6 +95,12 @@ void prove_edge_divider_shift(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_edge_first_dividend"
+ * file = "lib/raster/edge_divide.h"
+ * property = "nothing overflows, and the dividend is in the range that the division takes"
+ * checks = 8
+ */
 void prove_edge_first_dividend(void)
 {
     const int32_t start = nondet_s32(), dx = nondet_s32(), height = nondet_s32(), top_y = nondet_s32();
@@ -100,6 +145,12 @@ unsigned any_shift(const fxl_edge_divider *divider)
     return shift;
 }
 
+/* [[row]]
+ * function = "fxl_edge_set_near"
+ * property = "any edge of two rows or more: nothing overflows, each dividend is one that the division takes, and a row changes by at most 1,026 pixels"
+ * checks = 170
+ * stands_in = { fxl_edge_divide = "any_divide", fxl_edge_divider_shift = "any_shift", fxl_edge_first_dividend = "any_dividend" }
+ */
 void prove_edge_set_near(void)
 {
     fxl_screen_point top, bottom;
@@ -153,6 +204,13 @@ int32_t any_dividend(int32_t start, int32_t dx, int32_t height, int32_t top_y)
     return dividend;
 }
 
+/* [[row]]
+ * function = "fxl_edge_set"
+ * property = "any edge on any row that it crosses: nothing overflows, each set-up gets what it requires, and the edge holds for 1 to all of the rows"
+ * checks = 216
+ * stands_in = { fxl_edge_set_near = "any_near", fxl_divide_floor = "any_floor", fxl_edge_first_dividend = "any_dividend" }
+ * stubs = { fxl_edge_set_far = "its contract" }
+ */
 void prove_edge_set(void)
 {
     fxl_screen_point top, bottom;

@@ -51,6 +51,14 @@ static fxl_trapezoid any_trapezoid(const fxl_band *band)
     return trapezoid;
 }
 
+/* [[row]]
+ * function = "fxl_fill_trapezoid"
+ * file = "lib/raster/fill.c"
+ * property = "any edges that lie within the band on each row: nothing but the band is filled; bands of up to 3 rows of up to 16 pixels at any address"
+ * checks = 232
+ * unwind = 4
+ * stubs = { fxl_fill_row = "fills any bytes of the band: its own text is within the row of fxl_fill_row_rgb565" }
+ */
 void prove_fill_trapezoid(void)
 {
     const fxl_band band = any_band(1);
@@ -59,6 +67,14 @@ void prove_fill_trapezoid(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_fill_trapezoid_rgb565"
+ * file = "lib/raster/fill_rgb565.c"
+ * property = "any edges that lie within the band on each row: nothing but the band is filled; bands of up to 3 rows of up to 16 pixels at any even address"
+ * checks = 277
+ * unwind = 4
+ * stubs = { fxl_fill_row = "fills any bytes of the band: its own text is within the row of fxl_fill_row_rgb565" }
+ */
 void prove_fill_trapezoid_rgb565(void)
 {
     const fxl_band band = any_band(2);
@@ -67,6 +83,14 @@ void prove_fill_trapezoid_rgb565(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_fill_span"
+ * file = "lib/raster/fill.c"
+ * property = "any span of the band: nothing else is filled; bands of up to 3 rows of up to 16 pixels at any address"
+ * checks = 304
+ * unwind = 4
+ * stubs = { fxl_fill_row = "fills any bytes of the band: its own text is within the row of fxl_fill_row_rgb565" }
+ */
 void prove_fill_span(void)
 {
     const fxl_band band = any_band(1);
@@ -77,6 +101,14 @@ void prove_fill_span(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_fill_band"
+ * file = "lib/raster/fill.c"
+ * property = "nothing but the band is filled; bands of up to 3 rows of up to 16 pixels at any address"
+ * checks = 258
+ * unwind = 4
+ * stubs = { fxl_fill_row = "fills any bytes of the band: its own text is within the row of fxl_fill_row_rgb565" }
+ */
 void prove_fill_band(void)
 {
     const fxl_band band = any_band(1);
@@ -84,6 +116,11 @@ void prove_fill_band(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_edge_step"
+ * property = "nothing overflows; by the step or one pixel more"
+ * checks = 30
+ */
 void prove_edge_step(void)
 {
     fxl_edge edge;

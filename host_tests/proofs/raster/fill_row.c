@@ -6,6 +6,11 @@
 #define PIXELS 12
 #define ROWS   3
 
+/* [[row]]
+ * function = "fxl_fill_row_rgb565"
+ * property = "no other pixel is written, at any place of up to 12 pixels"
+ * checks = 229
+ */
 void prove_fill_row_rgb565(void)
 {
     static union {
@@ -24,6 +29,12 @@ void prove_fill_row_rgb565(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_draw_line_pixels"
+ * file = "lib/raster/line_pixels.c"
+ * property = "a step in any state: the line stays within its pixel, and nothing is written out of bounds; bands of up to 3 rows of 12 pixels"
+ * checks = 191
+ */
 void prove_draw_line_pixels(void)
 {
     static uint8_t pixels[ROWS * PIXELS];

@@ -12,6 +12,27 @@
     height <= FXL_EDGE_HEIGHT_MAX; \
     height++
 
+/* [[row]]
+ * id = "every divider's shift"
+ * function = "fxl_edge_divider_shift"
+ * property = "height 2^shift is from 2^31 to below 2^32, for every height"
+ * checks = 67108863
+ * every = true
+ */
+/* [[row]]
+ * id = "every divider's shift, Armv6-M"
+ * function = "fxl_edge_divider_shift"
+ * property = "the same of the text for Armv6-M"
+ * checks = 67108863
+ * flags = ["-DFXL_CORE_ARMV6M=1"]
+ */
+/* [[row]]
+ * id = "every divider's shift, Armv7-M"
+ * function = "fxl_edge_divider_shift"
+ * property = "the same of the text for Armv7-M"
+ * checks = 67108863
+ * flags = ["-DFXL_CORE_ARMV7M=1"]
+ */
 /* The same for every family: the edge holds for 2^shift rows. */
 void enumerate_divider_shift(void)
 {
@@ -24,6 +45,20 @@ void enumerate_divider_shift(void)
 
 #if FXL_CORE_ARMV6M
 
+/* [[row]]
+ * id = "every divider, Armv6-M"
+ * function = "fxl_edge_divider_of"
+ * property = "the reciprocal is within 2^-14 of itself, for every height"
+ * checks = 67108863
+ * flags = ["-DFXL_CORE_ARMV6M=1"]
+ */
+/* [[row]]
+ * id = "every divider, Armv7-M"
+ * function = "fxl_edge_divider_of"
+ * property = "the reciprocal is off by -2^-29.38 to 2^-30.9 of itself, for every height"
+ * checks = 67108863
+ * flags = ["-DFXL_CORE_ARMV7M=1"]
+ */
 /* The error relative to 2^(47 - shift) / height. */
 void enumerate_divider(void)
 {
@@ -35,6 +70,13 @@ void enumerate_divider(void)
     }
 }
 
+/* [[row]]
+ * id = "every digit, Armv6-M"
+ * function = "fxl_edge_digit"
+ * property = "the rest that the estimate leaves is below 2^31 in magnitude, for every height and remainder"
+ * checks = 67108863
+ * flags = ["-DFXL_CORE_ARMV6M=1"]
+ */
 /* The rest that the first estimate of fxl_edge_digit leaves, 2^16 left - digit height, for every
  * left below the height. With top = floor(left 2^shift / 2^16) the digit is above top reciprocal /
  * 2^15 - 1, and not above that without the 1. So the rest lies between two straight lines in top,

@@ -13,6 +13,12 @@ static fxl_band any_band(void)
     return band;
 }
 
+/* [[row]]
+ * function = "step"
+ * property = "the remainder stays below the height, and nothing overflows"
+ * checks = 148
+ * contract = true
+ */
 void prove_step(void)
 {
     fxl_slope *slope;
@@ -20,6 +26,12 @@ void prove_step(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "winding_after"
+ * property = "for up to 12 edges: nothing is out of bounds; the next crossing lies to the right"
+ * checks = 48
+ * unwind = 33
+ */
 void prove_winding_after(void)
 {
     fxl_active_edges edges;
@@ -34,6 +46,11 @@ void prove_winding_after(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "end_of_two"
+ * property = "nothing overflows"
+ * checks = 16
+ */
 void prove_end_of_two(void)
 {
     fxl_active_edges edges;
@@ -42,6 +59,12 @@ void prove_end_of_two(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_active_edges_begin"
+ * property = "its rows and columns are those of the band"
+ * checks = 111
+ * unwind = 33
+ */
 void prove_active_edges_begin(void)
 {
     fxl_active_edges edges;
@@ -53,6 +76,13 @@ void prove_active_edges_begin(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_rows_of_points"
+ * file = "lib/raster/scan.c"
+ * property = "for up to 32 points: rows of the screen, the first not past the end"
+ * checks = 33
+ * unwind = 33
+ */
 void prove_rows_of_points(void)
 {
     const uint32_t count = any_outline();
@@ -62,6 +92,13 @@ void prove_rows_of_points(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_scan_rows"
+ * file = "lib/raster/scan.c"
+ * property = "the same of a polygon of up to 32 points"
+ * checks = 39
+ * unwind = 33
+ */
 void prove_scan_rows(void)
 {
     fxl_screen_polygon polygon;
@@ -75,6 +112,13 @@ void prove_scan_rows(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_outline_has_rows"
+ * file = "lib/raster/scan.c"
+ * property = "for up to 32 points: nothing is undefined"
+ * checks = 38
+ * unwind = 33
+ */
 void prove_outline_has_rows(void)
 {
     fxl_screen_polygon polygon;
@@ -86,6 +130,13 @@ void prove_outline_has_rows(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "survey"
+ * file = "lib/raster/scan.c"
+ * property = "for up to 32 points: a vertex and rows of the outline; nothing overflows"
+ * checks = 104
+ * unwind = 33
+ */
 void prove_survey(void)
 {
     outline found;
@@ -98,6 +149,13 @@ void prove_survey(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_scan_begin"
+ * file = "lib/raster/scan.c"
+ * property = "for every polygon, band and null pointer: nothing is undefined"
+ * checks = 473
+ * unwind = 33
+ */
 void prove_scan_begin(void)
 {
     fxl_screen_polygon polygon;
@@ -110,6 +168,13 @@ void prove_scan_begin(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_scan_outline"
+ * file = "lib/raster/scan.c"
+ * property = "for up to 32 points and any band: nothing is undefined"
+ * checks = 427
+ * unwind = 33
+ */
 void prove_scan_outline(void)
 {
     fxl_scan scan;
@@ -120,6 +185,12 @@ void prove_scan_outline(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_band_is_within"
+ * file = "lib/raster/columns.h"
+ * property = "columns fit the stride"
+ * checks = 51
+ */
 void prove_band_is_within(void)
 {
     const fxl_band band = any_band();

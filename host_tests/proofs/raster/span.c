@@ -16,6 +16,12 @@ bool any_next(fxl_active_edges *edges, fxl_span *span)
     return true;
 }
 
+/* [[row]]
+ * function = "fxl_scan_next_of_active_edges"
+ * property = "any span of a band: a trapezoid of one row, the left edge before the right one"
+ * checks = 69
+ * stubs = { fxl_active_edges_next = "any span of a band, or none" }
+ */
 void prove_scan_next_of_active_edges(void)
 {
     fxl_scan scan;

@@ -2,6 +2,12 @@
 #include "raster/tiny.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "edge_at"
+ * property = "below 2^23 for points and centres less than 6 pixels apart"
+ * checks = 113
+ * contract = true
+ */
 void prove_edge_at(void)
 {
     fxl_screen_point a, b;
@@ -9,6 +15,13 @@ void prove_edge_at(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "cover"
+ * property = "any small box: nothing overflows, and 16 pixels"
+ * checks = 560
+ * contract = true
+ * uses = ["edge_at"]
+ */
 void prove_cover(void)
 {
     fxl_screen_point a, b, c;
@@ -17,6 +30,12 @@ void prove_cover(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_tiny_find"
+ * property = "any triangle and band: nothing overflows, and the pixels found begin in the band and are 16"
+ * checks = 756
+ * uses = ["edge_at", "cover"]
+ */
 void prove_tiny_find(void)
 {
     fxl_screen_point points[3];

@@ -2,6 +2,11 @@
 #include "scene/beam.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_beam_plane_at"
+ * property = "the halves of its distance, exactly, and nothing out of bounds"
+ * checks = 28
+ */
 void prove_beam_plane_at(void)
 {
     fxl_beam beam;
@@ -13,6 +18,12 @@ void prove_beam_plane_at(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_beam_shines_on"
+ * property = "any checked beam, point in range and normal: nothing overflows"
+ * checks = 134
+ * uses = ["fxl_dot"]
+ */
 void prove_beam_shines_on(void)
 {
     fxl_beam beam;
@@ -27,6 +38,13 @@ void prove_beam_shines_on(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_beam_reaches"
+ * property = "any checked beam and sphere in range: nothing overflows or is out of bounds"
+ * checks = 165
+ * unwind = 9
+ * uses = ["fxl_plane_distance"]
+ */
 void prove_beam_reaches(void)
 {
     fxl_beam beam;
@@ -43,6 +61,11 @@ void prove_beam_reaches(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_beams_fit"
+ * property = "up to 4 beams of any planes: nothing is out of bounds, and no face of too many vertices fits"
+ * checks = 15
+ */
 void prove_beams_fit(void)
 {
     fxl_beam beams[FXL_BEAMS_MAX];
@@ -53,6 +76,13 @@ void prove_beams_fit(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_beam_check"
+ * property = "any beam, or null: nothing overflows or is out of bounds, and a checked one has 1 to 8 planes"
+ * checks = 204
+ * unwind = 9
+ * uses = ["fxl_is_unit"]
+ */
 void prove_beam_check(void)
 {
     fxl_beam beam;
@@ -72,6 +102,14 @@ fxl_status fxl_plane_from_points(const fxl_point *a, const fxl_point *b, const f
     return nondet_bool() ? FXL_OK : FXL_E_DEGENERATE;
 }
 
+/* [[row]]
+ * function = "fxl_beam_from_point"
+ * property = "any light and window of up to 4 corners, and null pointers: nothing overflows or is out of bounds, and there is a plane for each side and one more"
+ * checks = 599
+ * unwind = 5
+ * uses = ["fxl_unit_cross", "fxl_plane_from_point", "fxl_plane_distance"]
+ * stubs = { fxl_plane_from_points = "any plane in range, or a status" }
+ */
 void prove_beam_from_point(void)
 {
     fxl_point light, window[FXL_BEAM_PLANES_MAX - 1];
@@ -83,6 +121,14 @@ void prove_beam_from_point(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_beam_from_direction"
+ * property = "any direction and window of up to 4 corners, and null pointers: nothing overflows or is out of bounds, and there is a plane for each side and one more"
+ * checks = 661
+ * unwind = 5
+ * uses = ["fxl_unit_cross", "fxl_plane_from_point", "fxl_plane_distance", "fxl_is_unit", "fxl_dot"]
+ * stubs = { fxl_plane_from_points = "any plane in range, or a status" }
+ */
 void prove_beam_from_direction(void)
 {
     fxl_direction travel;

@@ -28,6 +28,12 @@ static bool is_node(const fxl_bsp_node *node)
            WITHIN(node->centre.z, 2 * FXL_COORDINATE_MAX);
 }
 
+/* [[row]]
+ * function = "check_owner"
+ * property = "any checked scene: nothing is out of bounds, and the object of a tree that passes has a sorted model without clusters"
+ * checks = 420
+ * unwind = 8
+ */
 void prove_check_owner(void)
 {
     any_checked_scene();
@@ -53,6 +59,14 @@ fxl_q18_46 any_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t
     return dot;
 }
 
+/* [[row]]
+ * id = "check_plane of a tree"
+ * function = "check_plane"
+ * property = "any node: one that passes has a unit normal and a distance below 2^61"
+ * checks = 68
+ * unwind = 8
+ * stands_in = { fxl_is_unit = "any_unit" }
+ */
 void prove_check_plane(void)
 {
     fxl_bsp_node node;
@@ -61,6 +75,13 @@ void prove_check_plane(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "lies_on"
+ * property = "any face of a checked model and any checked node: nothing overflows or is out of bounds"
+ * checks = 453
+ * unwind = 8
+ * stands_in = { fxl_dot = "any_dot" }
+ */
 void prove_lies_on(void)
 {
     any_tree();
@@ -71,6 +92,12 @@ void prove_lies_on(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "square_between"
+ * property = "any two points below 2^30: nothing overflows"
+ * checks = 60
+ * unwind = 8
+ */
 void prove_square_between(void)
 {
     fxl_point a, b;
@@ -80,12 +107,23 @@ void prove_square_between(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "square"
+ * property = "any radius: nothing overflows"
+ * checks = 1
+ */
 void prove_square(void)
 {
     (void)square(nondet_s32());
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "sphere_in_range"
+ * property = "any node: nothing overflows, and one that passes is below 2^30"
+ * checks = 303
+ * unwind = 8
+ */
 void prove_sphere_in_range(void)
 {
     any_tree();
@@ -109,6 +147,14 @@ uint64_t any_radius_square(fxl_q16_16 radius)
     return nondet_u64();
 }
 
+/* [[row]]
+ * id = "sphere_holds of a tree"
+ * function = "sphere_holds"
+ * property = "any node whose faces are the model's: nothing overflows or is out of bounds"
+ * checks = 567
+ * unwind = 8
+ * stands_in = { square_between = "any_square", square = "any_radius_square" }
+ */
 void prove_sphere_holds(void)
 {
     any_tree();
@@ -154,6 +200,13 @@ bool any_holds(const fxl_scene *of, const fxl_model *model, uint32_t number)
     return nondet_bool();
 }
 
+/* [[row]]
+ * function = "check_nodes"
+ * property = "any tree of up to 2 nodes: each test gets what it requires"
+ * checks = 572
+ * unwind = 8
+ * stands_in = { check_plane = "any_plane", sphere_in_range = "any_range", lies_on = "any_lies_on", sphere_holds = "any_holds" }
+ */
 void prove_check_nodes(void)
 {
     any_tree();
@@ -161,6 +214,12 @@ void prove_check_nodes(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "check_links"
+ * property = "any links of up to 2 nodes: it ends, and nothing is out of bounds"
+ * checks = 340
+ * unwind = 8
+ */
 void prove_check_links(void)
 {
     any_tree();
@@ -177,6 +236,13 @@ fxl_status any_check(const fxl_scene *of, fxl_scene_fault *to)
     return (fxl_status)nondet_u32();
 }
 
+/* [[row]]
+ * function = "fxl_bsp_check"
+ * property = "any checked scene, with a tree or without: nothing is looked at but nodes of the table"
+ * checks = 274
+ * unwind = 8
+ * stands_in = { check_owner = "any_check", check_nodes = "any_check", check_links = "any_check" }
+ */
 void prove_bsp_check(void)
 {
     any_checked_scene();

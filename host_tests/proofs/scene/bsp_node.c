@@ -2,6 +2,12 @@
 #include "scene/bsp_node.h"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_bsp_is_front"
+ * property = "any checked node and any point below 2^30: nothing overflows, and the distance is that of both halves"
+ * checks = 86
+ * stands_in = { fxl_dot = "any_dot" }
+ */
 /* As check_plane of lib/scene/bsp_check.c leaves a node: its row asserts it. */
 void prove_bsp_is_front(void)
 {

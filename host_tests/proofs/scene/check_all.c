@@ -8,6 +8,12 @@ fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_sc
     return nondet_bool() ? FXL_OK : FXL_E_COUNT;
 }
 
+/* [[row]]
+ * function = "fxl_scene_check_all"
+ * property = "any scene, or null: one that is refused keeps the code of its placements"
+ * checks = 31
+ * stubs = { fxl_scene_check_with = "any status", fxl_cluster_check = "any status", fxl_bsp_check = "any status", fxl_beam_check = "any status", fxl_beams_fit = "any answer" }
+ */
 void prove_scene_check_all(void)
 {
     fxl_scene scene;
@@ -48,6 +54,12 @@ bool fxl_beams_fit(const fxl_beam *of, uint32_t beam_count, uint32_t face_vertic
     return nondet_bool();
 }
 
+/* [[row]]
+ * function = "check_beams"
+ * property = "any beams of up to four, and more, and up to 3 faces: nothing is out of bounds, and those that pass have their colours"
+ * checks = 111
+ * stubs = { fxl_scene_check_with = "not called", fxl_cluster_check = "any status", fxl_bsp_check = "any status", fxl_beam_check = "any status", fxl_beams_fit = "any answer" }
+ */
 void prove_check_beams(void)
 {
     fxl_scene scene;

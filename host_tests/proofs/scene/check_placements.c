@@ -12,6 +12,12 @@ static fxl_status any_code(const fxl_scene *of, uint32_t *number)
     return (fxl_status)nondet_u32();
 }
 
+/* [[row]]
+ * function = "check_placements"
+ * property = "any scene, with turned instances or without: one that passes has code for them, and they are the last of its table"
+ * checks = 1298
+ * unwind = 8
+ */
 void prove_check_placements(void)
 {
     static const fxl_placement_code code = {.check = any_code};

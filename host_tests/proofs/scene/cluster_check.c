@@ -24,6 +24,13 @@ static void any_cluster(void)
     }
 }
 
+/* [[row]]
+ * id = "check_models of clusters"
+ * function = "check_models"
+ * property = "any checked scene: nothing is out of bounds"
+ * checks = 281
+ * unwind = 8
+ */
 void prove_check_models(void)
 {
     any_checked_scene();
@@ -31,6 +38,12 @@ void prove_check_models(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "centre_is_among"
+ * property = "any cluster of a checked model: nothing is out of bounds, and a centre that passes is below 2^30"
+ * checks = 489
+ * unwind = 8
+ */
 void prove_centre_is_among(void)
 {
     any_cluster();
@@ -38,6 +51,13 @@ void prove_centre_is_among(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * id = "sphere_holds of a cluster"
+ * function = "sphere_holds"
+ * property = "any sphere, and one vertex of any face: nothing overflows or is out of bounds"
+ * checks = 357
+ * unwind = 8
+ */
 /* One round: a vertex of a face. */
 void prove_sphere_holds(void)
 {
@@ -56,6 +76,12 @@ void prove_sphere_holds(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "dot_units"
+ * property = "any two directions: nothing overflows"
+ * checks = 53
+ * unwind = 8
+ */
 void prove_dot_units(void)
 {
     fxl_direction a, b;
@@ -87,6 +113,13 @@ bool any_unit(const fxl_direction *normal)
     return unit;
 }
 
+/* [[row]]
+ * function = "faces_away"
+ * property = "any face of a checked cluster and any cone: nothing overflows or is out of bounds"
+ * checks = 483
+ * unwind = 8
+ * stands_in = { dot_units = "any_dot_units", fxl_dot = "any_dot" }
+ */
 void prove_faces_away(void)
 {
     any_cluster();
@@ -109,6 +142,13 @@ bool any_away(const cluster_faces *of, const fxl_face *face)
     return nondet_bool();
 }
 
+/* [[row]]
+ * function = "check_sphere"
+ * property = "any cluster: a radius that passes is in its range"
+ * checks = 285
+ * unwind = 8
+ * stands_in = { centre_is_among = "any_answer", sphere_holds = "any_answer" }
+ */
 void prove_check_sphere(void)
 {
     any_cluster();
@@ -117,6 +157,13 @@ void prove_check_sphere(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "check_cone"
+ * property = "any cluster: each face's test gets what it requires"
+ * checks = 455
+ * unwind = 8
+ * stands_in = { fxl_is_unit = "any_unit", faces_away = "any_away" }
+ */
 void prove_check_cone(void)
 {
     any_cluster();
@@ -133,6 +180,13 @@ fxl_status any_check(const cluster_faces *of)
     return (fxl_status)nondet_u32();
 }
 
+/* [[row]]
+ * function = "check_cluster"
+ * property = "any cluster: its faces are the model's"
+ * checks = 361
+ * unwind = 8
+ * stands_in = { check_sphere = "any_check", check_cone = "any_check" }
+ */
 void prove_check_cluster(void)
 {
     any_checked_scene();
@@ -153,6 +207,13 @@ fxl_status any_checked_cluster(const fxl_scene *of, const fxl_model *model, uint
     return good ? FXL_OK : FXL_E_CLUSTER;
 }
 
+/* [[row]]
+ * function = "check_clusters"
+ * property = "any model and up to 2 clusters: it ends, and no cluster is beyond the table"
+ * checks = 379
+ * unwind = 8
+ * stands_in = { check_cluster = "any_checked_cluster" }
+ */
 void prove_check_clusters(void)
 {
     any_checked_scene();
@@ -181,6 +242,13 @@ fxl_status any_clusters(const fxl_scene *of, uint32_t number, uint32_t *next, fx
     return (fxl_status)nondet_u32();
 }
 
+/* [[row]]
+ * function = "fxl_cluster_check"
+ * property = "any checked scene, with clusters or without: nothing is out of bounds"
+ * checks = 314
+ * unwind = 8
+ * stands_in = { check_models = "any_models", check_clusters = "any_clusters" }
+ */
 void prove_cluster_check(void)
 {
     any_checked_scene();

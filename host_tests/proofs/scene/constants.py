@@ -1,11 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""The constants of lib/scene, computed from their formulas. The rows of constants.toml say where each stands."""
+"""The constants of lib/scene, computed from their formulas. The row above each function says where they stand."""
 
 from fixel.prove.exact import ceil, floor, pi, tangent
 
 POLYNOMIAL = 0xEDB88320     # of CRC-32 (IEEE 802.3), its bits reversed
 
 
+# [[row]]
+# id = "least and largest focal length"
+# function = "focal_in_range"
+# file = "lib/scene/lens.c"
+# property = "of the widest and the narrowest view, moved outward to 8 bits"
+# checks = 2
+# text = ["#define FOCAL_LEAST {}", "#define FOCAL_MOST {}"]
 def focal_lengths():
     """1 / (2 tan(fov / 2)) of 150 and of 10 degrees in units of 2^-16, to 8 bits: downward, and upward."""
     least, most = (2 ** 16 / (2 * tangent(pi() * degrees / 360)) for degrees in (150, 10))
@@ -13,10 +20,24 @@ def focal_lengths():
     return [floor(least / low) * low, ceil(most / high) * high]
 
 
+# [[row]]
+# id = "magic of an image"
+# function = "MAGIC"
+# file = "lib/scene/scene_sections.c"
+# property = "it is the four letters"
+# checks = 1
+# text = ["#define MAGIC {}u"]
 def magic():
     return [int.from_bytes(b"FXLS", "little")]
 
 
+# [[row]]
+# id = "table of the CRC"
+# function = "remainders"
+# file = "lib/scene/crc.c"
+# property = "each entry is the remainder of four bits"
+# checks = 17
+# text = ["for the reflected polynomial {}.", "static const uint32_t remainders[16] = {{*}}"]
 def remainders():
     """The polynomial, and of each four bits what shifting them out leaves."""
     found = [POLYNOMIAL]

@@ -4,6 +4,12 @@
 
 #define SECTIONS 31 /* more than there are kinds */
 
+/* [[row]]
+ * function = "fxl_scene_section"
+ * property = "any header of up to 31 sections: nothing is out of bounds, and what is found is an entry of the kind"
+ * checks = 53
+ * unwind = 32
+ */
 void prove_scene_section(void)
 {
     struct {
@@ -22,6 +28,11 @@ static union {
     uint8_t bytes[4096];
 } image;
 
+/* [[row]]
+ * function = "check_place"
+ * property = "any entry of any image of up to 4,096 bytes: a table that is taken lies in the image, aligned, and before the next"
+ * checks = 157
+ */
 void prove_check_place(void)
 {
     fxl_image_section one;
@@ -38,6 +49,11 @@ void prove_check_place(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "check_entry"
+ * property = "any entry: nothing is out of bounds, and kinds rise"
+ * checks = 52
+ */
 void prove_check_entry(void)
 {
     fxl_image_section one;
@@ -54,6 +70,12 @@ uint32_t fxl_crc(uint32_t crc, const void *bytes, size_t count)
     return nondet_u32();
 }
 
+/* [[row]]
+ * function = "check_envelope"
+ * property = "any bytes, up to 4,096: what is read lies in the block, and so does the table of sections"
+ * checks = 78
+ * stubs = { fxl_crc = "any answer, for bytes of the image" }
+ */
 void prove_check_envelope(void)
 {
     const size_t size = nondet_size();
@@ -77,6 +99,14 @@ const fxl_image_section *any_section(const fxl_image_header *head, uint32_t kind
     return nondet_bool() ? &found_section : NULL;
 }
 
+/* [[row]]
+ * id = "count_of of sections"
+ * function = "count_of"
+ * property = "any kind: nothing is out of bounds"
+ * checks = 7
+ * stands_in = { fxl_scene_section = "any_section" }
+ * stubs = { fxl_crc = "not called" }
+ */
 void prove_count_of(void)
 {
     (void)count_of(&image.head, nondet_u32());
@@ -91,6 +121,14 @@ uint32_t any_count(const fxl_image_header *head, uint32_t kind)
     return counts[kind];
 }
 
+/* [[row]]
+ * function = "check_presence"
+ * property = "any counts: an image that passes has the tables that every scene has, one path, and what goes together"
+ * checks = 31
+ * unwind = 32
+ * stands_in = { count_of = "any_count" }
+ * stubs = { fxl_crc = "not called" }
+ */
 void prove_check_presence(void)
 {
     fxl_scene_fault fault;
@@ -106,6 +144,14 @@ void prove_check_presence(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * id = "check_counts of sections"
+ * function = "check_counts"
+ * property = "any counts: of an image that passes tables are as long as those that they go with"
+ * checks = 31
+ * stands_in = { count_of = "any_count" }
+ * stubs = { fxl_crc = "not called" }
+ */
 void prove_check_counts(void)
 {
     fxl_scene_fault fault;
@@ -145,6 +191,14 @@ fxl_status any_place(const fxl_image_header *head, const fxl_image_section *one,
 
 #define ENTRIES 8
 
+/* [[row]]
+ * function = "check_list"
+ * property = "any image of up to 4,096 bytes and 8 sections: each entry is checked in turn, behind what was taken before"
+ * checks = 173
+ * unwind = 10
+ * stands_in = { check_entry = "any_entry", check_place = "any_place" }
+ * stubs = { fxl_crc = "not called" }
+ */
 void prove_check_list(void)
 {
     fxl_scene_fault fault;
@@ -178,6 +232,13 @@ fxl_status any_check(const fxl_image_header *head, fxl_scene_fault *fault)
     return FXL_OK;
 }
 
+/* [[row]]
+ * function = "fxl_scene_sections_check"
+ * property = "any image: one that passes was checked by all, in their order"
+ * checks = 15
+ * stands_in = { check_envelope = "any_envelope", check_list = "any_check", check_presence = "any_check", check_counts = "any_check" }
+ * stubs = { fxl_crc = "not called" }
+ */
 void prove_scene_sections_check(void)
 {
     fxl_scene_fault fault;
@@ -186,6 +247,12 @@ void prove_scene_sections_check(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fault_of"
+ * property = "any entry: nothing is out of bounds, and the status stays"
+ * checks = 27
+ * stubs = { fxl_crc = "not called" }
+ */
 void prove_fault_of(void)
 {
     fxl_scene_fault fault;

@@ -12,6 +12,12 @@ static fxl_lens any_lens(void)
     return lens;
 }
 
+/* [[row]]
+ * function = "fxl_lens_is_valid"
+ * property = "any lens, or null: nothing overflows, and a valid one has a screen, depths and a focal length in range"
+ * checks = 143
+ * stubs = { fxl_off_centre = "the table of lib/view/off_centre.c, of which no other function is called" }
+ */
 void prove_lens_is_valid(void)
 {
     const fxl_lens lens = any_lens();
@@ -22,6 +28,12 @@ void prove_lens_is_valid(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_off_centre_is_valid"
+ * property = "any lens: nothing overflows, and the centre of a valid one is within two extents"
+ * checks = 56
+ * stubs = { fxl_off_centre = "the table of lib/view/off_centre.c, of which no other function is called" }
+ */
 void prove_off_centre_is_valid(void)
 {
     const fxl_lens lens = any_lens();
@@ -31,6 +43,12 @@ void prove_off_centre_is_valid(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_lens_set_centre"
+ * property = "any lens of a screen, any centre: nothing overflows, and what is set is valid"
+ * checks = 155
+ * stubs = { fxl_off_centre = "the table of lib/view/off_centre.c, of which no other function is called" }
+ */
 void prove_lens_set_centre(void)
 {
     fxl_lens lens = any_lens();
@@ -41,6 +59,12 @@ void prove_lens_set_centre(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_lens_of_part"
+ * property = "any lens and part of a screen, and null pointers: nothing overflows"
+ * checks = 177
+ * stubs = { fxl_off_centre = "the table of lib/view/off_centre.c, of which no other function is called" }
+ */
 void prove_lens_of_part(void)
 {
     fxl_lens whole = any_lens(), part;
@@ -52,6 +76,13 @@ void prove_lens_of_part(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_lens_from_window"
+ * property = "any window, or null: nothing overflows, and each quotient fits"
+ * checks = 251
+ * uses = ["fxl_divide_round"]
+ * stubs = { fxl_off_centre = "the table of lib/view/off_centre.c, of which no other function is called" }
+ */
 void prove_lens_from_window(void)
 {
     fxl_lens lens;
@@ -87,6 +118,14 @@ int64_t any_product(int64_t a, int64_t b)
     return product;
 }
 
+/* [[row]]
+ * function = "fxl_lens_from_fov"
+ * property = "any screen, angle and depths, or null: nothing overflows, the division gets a quotient that fits, and the screen and the depths of a lens are in range"
+ * checks = 100
+ * uses = ["fxl_divide_round"]
+ * stands_in = { fxl_multiply_s64 = "any_product" }
+ * stubs = { fxl_off_centre = "the table of lib/view/off_centre.c, of which no other function is called", fxl_cos_q31 = "any cosine", fxl_sin_q31 = "any sine above 2^28, as those of 10 to 150 degrees are" }
+ */
 void prove_lens_from_fov(void)
 {
     fxl_lens lens;

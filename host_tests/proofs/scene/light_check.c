@@ -2,6 +2,12 @@
 #include "scene/light_check.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_light_check"
+ * property = "any settings, or null: nothing overflows or is out of bounds, and checked counts are in range"
+ * checks = 222
+ * uses = ["fxl_is_unit", "fxl_point_in_range"]
+ */
 void prove_light_check(void)
 {
     fxl_light_settings settings;
@@ -12,6 +18,11 @@ void prove_light_check(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_light_settings_of"
+ * property = "any light of up to 4 points: nothing is out of bounds, and the settings are the light's"
+ * checks = 152
+ */
 void prove_light_settings_of(void)
 {
     fxl_light_base base;

@@ -41,6 +41,12 @@ static uint32_t any_number(void)
     return number;
 }
 
+/* [[row]]
+ * function = "extents_in_range"
+ * property = "any motion: nothing overflows, and one that passes is below 2^30"
+ * checks = 225
+ * unwind = 11
+ */
 void prove_extents_in_range(void)
 {
     any_set();
@@ -49,6 +55,12 @@ void prove_extents_in_range(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "check_keys"
+ * property = "any keys of a motion: nothing is out of bounds, and those that pass rise from frame 0 on"
+ * checks = 178
+ * unwind = 11
+ */
 void prove_check_keys(void)
 {
     any_set();
@@ -61,6 +73,12 @@ void prove_check_keys(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "chain_of"
+ * property = "any parents that stand before their children: at most nine, the farthest first"
+ * checks = 76
+ * unwind = 11
+ */
 void prove_chain_of(void)
 {
     const fxl_motion *chain[FXL_MOTION_DEPTH_MAX + 1];
@@ -75,6 +93,13 @@ void prove_chain_of(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "reach_of"
+ * property = "any scale and length in range: nothing overflows"
+ * checks = 3
+ * unwind = 11
+ * stands_in = { fxl_multiply_s64 = "any_product" }
+ */
 void prove_reach_of(void)
 {
     const fxl_q16_16 scale = nondet_s32();
@@ -106,6 +131,13 @@ uint32_t any_root(uint64_t value)
     return root;
 }
 
+/* [[row]]
+ * function = "length_of"
+ * property = "any place below 2^30: nothing overflows"
+ * checks = 40
+ * unwind = 11
+ * stands_in = { fxl_square_root = "any_root" }
+ */
 void prove_length_of(void)
 {
     int64_t place[3];
@@ -132,6 +164,13 @@ int64_t any_length(const int64_t place[3])
     return length;
 }
 
+/* [[row]]
+ * function = "chain_in_world"
+ * property = "any chain of up to nine: nothing overflows"
+ * checks = 313
+ * unwind = 11
+ * stands_in = { fxl_multiply_s64 = "any_product", reach_of = "any_reach", length_of = "any_length" }
+ */
 void prove_chain_in_world(void)
 {
     const fxl_motion *chain[FXL_MOTION_DEPTH_MAX + 1];
@@ -181,6 +220,13 @@ bool any_in_world(const fxl_motion *const *chain, uint32_t count, fxl_q16_16 rad
     return nondet_bool();
 }
 
+/* [[row]]
+ * function = "check_motion"
+ * property = "any motion: one that passes passed all checks, in their order"
+ * checks = 62
+ * unwind = 11
+ * stands_in = { extents_in_range = "any_extents", check_keys = "any_keys", chain_of = "any_chain", chain_in_world = "any_in_world" }
+ */
 void prove_check_motion(void)
 {
     any_set();
@@ -203,6 +249,13 @@ fxl_status any_motion(const fxl_motion_set *of, uint32_t number, fxl_q16_16 radi
     return (fxl_status)nondet_u32();
 }
 
+/* [[row]]
+ * function = "fxl_motion_check"
+ * property = "any set of up to 3 motions, or null: each motion and key looked at is one of its table"
+ * checks = 439
+ * unwind = 11
+ * stands_in = { check_motion = "any_motion" }
+ */
 void prove_motion_check(void)
 {
     static fxl_placement placement;

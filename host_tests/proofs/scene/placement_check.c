@@ -2,6 +2,12 @@
 #include "scene/placement_check.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_is_rotation"
+ * property = "any rows: no negation overflows"
+ * checks = 63
+ * contract = true
+ */
 void prove_is_rotation(void)
 {
     fxl_orientation rows;
@@ -9,6 +15,11 @@ void prove_is_rotation(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_placement_radius"
+ * property = "nothing overflows for a scale and a radius in range, and the radius has the slack"
+ * checks = 8
+ */
 void prove_placement_radius(void)
 {
     fxl_placement placement;
@@ -19,6 +30,12 @@ void prove_placement_radius(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_placement_check"
+ * property = "any placement, centre and radius, and null pointers: nothing overflows, and what passes is in range"
+ * checks = 67
+ * uses = ["fxl_is_rotation"]
+ */
 void prove_placement_check(void)
 {
     fxl_placement placement;
@@ -30,6 +47,11 @@ void prove_placement_check(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_placement_places_are_in_range"
+ * property = "nothing overflows or is out of bounds; up to 2 turned instances of 3"
+ * checks = 137
+ */
 void prove_placement_places_are_in_range(void)
 {
     fxl_placement placements[2];
@@ -45,6 +67,12 @@ void prove_placement_places_are_in_range(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_placement_check_all"
+ * property = "nothing overflows or is out of bounds, and a turned instance is at fault; up to 2 of 3"
+ * checks = 117
+ * uses = ["fxl_is_rotation"]
+ */
 void prove_placement_check_all(void)
 {
     fxl_placement placements[2];

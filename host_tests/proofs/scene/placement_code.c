@@ -11,6 +11,12 @@ static fxl_q16_16 any_radius(const fxl_scene *of, uint32_t number)
     return nondet_s32();
 }
 
+/* [[row]]
+ * function = "fxl_instance_radius"
+ * property = "any instance of a checked scene, turned or not: its placement's, or its model's, which is in its range"
+ * checks = 312
+ * unwind = 8
+ */
 void prove_instance_radius(void)
 {
     static const fxl_placement_code code = {.radius = any_radius};

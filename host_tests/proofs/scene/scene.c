@@ -4,12 +4,24 @@
 #include "scene/reasons.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_status_text"
+ * property = "never null, for every number"
+ * checks = 1
+ */
 void prove_status_text(void)
 {
     ASSERT("never null", fxl_status_text((fxl_status)nondet_s32()) != NULL);
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_explain"
+ * file = "lib/scene/reasons.c"
+ * property = "any list of up to 12 bytes that ends, and any status: nothing is read beyond it, and a sentence is one of the list"
+ * checks = 55
+ * unwind = 13
+ */
 void prove_explain(void)
 {
     char list[12];
@@ -19,6 +31,13 @@ void prove_explain(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_crc"
+ * file = "lib/scene/crc.c"
+ * property = "for up to 8 bytes: nothing is read out of bounds, and every remainder is in its table"
+ * checks = 15
+ * unwind = 9
+ */
 void prove_crc(void)
 {
     uint8_t bytes[8];

@@ -10,6 +10,13 @@ static uint32_t below(uint32_t end)
     return i;
 }
 
+/* [[row]]
+ * id = "check_counts of a scene"
+ * function = "check_counts"
+ * property = "any counts: those that pass are in range"
+ * checks = 43
+ * unwind = 8
+ */
 void prove_check_counts(void)
 {
     any_scene();
@@ -26,6 +33,12 @@ void prove_check_counts(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "check_faces"
+ * property = "any faces: of those that pass the indices lie in their table"
+ * checks = 141
+ * unwind = 8
+ */
 void prove_check_faces(void)
 {
     any_scene();
@@ -35,6 +48,12 @@ void prove_check_faces(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "check_indices"
+ * property = "any model and faces that passed: nothing is out of bounds, and indices that pass are below the number of vertices"
+ * checks = 215
+ * unwind = 8
+ */
 void prove_check_indices(void)
 {
     any_scene();
@@ -60,6 +79,14 @@ fxl_status any_indices(const fxl_scene *of, const fxl_model *model, fxl_scene_fa
     return (fxl_status)nondet_u32();
 }
 
+/* [[row]]
+ * id = "check_models of a scene"
+ * function = "check_models"
+ * property = "any models: those that pass lie in their tables"
+ * checks = 196
+ * unwind = 8
+ * stands_in = { check_indices = "any_indices" }
+ */
 void prove_check_models(void)
 {
     any_scene();
@@ -69,6 +96,12 @@ void prove_check_models(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "check_instances"
+ * property = "any instances: those that pass have a model, and a centre in the world"
+ * checks = 143
+ * unwind = 8
+ */
 void prove_check_instances(void)
 {
     any_scene();
@@ -88,6 +121,12 @@ static fxl_status any_check_placements(const fxl_scene *of, uint32_t *number)
 static const fxl_placement_code code = {.check = any_check_placements};
 static fxl_placement placement;
 
+/* [[row]]
+ * function = "check_placed_vertices"
+ * property = "any models and instances that passed: nothing overflows or is out of bounds"
+ * checks = 370
+ * unwind = 8
+ */
 void prove_check_placed_vertices(void)
 {
     any_checked_scene();
@@ -96,6 +135,12 @@ void prove_check_placed_vertices(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "check_vertices"
+ * property = "any vertices: those that pass are below 2^30"
+ * checks = 88
+ * unwind = 8
+ */
 void prove_check_vertices(void)
 {
     any_scene();
@@ -105,6 +150,12 @@ void prove_check_vertices(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "check_radii"
+ * property = "any model and vertex that passed: no square overflows, nor their sum"
+ * checks = 122
+ * unwind = 8
+ */
 void prove_check_radii(void)
 {
     any_scene();
@@ -116,6 +167,12 @@ void prove_check_radii(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "is_flat"
+ * property = "any normal of a direction's range, any two vertices that passed: nothing overflows"
+ * checks = 192
+ * unwind = 8
+ */
 void prove_is_flat(void)
 {
     any_scene();
@@ -142,6 +199,13 @@ bool any_unit(const fxl_direction *normal)
     return unit;
 }
 
+/* [[row]]
+ * function = "check_normals"
+ * property = "any models and faces that passed: what the tests require"
+ * checks = 367
+ * unwind = 8
+ * stands_in = { is_flat = "any_flat", fxl_is_unit = "any_unit" }
+ */
 void prove_check_normals(void)
 {
     any_checked_scene();
@@ -158,6 +222,13 @@ fxl_q18_46 any_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t
 
 static fxl_face_bounds bounds[FACES];
 
+/* [[row]]
+ * function = "face_bounds_match"
+ * property = "any face that passed: nothing overflows or is out of bounds"
+ * checks = 486
+ * unwind = 8
+ * stands_in = { fxl_dot = "any_dot" }
+ */
 void prove_face_bounds_match(void)
 {
     any_checked_scene();
@@ -177,6 +248,13 @@ bool any_match(const fxl_scene *of, const fxl_model *model, const fxl_face *face
     return nondet_bool();
 }
 
+/* [[row]]
+ * function = "check_face_bounds"
+ * property = "any models that passed and any face bounds: nothing is out of bounds"
+ * checks = 412
+ * unwind = 8
+ * stands_in = { face_bounds_match = "any_match" }
+ */
 void prove_check_face_bounds(void)
 {
     any_checked_scene();
@@ -203,6 +281,13 @@ static fxl_status any_more(const fxl_scene *of, fxl_scene_fault *to)
     return (fxl_status)nondet_u32();
 }
 
+/* [[row]]
+ * function = "fxl_scene_check_with"
+ * property = "any scene, or null: one that passes was checked by all, in their order"
+ * checks = 238
+ * unwind = 12
+ * stands_in = { check_counts = "any_check", check_faces = "any_check", check_models = "any_check", check_instances = "any_check", check_placed_vertices = "any_check", check_vertices = "any_check", check_radii = "any_check", check_normals = "any_check", check_face_bounds = "any_check", check_placements = "any_check" }
+ */
 void prove_scene_check_with(void)
 {
     any_scene();
@@ -212,6 +297,12 @@ void prove_scene_check_with(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "check_bare"
+ * property = "any scene: one that passes has neither tree nor beams nor clusters"
+ * checks = 75
+ * unwind = 8
+ */
 void prove_check_bare(void)
 {
     any_scene();
@@ -227,6 +318,13 @@ fxl_status any_check_with(fxl_scene *of, fxl_scene_fault *to, fxl_scene_checker 
     return (fxl_status)nondet_u32();
 }
 
+/* [[row]]
+ * function = "fxl_scene_check"
+ * property = "any scene: the checks of a bare one"
+ * checks = 1
+ * unwind = 8
+ * stands_in = { fxl_scene_check_with = "any_check_with" }
+ */
 void prove_scene_check(void)
 {
     any_scene();
@@ -234,6 +332,12 @@ void prove_scene_check(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_placement_code_of"
+ * file = "lib/scene/placement_code.h"
+ * property = "any instance, turned or not: its number and its placement, in their tables"
+ * checks = 1403
+ */
 void prove_placement_code_of(void)
 {
     any_scene();

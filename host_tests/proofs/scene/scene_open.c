@@ -21,6 +21,12 @@ const fxl_image_section *fxl_scene_section(const fxl_image_header *head, uint32_
     return nondet_bool() ? &one : NULL;
 }
 
+/* [[row]]
+ * function = "first_of"
+ * property = "any kind: none, or where the section lies in the image"
+ * checks = 36
+ * stubs = { fxl_scene_section = "any entry that lies in the image, or none", fxl_lens_from_fov = "any status", fxl_lens_set_centre = "any status", fxl_light_settings_of = "any settings", fxl_light_check = "any status", fxl_scene_sections_check = "any status", fxl_scene_check_all = "any status, after the sections", fxl_motion_check = "any status, after the scene" }
+ */
 void prove_first_of(void)
 {
     const uint32_t kind = nondet_u32();
@@ -82,6 +88,12 @@ fxl_status fxl_motion_check(const fxl_motion_set *set, const fxl_scene *scene, f
     return (fxl_status)nondet_u32();
 }
 
+/* [[row]]
+ * function = "check_lens"
+ * property = "any header: nothing is out of bounds"
+ * checks = 67
+ * stubs = { fxl_scene_section = "any entry that lies in the image, or none", fxl_lens_from_fov = "any status", fxl_lens_set_centre = "any status", fxl_light_settings_of = "any settings", fxl_light_check = "any status", fxl_scene_sections_check = "any status", fxl_scene_check_all = "any status, after the sections", fxl_motion_check = "any status, after the scene" }
+ */
 void prove_check_lens(void)
 {
     fxl_lens lens;
@@ -97,6 +109,13 @@ fxl_status any_lens(const fxl_image_header *head, fxl_lens *lens)
     return (fxl_status)nondet_u32();
 }
 
+/* [[row]]
+ * function = "check_settings"
+ * property = "any header: one that passes has a start in the world and motion limits in their range"
+ * checks = 197
+ * stands_in = { check_lens = "any_lens" }
+ * stubs = { fxl_scene_section = "any entry that lies in the image, or none", fxl_lens_from_fov = "any status", fxl_lens_set_centre = "any status", fxl_light_settings_of = "any settings", fxl_light_check = "any status", fxl_scene_sections_check = "any status", fxl_scene_check_all = "any status, after the sections", fxl_motion_check = "any status, after the scene" }
+ */
 void prove_check_settings(void)
 {
     ANY_CONTENT(&image);
@@ -106,6 +125,13 @@ void prove_check_settings(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * id = "check_light of an image"
+ * function = "check_light"
+ * property = "any light, or none: nothing is out of bounds"
+ * checks = 14
+ * stubs = { fxl_scene_section = "any entry that lies in the image, or none", fxl_lens_from_fov = "any status", fxl_lens_set_centre = "any status", fxl_light_settings_of = "any settings", fxl_light_check = "any status", fxl_scene_sections_check = "any status", fxl_scene_check_all = "any status, after the sections", fxl_motion_check = "any status, after the scene" }
+ */
 void prove_check_light(void)
 {
     static fxl_light_base base;
@@ -117,6 +143,13 @@ void prove_check_light(void)
 
 #define ENTRIES 4
 
+/* [[row]]
+ * id = "check_path of an image"
+ * function = "check_path"
+ * property = "any path of up to 4 entries: nothing is out of bounds, and one that passes has at most as many frames as a path may, and its poses lie in the world"
+ * checks = 90
+ * stubs = { fxl_scene_section = "any entry that lies in the image, or none", fxl_lens_from_fov = "any status", fxl_lens_set_centre = "any status", fxl_light_settings_of = "any settings", fxl_light_check = "any status", fxl_scene_sections_check = "any status", fxl_scene_check_all = "any status, after the sections", fxl_motion_check = "any status, after the scene" }
+ */
 void prove_check_path(void)
 {
     static fxl_pose poses[ENTRIES];
@@ -135,6 +168,12 @@ void prove_check_path(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "open_sections"
+ * property = "any image that passed: nothing is out of bounds"
+ * checks = 391
+ * stubs = { fxl_scene_section = "any entry that lies in the image, or none", fxl_lens_from_fov = "any status", fxl_lens_set_centre = "any status", fxl_light_settings_of = "any settings", fxl_light_check = "any status", fxl_scene_sections_check = "any status", fxl_scene_check_all = "any status, after the sections", fxl_motion_check = "any status, after the scene" }
+ */
 void prove_open_sections(void)
 {
     ANY_CONTENT(&image);
@@ -171,6 +210,13 @@ fxl_status any_path(const fxl_scene_image *of, fxl_scene_fault *to)
     return (fxl_status)nondet_u32();
 }
 
+/* [[row]]
+ * function = "fxl_scene_open"
+ * property = "any pointer and size: an image is opened after all checks passed, in their order; refused, what was opened stays"
+ * checks = 34
+ * stands_in = { check_settings = "any_settings", open_sections = "any_sections", check_light = "any_light", check_path = "any_path" }
+ * stubs = { fxl_scene_section = "any entry that lies in the image, or none", fxl_lens_from_fov = "any status", fxl_lens_set_centre = "any status", fxl_light_settings_of = "any settings", fxl_light_check = "any status", fxl_scene_sections_check = "any status", fxl_scene_check_all = "any status, after the sections", fxl_motion_check = "any status, after the scene" }
+ */
 void prove_scene_open(void)
 {
     ANY_CONTENT(&opened);

@@ -1,15 +1,29 @@
 # SPDX-License-Identifier: MIT
-"""The constants of lib/screen, computed from their formulas. The rows of constants.toml say where each stands."""
+"""The constants of lib/screen, computed from their formulas. The row above each function says where they stand."""
 
 from fixel.prove.exact import Real, nearest
 
 
+# [[row]]
+# id = "weights of luma"
+# function = "fxl_luma"
+# file = "lib/screen/grey.c"
+# property = "they are those of Rec. 709"
+# checks = 3
+# text = ["#define WEIGHT_RED {}u", "#define WEIGHT_GREEN {}u", "#define WEIGHT_BLUE {}u"]
 def weights():
     """Rec. 709 in 256ths: red and green are rounded to nearest, and blue is the rest."""
     red, green = nearest(Real(2126, 10000) * 256), nearest(Real(7152, 10000) * 256)
     return [red, green, 256 - red - green]
 
 
+# [[row]]
+# id = "pattern of dither"
+# function = "offsets"
+# file = "lib/screen/grey.c"
+# property = "it is the ordered square of 8 x 8"
+# checks = 64
+# text = ["static const uint8_t offsets[8][8] = {{*}}"]
 def dither():
     """The ordered square of 8 x 8: the bits of x xor y and of y alternate, from the lowest on."""
     def number(x, y):
@@ -17,6 +31,13 @@ def dither():
     return [number(x, y) for y in range(8) for x in range(8)]
 
 
+# [[row]]
+# id = "channels as bytes"
+# function = "fxl_grey_of_rgb565"
+# file = "lib/screen/grey.c"
+# property = "their factors and offsets are the least that give 255 c / 31 and 255 c / 63, rounded, by a shift of 6"
+# checks = 6
+# text = ["(red * {}u + {}u) >> 6", "(green * {}u + {}u) >> 6", "(blue * {}u + {}u) >> 6"]
 def channels_to_bytes():
     """The least multiplier, for each shift of 6, whose sums give 255 c / 31 and 255 c / 63 to nearest: with the least offset."""
     def least(highest, shift):

@@ -34,6 +34,13 @@ static inline void palette_from(uint32_t first, uint8_t *palette)
 
 #if OF_RGB332
 
+/* [[row]]
+ * id = "every colour as RGB332"
+ * function = "prepare"
+ * property = "it has the upper bits of each channel, for every colour of RGB565 and of 24 bits"
+ * checks = 16842752
+ * flags = ["-DOF_RGB332"]
+ */
 void enumerate_rgb332(void)
 {
     for (uint32_t colour = 0; colour < 1u << 16; colour++) {
@@ -61,6 +68,14 @@ void fxl_row_to_16(const uint8_t *pixels, uint32_t count, const uint16_t *table,
     abort();
 }
 
+/* [[row]]
+ * id = "every colour as RGB565"
+ * function = "prepare"
+ * file = "lib/screen/rgb565.c"
+ * property = "it has the upper bits of each channel in the order of the bytes, for every colour of 24 bits"
+ * checks = 16777216
+ * flags = ["-DOF_RGB565"]
+ */
 void enumerate_rgb565(void)
 {
     for (uint32_t first = 0; first < COLOURS; first += FXL_PALETTE_COLOURS) {
@@ -82,6 +97,13 @@ void enumerate_rgb565(void)
 
 #else
 
+/* [[row]]
+ * id = "every luma"
+ * function = "fxl_luma"
+ * file = "lib/screen/grey.c"
+ * property = "it is the weighted mean, rounded to nearest, for every colour of 24 bits"
+ * checks = 16777216
+ */
 void enumerate_luma(void)
 {
     for (uint32_t colour = 0; colour < COLOURS; colour++) {
@@ -91,6 +113,13 @@ void enumerate_luma(void)
     }
 }
 
+/* [[row]]
+ * id = "every grey of RGB565"
+ * function = "fxl_grey_of_rgb565"
+ * file = "lib/screen/grey.c"
+ * property = "channels are rounded to nearest bytes, and no level is lost by rounding down, for every colour and highest level"
+ * checks = 16711680
+ */
 /* A level is reached where 128 entry is not below 255 thresholds, and thresholds are odd. */
 void enumerate_grey_of_rgb565(void)
 {

@@ -21,6 +21,12 @@ static void any_cache(void)
     ASSUME(FXL_POINT_BELOW(&view.camera.position, FXL_COORDINATE_MAX));
 }
 
+/* [[row]]
+ * function = "fxl_vertex_cache_init"
+ * property = "caches of up to 8 entries: a power of two, within the memory, and each entry is cleared within it"
+ * checks = 101
+ * unwind = 18
+ */
 void prove_vertex_cache_init(void)
 {
     const uint32_t count = nondet_u32();
@@ -32,6 +38,12 @@ void prove_vertex_cache_init(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "next_tag"
+ * property = "caches of up to 8 entries, any state: a tag is never 0, and after the last one no vertex is known"
+ * checks = 125
+ * unwind = 9
+ */
 void prove_next_tag(void)
 {
     any_cache();
@@ -66,6 +78,12 @@ static bool is_model_view(const fxl_model_view *of)
            FXL_POINT_BELOW(&of->translation, (int64_t)7 << 59);
 }
 
+/* [[row]]
+ * function = "fxl_model_view_of_instance"
+ * property = "any instance and eye in the world: nothing overflows, the offset is below 2^30, and the entries are the cache's"
+ * checks = 466
+ * stands_in = { next_tag = "any_tag", fxl_dot = "any_dot" }
+ */
 void prove_model_view_of_instance(void)
 {
     fxl_model_view of;
@@ -83,6 +101,12 @@ void prove_model_view_of_instance(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_model_view_of_polygon"
+ * property = "any eye in the world: nothing overflows, the offset is below 2^30, and the entries are the cache's"
+ * checks = 391
+ * stands_in = { next_tag = "any_tag", fxl_dot = "any_dot" }
+ */
 void prove_model_view_of_polygon(void)
 {
     fxl_model_view of;

@@ -2,6 +2,12 @@
 #include "view/project.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_projection_from_lens"
+ * property = "nothing overflows, and each member is in its range"
+ * checks = 255
+ * contract = true
+ */
 void prove_projection_from_lens(void)
 {
     fxl_lens *lens;
@@ -10,6 +16,11 @@ void prove_projection_from_lens(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "scale_depth"
+ * property = "a depth of 31 bits, and a shift of 7 to 30"
+ * checks = 4
+ */
 void prove_scale_depth(void)
 {
     const int64_t z = nondet_s64();
@@ -20,6 +31,13 @@ void prove_scale_depth(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "project_side"
+ * property = "nothing overflows, the quotient fits, and a coordinate is below 2^28"
+ * checks = 132
+ * contract = true
+ * uses = ["fxl_divide_round"]
+ */
 void prove_project_side(void)
 {
     scaled_depth *scaled;
@@ -28,6 +46,13 @@ void prove_project_side(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_project_any"
+ * property = "nothing overflows for any point of the view"
+ * checks = 272
+ * contract = true
+ * uses = ["project_side"]
+ */
 void prove_project_any(void)
 {
     fxl_projection *projection;
@@ -37,6 +62,13 @@ void prove_project_any(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_project_visible"
+ * property = "any projection and point of the view: nothing overflows, and the kernel gets points whose sides are at most twice their depth"
+ * checks = 385
+ * contract = true
+ * stands_in = { fxl_project_any = "any_projection", fxl_project_inside = "any_inside" }
+ */
 void prove_project_visible(void)
 {
     fxl_projection *projection;
@@ -48,6 +80,11 @@ void prove_project_visible(void)
 
 /* --- by a reciprocal ------------------------------------------------------------------------------------ */
 
+/* [[row]]
+ * function = "scale_of"
+ * property = "any projection and depth: no division by less than 2^15"
+ * checks = 28
+ */
 void prove_scale_of(void)
 {
     fxl_projection projection;
@@ -63,6 +100,11 @@ static bool is_scaling(const scaling *by, int64_t side)
            WITHIN(side, (int64_t)1 << (65 - by->zeros));
 }
 
+/* [[row]]
+ * function = "offset_of"
+ * property = "any side of at most twice the depth: nothing overflows"
+ * checks = 94
+ */
 void prove_offset_of(void)
 {
     scaling by;
@@ -95,6 +137,12 @@ fxl_status any_projection(const fxl_projection *projection, const fxl_view_point
     return FXL_OK;
 }
 
+/* [[row]]
+ * function = "fxl_project_inside"
+ * property = "any projection, and any point whose sides are at most twice its depth: nothing overflows, every shift is in its range, and the divisions get what they take"
+ * checks = 331
+ * stands_in = { fxl_project_any = "any_projection", offset_of = "any_offset" }
+ */
 void prove_project_inside(void)
 {
     fxl_projection projection;
@@ -123,6 +171,12 @@ static fxl_lens any_lens(void)
     return lens;
 }
 
+/* [[row]]
+ * function = "fxl_project_point"
+ * property = "any lens and point of the view: nothing overflows"
+ * checks = 240
+ * stands_in = { fxl_project_visible = "any_projection" }
+ */
 void prove_project_point(void)
 {
     const fxl_lens lens = any_lens();
@@ -133,6 +187,13 @@ void prove_project_point(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_project_polygon"
+ * property = "any lens and polygon of up to 32 vertices of the view: all vertices or none"
+ * checks = 290
+ * unwind = 33
+ * stands_in = { fxl_project_visible = "any_projection" }
+ */
 void prove_project_polygon(void)
 {
     const fxl_lens lens = any_lens();

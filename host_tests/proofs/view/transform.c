@@ -2,6 +2,14 @@
 #include "view/transform.c"
 #include "proof.h"
 
+/* [[row]]
+ * function = "fxl_rotate"
+ * file = "lib/view/model_view.h"
+ * property = "no sum overflows, for an origin below 2^62"
+ * checks = 329
+ * contract = true
+ * uses = ["fxl_dot"]
+ */
 void prove_rotate(void)
 {
     fxl_axes *axes;
@@ -11,6 +19,13 @@ void prove_rotate(void)
     PROOF_ENDS();
 }
 
+/* [[row]]
+ * function = "fxl_transform_point"
+ * property = "no sum overflows, and each coordinate is below 7 2^59"
+ * checks = 384
+ * contract = true
+ * uses = ["fxl_dot", "fxl_point_in_range", "fxl_subtract"]
+ */
 void prove_transform_point(void)
 {
     fxl_camera *camera;
@@ -29,6 +44,13 @@ void any_transform(const fxl_camera *camera, const fxl_point *point, fxl_view_po
     *view = any;
 }
 
+/* [[row]]
+ * function = "fxl_transform_polygon"
+ * property = "any polygon of up to 32 vertices of the world: nothing is out of bounds"
+ * checks = 93
+ * unwind = 33
+ * stands_in = { fxl_transform_point = "any_transform" }
+ */
 void prove_transform_polygon(void)
 {
     fxl_camera camera;

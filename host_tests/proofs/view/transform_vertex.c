@@ -46,6 +46,13 @@ fxl_planes any_outside(const fxl_view_frustum *frustum, fxl_planes planes, const
     return nondet_u8() & planes & FXL_PLANES_ALL;
 }
 
+/* [[row]]
+ * function = "fxl_transform_vertex"
+ * property = "any model view, any vertex below 2^30: no sum overflows, and the entry gets the vertex's tag"
+ * checks = 406
+ * uses = ["fxl_rotate"]
+ * stands_in = { fxl_outside = "any_outside" }
+ */
 void prove_transform_vertex(void)
 {
     const fxl_model_view of = any_model_view();
@@ -65,6 +72,13 @@ void any_vertex(const fxl_model_view *model_view, uint32_t number, fxl_cached_ve
     entry->tag = model_view->tag + number;
 }
 
+/* [[row]]
+ * function = "fxl_fetch_vertex"
+ * file = "lib/view/model_view.h"
+ * property = "caches of up to 4 entries, any state: the entry of the vertex, in the cache"
+ * checks = 224
+ * stands_in = { fxl_transform_vertex = "any_vertex" }
+ */
 void prove_fetch_vertex(void)
 {
     const fxl_model_view of = any_model_view();
@@ -85,6 +99,13 @@ fxl_q18_46 any_distance(const fxl_view_frustum *frustum, int plane, const fxl_vi
     return nondet_s64();
 }
 
+/* [[row]]
+ * function = "fxl_outside_of_pair"
+ * file = "lib/view/outcode.c"
+ * property = "any point of the view: bits of the pair alone"
+ * checks = 49
+ * stands_in = { fxl_view_distance = "any_distance" }
+ */
 void prove_outside_of_pair(void)
 {
     fxl_view_point point;
@@ -102,6 +123,13 @@ unsigned any_pair(const fxl_view_frustum *frustum, int plane, const fxl_view_poi
     return (nondet_u8() & 3u) << plane;
 }
 
+/* [[row]]
+ * function = "fxl_outside"
+ * file = "lib/view/outcode.h"
+ * property = "any frustum and point of the view: no sum overflows, and bits of the given planes alone"
+ * checks = 163
+ * stands_in = { fxl_outside_of_pair = "any_pair" }
+ */
 void prove_outcode(void)
 {
     fxl_view_point point;

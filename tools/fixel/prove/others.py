@@ -25,7 +25,7 @@ def preprocessed(root, row, case):
     """All that the result depends on: the prover's text, and that of the library."""
     if row.tool == "enumeration":
         return C_FLAGS, cbmc.text_of(root, row, ["-xc", *_flags(row, case)])
-    return row.place.read_bytes(), (root / row.function.rpartition(":")[0]).read_bytes()
+    return row.program, (root / row.function.rpartition(":")[0]).read_bytes()
 
 
 def _flags(row, case):
@@ -54,9 +54,17 @@ def check_quotes(root, row):
         raise Failed("it is a transcription, and names no line of the library")
 
 
+def _run_on(words, root, row):
+    """As _run, on a file with the row's program."""
+    with scratch.folder("program") as folder:
+        program = folder / row.place.name
+        program.write_text(row.program, encoding="utf-8")
+        return _run([*words, program], root)
+
+
 def _z3(programs, root, row):
-    """Each query must be unsat, but those after (echo "sat"), which show that what is assumed can be."""
-    done = _run([programs / "z3", f"-T:{cbmc.SECONDS}", row.place], root)
+    """Each query must be unsat, but those after (echo "possible"), which show that what is assumed can be."""
+    done = _run_on([programs / "z3", f"-T:{cbmc.SECONDS}"], root, row)
     words = done.stdout.split()
     wanted = [("sat", "unsat")[word != "possible"] for word in words[0::2]]
     got = words[1::2]
@@ -73,14 +81,14 @@ def _z3(programs, root, row):
 def _gappa(programs, root, row):
     """Gappa says nothing of a proved goal that states its bound, but for a divisor of a hint that may be 0: such a hint has its
     condition in braces, which Gappa proves. It warns of hypotheses that contradict each other, and that fails the row."""
-    text = COMMENT.sub("", row.place.read_text(encoding="utf-8"))
+    text = COMMENT.sub("", row.program)
     goals = GOALS.findall(text)
     if not goals or any("?" in goal for goal in goals):
         raise Failed(f"{row.place.name} has no goal with a bound: {{ what is assumed -> what is in [a, b] }}")
     bare = [hint.strip() for hint in text.partition("}")[2].split(";") if "/" in hint and "<>" not in hint]
     if bare:
         raise Failed(f"{row.place.name}: the hint '{bare[0]}' divides, and does not say by what that is not 0: {{ d <> 0 }}")
-    done = _run([programs / "gappa", row.place], root)
+    done = _run_on([programs / "gappa"], root, row)
     said = [line for line in done.stdout.splitlines() if line.strip() and "assumed to be nonzero" not in line]
     if done.returncode or said:
         raise Failed(f"gappa: {' '.join(' '.join(said).split())[-160:]}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Proves properties of the shipped text for every input: the rows of host_tests/proofs.
+"""Proves properties of the shipped text for every input: the rows above the harnesses of host_tests/proofs.
 
     fixel prove [--only WORD] [--bugs] [--fresh] [--cluster tcp://HOST:PORT]
 

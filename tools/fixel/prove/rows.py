@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The rows of make prove, and the lists of what is measured: host_tests/proofs/README.md says what they hold.
 
-host_tests/proofs/ROOM/NAME.toml has rows beside the harnesses of NAME.c. host_tests/proofs/ROOM/measured.toml has the
-functions of a room that no row proves, each with the campaign that measures it.
+A row is TOML in a comment above its harness: a function of a C or Python file, or the text of Z3 or Gappa below it.
+host_tests/proofs/ROOM/measured.toml has the functions of a room that no row proves, each with the campaign that measures it.
 """
 
 import dataclasses
@@ -14,10 +14,16 @@ from fixel.base.errors import ToolError
 
 PROOFS = pathlib.Path("host_tests/proofs")
 TOOLS = ("cbmc", "z3", "gappa", "enumeration", "recomputed")
+TOOL_OF = {".py": "recomputed", ".smt2": "z3", ".gappa": "gappa"}
+ENUMERATES = '#include "enumeration.h"'     # in a .c whose rows are not of CBMC
+MARK = "[[row]]"
+# What divides a harness file: a row, without what its lines begin with as a comment, or an include of the library.
+PARTS = re.compile(r'^(?:(?:/\*|[;#]) \[\[row\]\]\n(?P<row>(?:(?: \*|[;#]) .*\n)+)(?: \*/\n)?|#include "(?P<include>\w+/.*)")', re.MULTILINE)
+LEADER = re.compile(r"^(?: \*|[;#]) ", re.MULTILINE)
+HARNESS = re.compile(r"^(?:void|def) (\w+)\(", re.MULTILINE)
 FIELDS = {"function": str, "property": str}
-OPTIONAL = {"id": str, "file": str, "tool": str, "harness": str, "contract": bool, "uses": list, "stubs": dict, "unwind": int,
-            "cases": list, "checks": int, "flags": list, "links": list, "loops": bool, "equations": bool, "text": list, "program": str,
-            "induction": str, "unwindset": dict, "stands_in": dict, "every": bool}
+OPTIONAL = {"id": str, "file": str, "contract": bool, "uses": list, "stubs": dict, "unwind": int, "cases": list, "checks": int, "flags": list,
+            "links": list, "loops": bool, "equations": bool, "text": list, "induction": str, "unwindset": dict, "stands_in": dict, "every": bool}
 CAMPAIGNS = ("equality", "fuzz", "report", "unit tests", "frames", "seeded bugs", "stages")
 
 
@@ -29,7 +35,8 @@ class Row:
     place: pathlib.Path         # the harness, or another prover's text
     id: str
     tool: str = "cbmc"
-    harness: str = ""
+    harness: str = ""           # the function below the row
+    program: str = ""           # of Z3 and Gappa: the text that is proved
     contract: bool = False      # the contract at the declaration is what is proved
     uses: list = dataclasses.field(default_factory=list)    # functions that are taken by their contracts
     stubs: dict = dataclasses.field(default_factory=dict)   # functions that the harness defines itself: why that may be
@@ -64,45 +71,81 @@ def _read(path):
         raise ToolError(f"{path}: cannot be read: {error}") from error
 
 
-def _check(path, number, entry):
+def _check(where, entry):
     for field, kind in FIELDS.items():
         if not isinstance(entry.get(field), kind):
-            raise ToolError(f"{path}: row {number}: '{field}' is missing or no {kind.__name__}")
+            raise ToolError(f"{where}: '{field}' is missing or no {kind.__name__}")
     for field, value in entry.items():
         kind = {**FIELDS, **OPTIONAL}.get(field)
         if kind is None:
-            raise ToolError(f"{path}: row {number}: unknown '{field}'")
+            raise ToolError(f"{where}: unknown '{field}'")
         if type(value) is not kind:
-            raise ToolError(f"{path}: row {number}: '{field}' is no {kind.__name__}")
-    if entry.get("tool", "cbmc") not in TOOLS:
-        raise ToolError(f"{path}: row {number}: no tool '{entry['tool']}'; there are: {', '.join(TOOLS)}")
+            raise ToolError(f"{where}: '{field}' is no {kind.__name__}")
 
 
-def _row(path, number, entry, file):
-    """A row of a file, whose functions stand in `file` unless the row says otherwise."""
-    entry = {**({"file": file} if file else {}), **entry}
-    _check(path, number, entry)
+def _entry(path, text, place, file):
+    """The fields of a row, whose function stands in `file` unless the row says otherwise."""
+    where = f"{path}:{text.count(chr(10), 0, place.start()) + 1}"
+    try:
+        entry = {**({"file": file} if file else {}), **tomllib.loads(LEADER.sub("", place["row"]))}
+    except tomllib.TOMLDecodeError as error:
+        raise ToolError(f"{where}: cannot be read: {error}") from error
+    _check(where, entry)
     if "file" not in entry:
-        raise ToolError(f"{path}: row {number}: 'file' is missing, here and at the top: where is {entry['function']}?")
-    name = entry.pop("function")
-    entry["function"] = f"{entry.pop('file')}:{name}"
-    entry.setdefault("harness", f"prove_{name.removeprefix('fxl_')}")
-    place = path.parent / entry.pop("program") if "program" in entry else path.with_suffix(".c")
-    if not place.is_file():
-        raise ToolError(f"{path}: row {number}: there is no {place}")
-    return Row(place=place, id=entry.pop("id", name), **entry)
+        raise ToolError(f"{where}: 'file' is missing, and no include of the library stands above: where is {entry['function']}?")
+    return where, entry
+
+
+def _harness(path, where, text, places, number):
+    """Of a row: the function below it, or the text that is proved, which it may share with the rows right above and below."""
+    tool = TOOL_OF.get(path.suffix, "enumeration" if ENUMERATES in text else "cbmc")
+    last = number
+    while last + 1 < len(places) and not text[places[last].end():places[last + 1].start()].strip():
+        last += 1
+    below = text[places[last].end():places[last + 1].start() if last + 1 < len(places) else len(text)]
+    if tool in ("z3", "gappa"):
+        return {"tool": tool, "program": text[:places[0].start()] + below}
+    named = HARNESS.search(below)
+    if not named:
+        raise ToolError(f"{where}: there is no harness below it")
+    return {"tool": tool, "harness": named[1]}
+
+
+def rows_of(path):
+    """The rows of a file, in their order."""
+    text = path.read_text(encoding="utf-8")
+    parts = list(PARTS.finditer(text))
+    places = [part for part in parts if part["row"]]
+    if text.count(MARK) != len(places):
+        raise ToolError(f"{path}: it has {MARK} {text.count(MARK)} times, and {len(places)} comments of rows: a row is a comment of its own, "
+                        f"each line of TOML behind the comment's sign and a blank")
+    found, file, group = [], None, None
+    for part in parts:
+        if part["include"]:
+            # the first one of a group is what the rows below are of
+            file, group = (file if group else f"lib/{part['include']}"), True
+            continue
+        group = None
+        where, entry = _entry(path, text, part, file)
+        name = entry.pop("function")
+        entry["function"] = f"{entry.pop('file')}:{name}"
+        found.append(Row(place=path, id=entry.pop("id", name), **entry, **_harness(path, where, text, places, len(found))))
+    return found
+
+
+def lines_of_rows(text):
+    """How many lines of a file are rows."""
+    return sum(1 + part["row"].count("\n") for part in PARTS.finditer(text) if part["row"])
+
+
+def files(root):
+    """All files that may have rows."""
+    return [path for path in sorted((pathlib.Path(root) / PROOFS).glob("*/*")) if path.suffix in (".c", *TOOL_OF)]
 
 
 def read(root):
     """All rows, in the order of their files."""
-    found = []
-    for path in sorted((pathlib.Path(root) / PROOFS).glob("*/*.toml")):
-        if path.name != "measured.toml":
-            table = _read(path)
-            unknown = set(table) - {"file", "row"}
-            if unknown:
-                raise ToolError(f"{path}: unknown {', '.join(sorted(unknown))}; a file has 'file' and [[row]]")
-            found += [_row(path, number, dict(entry), table.get("file")) for number, entry in enumerate(table.get("row", []), 1)]
+    found = [row for path in files(root) for row in rows_of(path)]
     ids = [row.id for row in found]
     twice = sorted({each for each in ids if ids.count(each) > 1})
     if twice:
@@ -156,18 +199,18 @@ def tidy(root, gone):
 
 
 def record_checks(root, counts):
-    """Writes how many checks rows have, {id: count}, beside the rows."""
-    for path in sorted((pathlib.Path(root) / PROOFS).glob("*/*.toml")):
-        if path.name == "measured.toml":
-            continue
-        head, *blocks = re.split(r"(?m)^(?=\[\[row\]\])", path.read_text(encoding="utf-8"))
-        for number, block in enumerate(blocks):
-            name = (re.search(r'(?m)^id = "(.*)"', block) or re.search(r'(?m)^function = "(.*)"', block))[1]
-            if name in counts:
-                block = re.sub(r"(?m)^checks = .*\n", "", block)
-                blocks[number] = re.sub(r"(?m)^(property = .*\n)", rf"\1checks = {counts[name]}\n", block)
-        text = head + "".join(blocks)
-        if text != path.read_text(encoding="utf-8"):
+    """Writes how many checks rows have, {id: count}, into the rows."""
+    def with_count(part):
+        row = part["row"] and tomllib.loads(LEADER.sub("", part["row"]))
+        if not row or row.get("id", row["function"]) not in counts:
+            return part[0]
+        without = re.sub(r"(?m)^(?: \*|[;#]) checks = .*\n", "", part[0])
+        return re.sub(r"(?m)^((?: \*|[;#]) )(property = .*\n)", rf"\1\2\1checks = {counts[row.get('id', row['function'])]}\n", without)
+
+    for path in files(root):
+        before = path.read_text(encoding="utf-8")
+        text = PARTS.sub(with_count, before)
+        if text != before:
             path.write_text(text, encoding="utf-8")
 
 

@@ -1,4 +1,21 @@
 ; SPDX-License-Identifier: MIT
+
+; [[row]]
+; id = "scale_of exact"
+; function = "scale_of"
+; file = "lib/view/project.c"
+; property = "within one unit of the quotient, and at most 2^30; the rest fits 32 bits"
+; checks = 17
+; text = ["uint32_t divisor = depth >> 15;", "uint32_t upper = fxl_divide_half(projection->factor_2, divisor);", "int32_t rest = (int32_t)(projection->factor_17 - upper * depth);", "uint32_t lower = fxl_divide_half(rest < 0 ? 0u - (uint32_t)rest : (uint32_t)rest, divisor);", "return (upper << 15) + (rest < 0 ? 0u - lower : lower);"]
+
+; [[row]]
+; id = "offset_of exact"
+; function = "offset_of"
+; file = "lib/view/project.c"
+; property = "the estimate is the quotient or one less: the remainder is below twice the depth"
+; checks = 17
+; text = ["uint32_t product = (uint32_t)(fxl_multiply_u32((uint32_t)shifted, by->factor) >> 32) + (uint32_t)upper * by->factor;", "int32_t quotient = (int32_t)(fxl_multiply_s32(upper, (int32_t)by->scale) >> 32);", "uint32_t rest = product + (by->depth >> 1) - (uint32_t)quotient * by->depth;", "FXL_LEMMA(rest >> 1 < by->depth && FXL_BELOW(quotient, 1 << 28));"]
+
 ; scale_of and offset_of of lib/view/project.c on integers, with the letters of the comment above them.
 (define-fun W () Int 4294967296)
 (declare-const F Int) (declare-const d Int)
