@@ -23,7 +23,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere test-campaigns boards benchmark bench clippers \
     clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs trace prove coverage rules mutants breaks size size-of-tree \
     predict costs one-file packages docs release api-check format clean
-TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
+TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs bench-test-programs test-programs
 # The variables of the commands, as COMMAND/NAME: those in the brackets at the end of a command's line of help. Other settings.
 TAKEN := $(shell awk '/^[a-z-]*:.* \[[A-Z].*\]$$/ {command = $$0; sub(/:.*/, "", command); sub(/.* \[/, ""); gsub(/[^A-Z_=]+/, " "); \
     for (i = 1; i <= NF; i++) if (sub(/=.*/, "", $$i)) print command "/" $$i}' Makefile)
@@ -235,7 +235,7 @@ endif
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help test-programs boards-programs set-up-lib $(COMMANDS)
+.PHONY: FORCE help test-programs bench-test-programs boards-programs set-up-lib $(COMMANDS)
 
 help: ## print this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -401,18 +401,21 @@ costs: ## renew bench/costs.json, from which make predict predicts [COSTS_CORES=
 # BOARD= on the command line: what runs on that board and nothing else.
 TEST_BOARD := $(if $(filter BOARD,$(GIVEN)),$(BOARD_CHOSEN))
 # Without it, the unit tests run on a board for each build of the library, on the one with the most memory for a band of
-# pixels, and with ONLY= on the default board; make boards runs them on every board.
+# pixels, and with ONLY= on the default board; make boards runs them on every board. Not by -Os alone: that library has the
+# assembly of another build and the C of -O2, and make boards alone builds and runs its tests.
+TEST_CORES = $(filter-out %_Os,$(CORES_SHARED))
 TEST_BOARDS_OF = $(foreach board,$(TARGET_BOARDS),$(if $(filter $(1),$(call CORE_SHARED,$(call CORE_NAME,$(board)))),$(board)))
 TEST_BOARD_OF = $(lastword $(shell printf '%s\n' $(foreach board,$(1),$(BOARD_BAND_BYTES.$(board)):$(board)) | sort -n | tr ':\n' '  '))
 TEST_BOARDS = $(eval TEST_BOARDS := $$(TEST_BOARDS_FOUND))$(TEST_BOARDS)
 TEST_BOARDS_FOUND = $(if $(or $(TEST_BOARD),$(value ONLY)),$(filter $(BOARD_CHOSEN),$(TARGET_BOARDS)),\
-    $(foreach core,$(CORES_SHARED),$(call TEST_BOARD_OF,$(call TEST_BOARDS_OF,$(core)))))
-# What the tests of the bench run.
+    $(foreach core,$(TEST_CORES),$(call TEST_BOARD_OF,$(call TEST_BOARDS_OF,$(core)))))
+# What the tests of the bench run, which they have built themselves (host_tests/conftest.py).
 BENCH_TESTED := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_OUT)/$(core)/calibration.elf) $(BENCH_PROGRAMS.m3) $(BENCH_SIZES.m3)
+bench-test-programs: $(BENCH_TESTED) $(CLIPPERS_TESTED)
 TEST_UNITS = $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS))
-# What the tests of the tools run, and all that make boards links.
-TEST_PROGRAMS = $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) $(CLIPPERS_TESTED) $(EQUALITY_PROGRAMS) $(CELLS_PROGRAMS) \
-    $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board)) $(BOARD_UNITS.$(board))))
+# What the tests of the tools run, and of what make boards links the programs of all tested cores.
+TEST_PROGRAMS = $(if $(TEST_BOARD),,$(HOST_TOOLS) $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board))) \
+    $(foreach core,$(TEST_CORES),$(foreach board,$(call TEST_BOARDS_OF,$(core)),$(BOARD_UNITS.$(board)))))
 # For tools: a board, and what says which unit tests it has.
 UNIT_OPTIONS = $(foreach board,$(1),--units $(board) $(BOARD_UNITS.$(board)))
 TEST_UNIT_OPTIONS = $(if $(value ONLY),$(foreach board,$(TEST_BOARDS),--units $(board) $(BOARD_UNITS_CHOSEN.$(board))),$(call UNIT_OPTIONS,$(TEST_BOARDS)))

@@ -132,6 +132,13 @@ def build():
     return folder
 
 
+@pytest.fixture(scope="session")
+def bench_programs():
+    """What the tests of the bench run. make test builds them for these alone."""
+    from board_programs import made
+    made("bench-test-programs")
+
+
 @pytest.fixture(scope="module")
 def chromium():
     """A headless browser (browser.py)."""

@@ -39,6 +39,10 @@ $(BOARD_TESTS:%=$(UNIT_RUNNERS)/%_runner.c): $(UNIT_RUNNERS)/made ;
 # The boards of this core have the library with its assertions on, as the host has; those of the
 # others have the library that ships.
 UNIT_ASSERT_CORE := $(firstword $(filter cpu-cortex-m4%,$(CORES_SHARED)))
+# A Cortex-M4 and a Cortex-M55 execute a Cortex-M3's code, and the library's headers ask nothing in which they differ
+# (host_tests/build/test_cores.py): their boards link the tests as compiled for the M3, with the library of their own core. $(1): a core's name.
+UNIT_CORE = $(subst cortex-m55,cortex-m3,$(subst cortex-m4,cortex-m3,$(1)))
+BOARD_UNIT_OUT = $(CORE_OUT)/$(call UNIT_CORE,$(notdir $(BOARD_CORE_OUT)))/unit
 # $(1): a core's name.
 BOARD_TEST_LIB = $(if $(filter $(UNIT_ASSERT_CORE),$(1)),$(CORE_OUT)/$(1)/unit/lib,$(CORE_OUT)/$(1)/lib)
 
@@ -77,9 +81,9 @@ BOARD_TEST_PARTS = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(filter-out $(BOARD_
 
 # What every program links beside the tests. The helpers and the library are archives: to read all
 # of their objects for each program would take most of the linker's time.
-BOARD_TEST_OBJECTS = $(patsubst %.c,$(BOARD_CORE_OUT)/unit/%.o,firmware/unittest/main.c firmware/unittest/newlib.c firmware/unittest/picolibc.c) \
-    $(BOARD_CORE_OUT)/unit/unity.o $(BOARD_PARTS_OF) $(BOARD_TEST_PARTS)
-BOARD_TEST_ARCHIVES = $(BOARD_CORE_OUT)/unit/libhelpers.a $(BOARD_CORE_OUT)/unit/libfixel.a
+BOARD_TEST_OBJECTS = $(patsubst %.c,$(BOARD_UNIT_OUT)/%.o,firmware/unittest/main.c firmware/unittest/newlib.c firmware/unittest/picolibc.c) \
+    $(BOARD_UNIT_OUT)/unity.o $(BOARD_PARTS_OF) $(BOARD_TEST_PARTS)
+BOARD_TEST_ARCHIVES = $(BOARD_UNIT_OUT)/libhelpers.a $(BOARD_CORE_OUT)/unit/libfixel.a
 
 # $(1): a board, $(2): its archive of tests, $(3): the archives of helpers and library.
 BOARD_TEST_PROGRAMS = $(FIRMWARE_QUIET)$(PY) firmware/unittest/programs.py --folder $(@D) --cross $(call CROSS_OF,$(1)) --tests $(2) --archives $(3) \
@@ -95,7 +99,7 @@ BOARD_UNITS_FOLDER.$(1) := $(FIRMWARE_OUT)/$(1)/unit
 BOARD_UNITS.$(1) := $(FIRMWARE_OUT)/$(1)/unit/units.json
 BOARD_UNITS_CHOSEN.$(1) := $(FIRMWARE_OUT)/$(1)/unit/chosen/units.json
 
-$$(BOARD_UNITS.$(1)): $(BOARD_CORE_OUT)/unit/libtests.a $(BOARD_TEST_OBJECTS) $(BOARD_TEST_ARCHIVES) $(BOARD_LINK_SCRIPTS) firmware/unittest/programs.py
+$$(BOARD_UNITS.$(1)): $(BOARD_UNIT_OUT)/libtests.a $(BOARD_TEST_OBJECTS) $(BOARD_TEST_ARCHIVES) $(BOARD_LINK_SCRIPTS) firmware/unittest/programs.py
 	$$(MAKE_FOLDER)
 	$$(SAY)
 	$$(call BOARD_TEST_PROGRAMS,$(1),$$<,$(BOARD_TEST_ARCHIVES))
@@ -103,8 +107,8 @@ endef
 $(foreach board,$(TARGET_BOARDS),$(eval $(call BOARD_TEST_RULES,$(board))))
 
 # $(1): a board.
-CHOSEN_TESTS_OF = $(UNITS_CHOSEN:%=$(BOARD_CORE_OUT)/unit/%.o)
-CHOSEN_HELPERS_OF = $(UNITS_CHOSEN_HELPERS:%.c=$(BOARD_CORE_OUT)/unit/%.o)
+CHOSEN_TESTS_OF = $(UNITS_CHOSEN:%=$(BOARD_UNIT_OUT)/%.o)
+CHOSEN_HELPERS_OF = $(UNITS_CHOSEN_HELPERS:%.c=$(BOARD_UNIT_OUT)/%.o)
 CHOSEN_LIBRARY_OF = $(patsubst %,$(call BOARD_TEST_LIB,$(notdir $(BOARD_CORE_OUT)))/%.o,$(UNITS_CHOSEN_LIBRARY))
 # The archives are those of the whole, with fewer members. $(1): a board, $(2): the archive, $(3): its members.
 define CHOSEN_ARCHIVE

@@ -5,6 +5,7 @@ compiler."""
 import re
 import subprocess
 
+import pytest
 from conftest import CHECKOUT, run_make
 
 CORE = "cpu-cortex-m4_float-abi-soft_no-unaligned-access"
@@ -47,3 +48,14 @@ def test_objects_of_a_cortex_m7_are_those_of_a_cortex_m4(tmp_path):
             listing = said(["arm-none-eabi-objdump", "-dr", target])
             codes.append(re.sub(r"^.*file format.*$", "", listing, flags=re.MULTILINE))
         assert codes[0] == codes[1] and codes[0].count("\n") > 50
+
+
+@pytest.mark.parametrize("cpu", ["cortex-m4", "cortex-m55"])
+def test_the_text_of_the_unit_tests_is_that_of_a_cortex_m3(cpu):
+    """The headers of the library, and so its functions that a test has inline, ask for nothing in which these cores
+    differ: UNIT_CORE in firmware/unittest/unittest.mk has their boards link the tests of an M3."""
+    includes = "".join(f'#include "{file.relative_to(CHECKOUT)}"\n' for file in sorted(CHECKOUT.glob("lib/**/*.h")))
+    texts = [subprocess.run(["arm-none-eabi-gcc", "-std=c11", f"-mcpu={core}", "-mthumb", "-mfloat-abi=soft", "-O1", "-E", "-P", "-I.",
+                             "-Ilib/include", "-Ilib", "-x", "c", "-"], input=includes, cwd=CHECKOUT, text=True, capture_output=True,
+                            check=True).stdout for core in ("cortex-m3", cpu)]
+    assert texts[0] == texts[1] and texts[0].count("\n") > 2000

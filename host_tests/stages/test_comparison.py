@@ -17,6 +17,7 @@ from fixel.scene import making
 from fixel.bench import clippers_page, clippers_plan, clippers_rows
 from fixel.base.errors import ToolError
 
+pytestmark = pytest.mark.usefixtures("bench_programs")
 ROW = {"clipper", "hidden", "scene", "board", "instructions", "text_bytes", "ram_bytes", "max_error_units",
        "pixels_differing", "pixels_unexplained"}
 SAMPLE = "view triangles sorted spans w1 adversarial m3"

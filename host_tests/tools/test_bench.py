@@ -19,6 +19,7 @@ from fixel.board import dump
 from fixel.image import image
 from fixel.base.errors import ToolError
 
+pytestmark = pytest.mark.usefixtures("bench_programs")
 BASELINE, DOCUMENT = CHECKOUT / "bench/baseline.json", CHECKOUT / "docs/performance.md"
 ROW = {"workload", "renderer", "core", "instructions", "frame", "per_unit", "unit", "ratio_to_listing_double",
        "ratio_to_limit", "text_bytes", "ram_bytes", "stack_bytes"}

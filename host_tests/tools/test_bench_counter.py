@@ -13,6 +13,7 @@ from fixel.board import ending
 from fixel.base.errors import ToolError
 from fixel.bench.machine_code import MachineCode
 
+pytestmark = pytest.mark.usefixtures("bench_programs")
 PLUGIN = "host/bench_counter.so"
 # A program of the double's: main at 100 calls f at 200, which calls g by a jump at its end.
 PROGRAM = """begin 10
@@ -28,7 +29,7 @@ WAY = ["100", "200", "300", "106"]
 
 
 def built(name=""):
-    """A file of the build; make test builds all that is asked for here."""
+    """A file of the build, which bench_programs has had built."""
     path = CHECKOUT / "build" / name
     assert path.exists(), f"{path} is not built"
     return path
