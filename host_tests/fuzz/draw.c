@@ -6,10 +6,8 @@
 
 #include <string.h>
 
-#include "demand.h"
+#include "answers.h"
 #include "fixel/crc.h"
-#include "judge.h"
-#include "record.h"
 #include "../unit/clippers_list.h"
 
 enum {

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "demand.h"
+#include "answers.h"
 #include "draw.h"
 #include "study/study.h"
 

@@ -2,9 +2,8 @@
 /* Any billboards for the models of a scene. */
 #include <string.h>
 
-#include "demand.h"
+#include "answers.h"
 #include "draw.h"
-#include "record.h"
 
 enum {
     BOARDS = 3,

@@ -2,10 +2,9 @@
 /* What a frame's pixels show, and what a segment and a sphere find in its scene. */
 #include <string.h>
 
-#include "demand.h"
+#include "answers.h"
 #include "draw/submit.h"
 #include "draw.h"
-#include "record.h"
 
 enum {
     PIXELS = 6

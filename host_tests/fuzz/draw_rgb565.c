@@ -2,10 +2,9 @@
 /* A scene with surfaces in frames of 16 bits a pixel: whole, in bands and in another workspace. */
 #include <string.h>
 
-#include "demand.h"
+#include "answers.h"
 #include "fixel/crc.h"
 #include "draw.h"
-#include "record.h"
 
 enum {
     TEXTURES = 3,

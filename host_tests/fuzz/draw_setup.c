@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "demand.h"
+#include "answers.h"
 #include "draw.h"
 #include "fixel/setup.h"
 

@@ -2,12 +2,11 @@
 /* Any scene with any surfaces, which are checked, drawn whole and drawn in bands. */
 #include <string.h>
 
-#include "demand.h"
+#include "answers.h"
 #include "draw.h"
 #include "study/clippers.h"
 #include "study/targets.h"
-#include "make_scene.h"
-#include "record.h"
+#include "input.h"
 #include "stages.h"
 
 enum {

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include <string.h>
 
-#include "demand.h"
+#include "answers.h"
 #include "draw.h"
 #include "study/clippers.h"
 #include "study/targets.h"
-#include "record.h"
 
 enum {
     BACKGROUND = 0x11,

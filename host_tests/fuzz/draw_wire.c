@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include <string.h>
 
-#include "demand.h"
+#include "answers.h"
 #include "draw.h"
 #include "game/exact.h"
-#include "record.h"
 
 enum {
     BACKGROUND = 0x11,

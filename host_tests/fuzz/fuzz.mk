@@ -16,9 +16,8 @@ FUZZ_CFLAGS := -std=c11 -g1 $(RELATIVE_PATHS) -Ilib/include -Ilib -MMD -MP
 FUZZ_WRAPS := -fsanitize=unsigned-integer-overflow -fsanitize-ignorelist=host_tests/fuzz/wraps.txt
 FUZZ_COVERAGE := -O1 -fprofile-instr-generate -fcoverage-mapping
 
-FUZZ_SHARED := $(filter-out fuzz_scene fuzz_pipeline mutate_scene replay,\
-    $(basename $(notdir $(wildcard host_tests/fuzz/*.c))))
-FUZZ_PARTS_scene := fuzz_scene mutate_scene $(FUZZ_SHARED)
+FUZZ_SHARED := $(filter-out fuzz_scene fuzz_pipeline replay,$(basename $(notdir $(wildcard host_tests/fuzz/*.c))))
+FUZZ_PARTS_scene := fuzz_scene $(FUZZ_SHARED)
 FUZZ_PARTS_pipeline := fuzz_pipeline $(FUZZ_SHARED)
 FUZZ_LIB := $(LIB_HOST_NAMES)
 
@@ -75,12 +74,12 @@ $(FUZZ_OUT)/cover_$(1): $(FUZZ_PARTS_$(1):%=$(FUZZ_OUT)/cover/%.o) $(FUZZ_LIB:%=
 	$$(SAY)
 	$$(FUZZ_CLANG) -fprofile-instr-generate -fsanitize=fuzzer $$^ -o $$@
 
-FUZZ_REPLAY_OBJECTS_$(1) := $(patsubst %,$(FUZZ_OUT)/replay/%.o,replay $(filter-out mutate_scene,$(FUZZ_PARTS_$(1))))
+FUZZ_REPLAY_OBJECTS_$(1) := $(patsubst %,$(FUZZ_OUT)/replay/%.o,replay $(FUZZ_PARTS_$(1)))
 $(FUZZ_OUT)/replay_$(1): $$(FUZZ_REPLAY_OBJECTS_$(1)) $(BUILD)/host/unit/libfixel.a
 	$$(SAY)
 	$$(HOSTCC) -fsanitize=address,undefined $$^ -o $$@
 
-$(FUZZ_OUT)/branches_$(1): $(patsubst %,$(FUZZ_OUT)/branches/%.o,replay $(filter-out mutate_scene,$(FUZZ_PARTS_$(1)))) \
+$(FUZZ_OUT)/branches_$(1): $(patsubst %,$(FUZZ_OUT)/branches/%.o,replay $(FUZZ_PARTS_$(1))) \
         $(FUZZ_LIB:%=$(FUZZ_OUT)/branches/lib/%.o)
 	$$(SAY)
 	$$(HOSTCC) --coverage $$^ -o $$@

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The whole pipeline on arbitrary scenes, lenses and poses, and each stage on
  * arbitrary records of its contract. The first byte says which. */
-#include "demand.h"
+#include "answers.h"
 #include "draw.h"
-#include "make_scene.h"
-#include "record.h"
+#include "input.h"
 #include "stages.h"
 
 enum {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "input.h"
 
-#include "demand.h"
+#include "answers.h"
 
 /* A lens whose input says this inset is off-centre instead. */
 #define OFF_CENTRE 7

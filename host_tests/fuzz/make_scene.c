@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "make_scene.h"
+#include "input.h"
 
 #include <string.h>
 
-#include "demand.h"
+#include "answers.h"
 
 /* A plane to lay a face into: two axes and what stands on them. */
 typedef struct {

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-#include "show.h"
+#include "stages.h"
 
 #include <string.h>
 
 #include "../unit/controller.h"
-#include "demand.h"
+#include "answers.h"
 #include "fixel/driver.h"
-#include "record.h"
 
 enum {
     WIDTH = 24,

@@ -3,9 +3,7 @@
 
 #include <string.h>
 
-#include "demand.h"
-#include "judge.h"
-#include "record.h"
+#include "answers.h"
 #include "study/clip_world.h"
 
 enum {

@@ -32,4 +32,8 @@ void fuzz_explained(const fxl_scene *scene);
 /* Lights a renderer, or not: settings of any kind. */
 void fuzz_set_light(fxl_renderer *renderer, fxl_light *light, fuzz_input *in);
 
+/* Shows frames of a renderer whose screen is 24 x 16, and feeds formats, pump and drivers with what
+ * they must refuse. */
+void fuzz_show(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *eye);
+
 #endif

@@ -2,9 +2,7 @@
 /* The other clippers and splitters, which work on records of their own, and the sort of faces. */
 #include <string.h>
 
-#include "demand.h"
-#include "record.h"
-#include "show.h"
+#include "answers.h"
 #include "stages.h"
 #include "study/clip_once.h"
 #include "study/clip_world.h"

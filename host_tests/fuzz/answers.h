@@ -1,11 +1,40 @@
 /* SPDX-License-Identifier: MIT */
-/* Promises of single stages, checked in wider arithmetic. Each ends the
- * program where one does not hold. */
-#ifndef JUDGE_H
-#define JUDGE_H
+/* What must hold of the library's answers whatever it is fed, and which answers they were, as a hash:
+ * so a replay sees where one has changed. */
+#ifndef ANSWERS_H
+#define ANSWERS_H
+
+#include <stdio.h>
+#include <stdlib.h>
 
 #include "draw/stages.h"
 #include "fixel/all.h"
+
+/* Ends the program with a sentence where a promise does not hold. */
+#define DEMAND(condition) \
+    do { \
+        if (!(condition)) { \
+            fprintf(stderr, "%s:%d: does not hold: %s\n", __FILE__, __LINE__, #condition); \
+            abort(); \
+        } \
+    } while (0)
+
+/* --- which they were ---------------------------------------------------------- */
+
+/* Adds to the hash. The bytes have no padding between them. */
+void record_bytes(const void *bytes, size_t size);
+void record_number(int64_t number);
+void record_text(const char *text); /* may be null */
+/* The pixels, not what lies between width and stride. */
+void record_band(const fxl_band *band);
+void record_points(const fxl_screen_polygon *polygon);
+/* An answer that is null records 0. */
+void record_varying(const fxl_varying_polygon *polygon);
+
+/* The hash of what was recorded since the last call. */
+uint64_t record_end(void);
+
+/* --- single stages, checked in wider arithmetic ------------------------------- */
 
 /* A polygon clipped in the view lies inside every plane but for the clipper's
  * error, and projects onto the screen. */
