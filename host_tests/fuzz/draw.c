@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "draw.h"
+#include "parts.h"
 #include "study/clippers.h"
 #include "study/targets.h"
 #include "study/span_buffer.h"
@@ -11,8 +11,7 @@
 #include "../unit/clippers_list.h"
 
 enum {
-    BACKGROUND = 0x11,
-    GAP = 0x5A
+    GAP = 0x5A /* as draw_memory */
 };
 
 /* The clippers as a renderer knows them, with their promises checked. */
@@ -115,6 +114,53 @@ static const fxl_clipper *checked(uint32_t number)
     return &made;
 }
 
+void *draw_memory(size_t size)
+{
+    void *made = malloc(size > 0 ? size : 1);
+    DEMAND(made != NULL);
+    memset(made, GAP, size);
+    return made;
+}
+
+fxl_band draw_band(const fxl_lens *lens, void *pixels, uint32_t first_row, uint32_t rows)
+{
+    return (fxl_band){.pixels = pixels,
+                      .width = lens->width,
+                      .stride = lens->width,
+                      .first_row = (uint16_t)first_row,
+                      .rows = (uint16_t)rows};
+}
+
+void draw_bands(fxl_renderer *renderer, uint8_t *pixels, uint32_t rows, uint32_t step)
+{
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    for (uint32_t row = 0, count; row < rows; row += count) {
+        count = step < rows - row ? step : rows - row;
+        const fxl_band band = draw_band(lens, pixels + (size_t)row * lens->width, row, count);
+        fxl_fill_band(&band, DRAW_BACKGROUND);
+        DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
+    }
+}
+
+bool draw_accounted(const fxl_counters *counters)
+{
+    return counters->in == (uint64_t)counters->backfacing + counters->outside + counters->degenerate +
+                               counters->refused + counters->drawn;
+}
+
+void *draw_beams(fxl_renderer *renderer)
+{
+    const fxl_scene *scene = renderer->scene;
+    const fxl_beam_set set = {scene->beams, scene->beam_count, scene->lit};
+    if (set.count == 0) {
+        return NULL;
+    }
+    const uint32_t size = fxl_beam_light_workspace_size(set.beams, set.count);
+    void *light = draw_memory(size);
+    DEMAND(fxl_attach_beams(renderer, &set, light, size) == FXL_OK);
+    return light;
+}
+
 uint64_t draw_model_view(const fxl_scene *scene)
 {
     uint64_t faces = 0;
@@ -127,15 +173,10 @@ uint64_t draw_model_view(const fxl_scene *scene)
 /* A band of memory of its own, so that the sanitizer sees every byte beside it. */
 static fxl_band make_band(const fxl_lens *lens, uint32_t gap, uint32_t first_row, uint32_t rows)
 {
-    fxl_band band = {.palette = NULL};
-    band.width = lens->width;
-    band.stride = (uint16_t)(lens->width + gap);
-    band.first_row = (uint16_t)first_row;
-    band.rows = (uint16_t)rows;
-    band.pixels = malloc((size_t)band.stride * rows);
-    DEMAND(band.pixels != NULL);
-    memset(band.pixels, GAP, (size_t)band.stride * rows);
-    fxl_fill_band(&band, BACKGROUND);
+    const size_t stride = lens->width + gap;
+    fxl_band band = draw_band(lens, draw_memory(stride * rows), first_row, rows);
+    band.stride = (uint16_t)stride;
+    fxl_fill_band(&band, DRAW_BACKGROUND);
     return band;
 }
 
@@ -150,9 +191,7 @@ static void demand_gaps_intact(const fxl_band *band)
 
 static void demand_accounted(const fxl_counters *counters, uint64_t model_view)
 {
-    DEMAND(counters->in == model_view);
-    DEMAND(counters->in == (uint64_t)counters->backfacing + counters->outside +
-                               counters->degenerate + counters->refused + counters->drawn);
+    DEMAND(counters->in == model_view && draw_accounted(counters));
     DEMAND(counters->clipped <= counters->drawn && counters->spilled <= counters->drawn);
     DEMAND(counters->refused_calls == 0);
 }
@@ -188,21 +227,16 @@ static void draw_in_bands(fxl_renderer *renderer, const fxl_band *whole, fuzz_in
 static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens, uint32_t clipper,
                                    uint32_t list_words, uint32_t cache_entries)
 {
-    fxl_renderer *renderer = malloc(sizeof *renderer);
-    fxl_memory memory;
-    memory.draw_list_capacity = scene->draw_list_needed;
-    memory.draw_list = malloc(scene->draw_list_needed * sizeof *memory.draw_list);
-    memory.display_list_capacity = list_words;
-    memory.display_list = malloc(list_words * sizeof *memory.display_list + 1);
-    memory.cache_capacity = cache_entries;
-    memory.cache = cache_entries > 0 ? malloc(cache_entries * sizeof *memory.cache) : NULL;
-    DEMAND(renderer != NULL && memory.draw_list != NULL && memory.display_list != NULL);
-    DEMAND(memory.cache != NULL || cache_entries == 0);
-    memset(renderer, GAP, sizeof *renderer);
+    fxl_renderer *renderer = draw_memory(sizeof *renderer);
+    fxl_memory memory = {.draw_list_capacity = scene->draw_list_needed,
+                         .display_list_capacity = list_words,
+                         .cache_capacity = cache_entries};
+    memory.draw_list = draw_memory(scene->draw_list_needed * sizeof *memory.draw_list);
+    memory.display_list = draw_memory(list_words * sizeof *memory.display_list);
+    memory.cache = cache_entries > 0 ? draw_memory(cache_entries * sizeof *memory.cache) : NULL;
     DEMAND(fxl_renderer_init_with(renderer, scene, lens, &memory) == FXL_OK);
     const fxl_clipper *which = checked(clipper);
-    void *room = which->workspace_size > 0 ? malloc(which->workspace_size) : NULL;
-    DEMAND(room != NULL || which->workspace_size == 0);
+    void *room = which->workspace_size > 0 ? draw_memory(which->workspace_size) : NULL;
     DEMAND(fxl_renderer_set_clipper(renderer, which, room, which->workspace_size) == FXL_OK);
     return renderer;
 }
@@ -214,19 +248,6 @@ fxl_status draw_choose(fxl_renderer *renderer, const fxl_target *target, void *m
     config.depth = memory;
     config.depth_size = size;
     return fxl_renderer_choose(renderer, &config);
-}
-
-/* The scene's beams, after the target is chosen. */
-static void attach_beams(fxl_renderer *renderer)
-{
-    const fxl_scene *scene = renderer->scene;
-    if (scene->beam_count > 0) {
-        const fxl_beam_set set = {scene->beams, scene->beam_count, scene->lit};
-        const uint32_t size = fxl_beam_light_workspace_size(scene->beams, scene->beam_count);
-        void *light = malloc(size);
-        DEMAND(light != NULL);
-        DEMAND(fxl_attach_beams(renderer, &set, light, size) == FXL_OK);
-    }
 }
 
 /* Without a cache of the caller's a frame may use what is left of the order as one. */
@@ -260,7 +281,7 @@ static void draw_again(const fxl_renderer *first, const fxl_pose *pose, const fx
     if (fuzz_below(in, 4) == 0) {
         DEMAND(draw_choose(renderer, &fxl_palette_box, NULL, 0) == FXL_OK);
     }
-    attach_beams(renderer);
+    draw_beams(renderer);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     draw_in_bands(renderer, whole, in);
     DEMAND(renderer->workspace.counters.spilled <= counters.spilled);
@@ -282,10 +303,9 @@ static void draw_front_to_back(const fxl_renderer *first, const fxl_pose *pose,
     uint32_t size = FXL_SPAN_BUFFER_BYTES_LEAST(lens->width, lens->height);
     fxl_renderer *renderer = make_renderer(first->scene, lens, clipper, words, fuzz_below(in, 40));
     const fxl_target *target = fuzz_below(in, 4) ? &fxl_palette_spans : &fxl_palette_spans_box;
-    void *room = malloc(size += fuzz_below(in, 12u * lens->height));
-    DEMAND(room != NULL);
+    void *room = draw_memory(size += fuzz_below(in, 12u * lens->height));
     DEMAND(draw_choose(renderer, target, room, size) == FXL_OK);
-    attach_beams(renderer);
+    draw_beams(renderer);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     draw_in_bands(renderer, whole, in);
     DEMAND(renderer->workspace.counters.spilled <= counters.spilled);
@@ -309,11 +329,10 @@ static void draw_by_depth(const fxl_renderer *first, const fxl_pose *pose, const
     const uint32_t size = FXL_DEPTH_BYTES(lens->width, rows, bits);
     fxl_renderer *renderer = make_renderer(first->scene, lens, clipper, words, fuzz_below(in, 40));
     fxl_band band = make_band(lens, 1, whole->first_row, whole->rows);
-    void *cells = malloc(size);
-    DEMAND(cells != NULL);
+    void *cells = draw_memory(size);
     DEMAND(draw_choose(renderer, wide ? &fxl_palette_depth_32 : &fxl_palette_depth_16, cells,
                        size) == FXL_OK);
-    attach_beams(renderer);
+    draw_beams(renderer);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
     demand_gaps_intact(&band);
@@ -351,9 +370,7 @@ static void draw_outlined(const fxl_renderer *first, const fxl_pose *pose, const
     DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
     demand_gaps_intact(&band);
     draw_in_bands(renderer, &band, in);
-    if (first->scene->beam_count == 0) {
-        draw_picks(renderer, whole, in);
-    }
+    draw_picks(renderer, whole, in);
     record_band(&band);
     free(band.pixels);
     DEMAND(fxl_attach_outlines(renderer, NULL, NULL) == FXL_OK);
@@ -366,8 +383,7 @@ static void draw_all_instances(const fxl_renderer *first, const fxl_pose *pose,
                                const fxl_band *whole, uint32_t clipper)
 {
     fxl_scene scene = *first->scene;
-    fxl_model *models = malloc(scene.model_count * sizeof *models);
-    DEMAND(models != NULL);
+    fxl_model *models = draw_memory(scene.model_count * sizeof *models);
     memcpy(models, scene.models, scene.model_count * sizeof *models);
     for (uint32_t i = 0; i < scene.model_count; i++) {
         models[i].radius = FXL_RADIUS_MAX;
@@ -377,7 +393,7 @@ static void draw_all_instances(const fxl_renderer *first, const fxl_pose *pose,
     scene.models = models;
     scene.face_bounds = NULL;
     fxl_renderer *renderer = make_renderer(&scene, &first->frame.view.lens, clipper, 0, 1);
-    attach_beams(renderer);
+    draw_beams(renderer);
     fxl_band band = make_band(&first->frame.view.lens, 0, whole->first_row, whole->rows);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
@@ -398,7 +414,7 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
                 const draw_choice *choice, fuzz_input *in)
 {
     fxl_renderer *renderer = make_renderer(scene, lens, choice->clipper, 0, 1);
-    attach_beams(renderer);
+    draw_beams(renderer);
     fxl_band whole = make_band(lens, fuzz_below(in, 4), choice->first_row, choice->rows);
     DEMAND(fxl_frame_draw(renderer, &whole) == FXL_E_ORDER);
     DEMAND(renderer->workspace.counters.refused_calls == 1);

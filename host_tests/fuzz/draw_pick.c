@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* What a frame's pixels show, and what a segment and a sphere find in its scene. */
+/* What a frame's pixels show, what a segment and a sphere find in its scene, and what the boxes about its
+ * objects say. */
 #include <string.h>
 
 #include "answers.h"
 #include "draw/submit.h"
-#include "draw.h"
+#include "parts.h"
+#include "game/exact.h"
 
 enum {
     PIXELS = 6
@@ -128,4 +130,44 @@ void draw_hits(const fxl_scene *scene, const fxl_view *view, fuzz_input *in)
     to.x = FXL_COORDINATE_MAX + 1;
     DEMAND(fxl_cast_segment(scene, eye, &to, &hit) == FXL_E_RANGE);
     slide(scene, eye, in);
+}
+
+/* Of an object's vertices, what its box says of the planes. */
+static void check_box(const fxl_scene *scene, const fxl_instance *instance, fxl_view *view)
+{
+    const fxl_model *model = &scene->models[instance->model];
+    uint32_t seen = 0;
+    fxl_box box;
+    fxl_box_of_instance(scene, instance, &box);
+    fxl_view_set_world_frustum(view);
+    uint32_t planes = fxl_box_planes(&view->frustum, &box);
+    for (uint32_t i = 0; i < model->vertex_count; i++) {
+        const fxl_point *vertex = &scene->vertices[model->first_vertex + i];
+        const fxl_point at = {instance->centre.x + vertex->x, instance->centre.y + vertex->y,
+                              instance->centre.z + vertex->z};
+        fxl_view_point from_eye;
+        fxl_transform_point(&view->camera, &at, &from_eye);
+        uint32_t inside = 0;
+        for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
+            bool is_inside = fxl_view_distance(&view->view_frustum, plane, &from_eye) >= 0;
+            inside |= (uint32_t)is_inside << plane;
+        }
+        DEMAND(planes == FXL_SPHERE_OUTSIDE || (planes | inside) == FXL_SPHERE_OUTSIDE - 1);
+        seen |= inside;
+    }
+    record_number(planes);
+    DEMAND(planes != FXL_SPHERE_OUTSIDE || seen != FXL_SPHERE_OUTSIDE - 1);
+}
+
+void draw_boxes(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose)
+{
+    fxl_wire wire; /* for its view */
+    DEMAND(fxl_wire_init(&wire, scene, lens, fxl_line_by_codes) == FXL_OK);
+    DEMAND(fxl_wire_begin(&wire, pose) == FXL_OK);
+    const uint32_t end = scene->placements != NULL && scene->first_turned < scene->instance_count
+                             ? scene->first_turned /* a box is that of a still instance */
+                             : scene->instance_count;
+    for (uint32_t i = 0; i < end; i++) {
+        check_box(scene, &scene->instances[i], &wire.view);
+    }
 }

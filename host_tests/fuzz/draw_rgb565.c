@@ -4,7 +4,7 @@
 
 #include "answers.h"
 #include "fixel/crc.h"
-#include "draw.h"
+#include "parts.h"
 
 enum {
     TEXTURES = 3,
@@ -24,8 +24,7 @@ typedef struct {
 
 static uint16_t *block(size_t count)
 {
-    uint16_t *made = malloc(2 * (count > 0 ? count : 1));
-    DEMAND(made != NULL);
+    uint16_t *made = draw_memory(2 * count);
     for (size_t i = 0; i < count; i++) {
         made[i] = (uint16_t)(i * 40503u);
     }
@@ -48,8 +47,7 @@ static size_t texel_count(const fxl_texture *texture)
 static void make_colours(set_565 *made, const fxl_surface_set *from)
 {
     const size_t bytes = from->face_count * sizeof *made->faces;
-    made->faces = malloc(bytes > 0 ? bytes : 1);
-    DEMAND(made->faces != NULL);
+    made->faces = draw_memory(bytes);
     memcpy(made->faces, from->faces, bytes);
     made->set.faces = made->faces;
     for (uint32_t i = 0; i < SURFACES; i++) {
@@ -107,11 +105,12 @@ static void misuse(fxl_renderer *renderer, const set_565 *made, const uint16_t *
     const fxl_scene *scene = renderer->scene;
     uint16_t *pixels = block(1);
     fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
-    fxl_band band = {.pixels = (uint8_t *)(void *)pixels, .width = renderer->frame.view.lens.width,
-                     .stride = 0, .first_row = 0, .rows = 1, .palette = palette};
+    fxl_band band = draw_band(&renderer->frame.view.lens, pixels, 0, 1);
     fxl_texture texture = made->textures[0];
     fxl_surface surface = made->surfaces[0];
     fxl_surface_set set = made->set;
+    band.stride = 0;
+    band.palette = palette;
     DEMAND(fxl_attach_surfaces(renderer, NULL, &set, painter) == FXL_E_ARGUMENT);
     DEMAND(fxl_render(NULL, &pose, pixels, 1) == FXL_E_ARGUMENT);
     DEMAND(fxl_render(renderer, NULL, pixels, band.width) == FXL_E_ARGUMENT);
@@ -153,7 +152,7 @@ static void fill(const fxl_band *band, uint16_t colour)
 }
 
 /* Bands of so many rows, by another workspace if there is one, in rows with guards between them. */
-static void draw_bands(fxl_renderer *renderer, fxl_workspace *workspace, uint16_t *pixels,
+static void draw_guarded(fxl_renderer *renderer, fxl_workspace *workspace, uint16_t *pixels,
                        uint32_t step)
 {
     const fxl_lens *lens = &renderer->frame.view.lens;
@@ -161,9 +160,9 @@ static void draw_bands(fxl_renderer *renderer, fxl_workspace *workspace, uint16_
     for (uint32_t row = 0, rows; row < lens->height; row += rows) {
         rows = step < lens->height - row ? step : lens->height - row;
         uint16_t *first = pixels + (size_t)row * stride;
-        const fxl_band band = {.pixels = (uint8_t *)(void *)first, .width = lens->width,
-                               .stride = stride, .first_row = (uint16_t)row,
-                               .rows = (uint16_t)rows, .palette = renderer->palette};
+        fxl_band band = draw_band(lens, first, row, rows);
+        band.stride = stride;
+        band.palette = renderer->palette;
         fill(&band, 0x1234);
         DEMAND((workspace != NULL ? fxl_frame_draw_with(renderer, workspace, &band)
                                   : fxl_frame_draw(renderer, &band)) == FXL_OK);
@@ -194,20 +193,20 @@ static void draw_twice(fxl_renderer *renderer, fuzz_input *in)
     const uint32_t words = fuzz_below(in, 2) ? 4096 : fuzz_below(in, 200);
     const size_t least = fxl_workspace_size(renderer);
     uint16_t *whole = guarded(count), *bands = guarded(count), *other = guarded(count);
-    uint16_t *list = block(2 * (size_t)words), *memory = block(least / 2 + 4);
-    const fxl_band frame = {.pixels = (uint8_t *)(void *)whole, .width = lens->width,
-                            .stride = (uint16_t)(lens->width + 1), .first_row = 0,
-                            .rows = lens->height, .palette = renderer->palette};
+    void *list = draw_memory(4 * (size_t)words), *memory = draw_memory(least);
+    fxl_band frame = draw_band(lens, whole, 0, lens->height);
+    frame.stride = (uint16_t)(lens->width + 1);
+    frame.palette = renderer->palette;
     renderer->frame.display_list.capacity = 0;
     DEMAND(fxl_frame_begin(renderer, &pose) == FXL_OK);
-    draw_bands(renderer, NULL, whole, lens->height);
-    renderer->frame.display_list.words = (uint32_t *)(void *)list;
+    draw_guarded(renderer, NULL, whole, lens->height);
+    renderer->frame.display_list.words = list;
     renderer->frame.display_list.capacity = words;
     DEMAND(fxl_frame_begin(renderer, &pose) == FXL_OK);
-    draw_bands(renderer, NULL, bands, 1 + fuzz_below(in, lens->height));
+    draw_guarded(renderer, NULL, bands, 1 + fuzz_below(in, lens->height));
     DEMAND(memcmp(whole, bands, 2 * count) == 0);
     DEMAND(fxl_workspace_init(&workspace, renderer, memory, least) == FXL_OK);
-    draw_bands(renderer, &workspace, other, 1 + fuzz_below(in, lens->height));
+    draw_guarded(renderer, &workspace, other, 1 + fuzz_below(in, lens->height));
     DEMAND(memcmp(whole, other, 2 * count) == 0);
     fxl_swap_rgb565(&frame);
     fxl_swap_rgb565(&frame);

@@ -3,14 +3,12 @@
 #include <string.h>
 
 #include "answers.h"
-#include "draw.h"
+#include "parts.h"
 #include "study/clippers.h"
 #include "study/targets.h"
 #include "input.h"
-#include "stages.h"
 
 enum {
-    BACKGROUND = 0x11,
     PIXELS = 2048,
     TEXTURES = 3,
     SURFACES = 4,
@@ -31,8 +29,7 @@ typedef struct {
 
 static uint8_t *block(size_t size)
 {
-    uint8_t *made = malloc(size > 0 ? size : 1);
-    DEMAND(made != NULL);
+    uint8_t *made = draw_memory(size);
     for (size_t i = 0; i < size; i++) {
         made[i] = (uint8_t)(i * 37);
     }
@@ -211,23 +208,6 @@ static void misuse(fxl_renderer *renderer, made_surfaces *made, const fxl_scene 
     DEMAND(fxl_surfaces_check(&set, scene, 8, NULL) == FXL_E_COUNT);
 }
 
-/* The frame's rows, so many at a time. */
-static void draw(fxl_renderer *renderer, const fxl_pose *pose, uint8_t *pixels, uint32_t step)
-{
-    const fxl_lens *lens = &renderer->frame.view.lens;
-    DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
-    for (uint32_t row = 0, rows; row < lens->height; row += rows) {
-        rows = step < lens->height - row ? step : lens->height - row;
-        const fxl_band band = {.pixels = pixels + (size_t)row * lens->width,
-                               .width = lens->width,
-                               .stride = lens->width,
-                               .first_row = (uint16_t)row,
-                               .rows = (uint16_t)rows};
-        fxl_fill_band(&band, BACKGROUND);
-        DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
-    }
-}
-
 /* The frame whole, without a list, and in bands, with one of any size. */
 static void draw_twice(fxl_renderer *renderer, fuzz_input *in)
 {
@@ -235,16 +215,19 @@ static void draw_twice(fxl_renderer *renderer, fuzz_input *in)
     const fxl_pose pose = fuzz_pose(in);
     const size_t size = (size_t)lens->width * lens->height;
     const uint32_t words = fuzz_below(in, 2) ? 4096 : fuzz_below(in, 200);
-    uint8_t *whole = block(size), *bands = block(size), *list = block(4 * (size_t)words);
+    uint8_t *whole = draw_memory(size), *bands = draw_memory(size);
+    void *list = draw_memory(4 * (size_t)words);
     renderer->frame.display_list.capacity = 0;
-    draw(renderer, &pose, whole, lens->height);
+    DEMAND(fxl_frame_begin(renderer, &pose) == FXL_OK);
+    draw_bands(renderer, whole, lens->height, lens->height);
     DEMAND(renderer->workspace.counters.in == draw_model_view(renderer->scene));
-    renderer->frame.display_list.words = (uint32_t *)(void *)list;
+    renderer->frame.display_list.words = list;
     renderer->frame.display_list.capacity = words;
-    draw(renderer, &pose, bands, 1 + fuzz_below(in, lens->height));
+    DEMAND(fxl_frame_begin(renderer, &pose) == FXL_OK);
+    draw_bands(renderer, bands, lens->height, 1 + fuzz_below(in, lens->height));
     DEMAND(memcmp(whole, bands, size) == 0);
     draw_all_picks(renderer, NULL);
-    draw_in_another(renderer, whole, BACKGROUND, in);
+    draw_in_another(renderer, whole, DRAW_BACKGROUND, in);
     record_bytes(whole, size);
     record_bytes(&renderer->workspace.counters, sizeof renderer->workspace.counters);
     free(whole);
@@ -277,7 +260,7 @@ static void draw_twice_by_depth(fxl_renderer *renderer, draw_parts *parts,
     const fxl_target *target = wide ? &fxl_palette_depth_32 : &fxl_palette_depth_16;
     const uint32_t least = FXL_DEPTH_BYTES(lens->width, 1, wide ? 32u : 16u);
     const uint32_t size = least + fuzz_below(in, 4u * lens->width * lens->height);
-    uint8_t *cells = block(size);
+    uint8_t *cells = draw_memory(size);
     DEMAND(draw_choose(renderer, target, cells, size) == FXL_E_ORDER);
     draw_detach(renderer);
     DEMAND(draw_choose(renderer, NULL, cells, size) == FXL_E_ARGUMENT);
@@ -300,7 +283,7 @@ static void draw_light_alone(fxl_renderer *renderer, draw_parts *parts, made_sur
 {
     const fxl_lens *lens = &renderer->frame.view.lens;
     const uint32_t size = FXL_DEPTH_BYTES(lens->width, lens->height, 16u);
-    uint8_t *cells = block(size);
+    uint8_t *cells = draw_memory(size);
     for (uint32_t i = 0; i < made->set.surface_count; i++) {
         made->surfaces[i] = (fxl_surface){.flags = FXL_SURFACE_LIT, .opacity = 16};
     }
@@ -334,10 +317,8 @@ static void draw_made(const fxl_scene *scene, made_surfaces *made, fuzz_input *i
     static draw_parts parts;
     const fxl_clipper *clipper = clippers[fuzz_below(in, 4)];
     const fxl_lens lens = fuzz_lens(in, PIXELS);
-    const uint32_t order_size = scene->draw_list_needed * (uint32_t)sizeof(fxl_draw_entry);
-    uint8_t *order = block(order_size), *room = block(clipper->workspace_size);
-    fxl_memory memory = {.draw_list = (fxl_draw_entry *)(void *)order,
-                         .draw_list_capacity = scene->draw_list_needed};
+    void *order = draw_memory(scene->draw_list_needed * sizeof(fxl_draw_entry)), *room = draw_memory(clipper->workspace_size);
+    const fxl_memory memory = {.draw_list = order, .draw_list_capacity = scene->draw_list_needed};
     fxl_renderer renderer;
     fxl_scene_fault fault = {NULL, 0};
     memset(&parts, 0, sizeof parts);

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "answers.h"
-#include "draw.h"
+#include "parts.h"
 #include "study/clippers.h"
 #include "study/span_buffer.h"
 #include "study/targets.h"
@@ -33,18 +33,13 @@ void draw_in_another(const fxl_renderer *renderer, const uint8_t *whole, uint8_t
     const fxl_lens *lens = &renderer->frame.view.lens;
     const size_t least = fxl_workspace_size(renderer), size = least + fuzz_below(in, 4096);
     const size_t pixels = (size_t)lens->width * lens->height;
-    uint8_t *memory = malloc(size + 64), *again = malloc(pixels);
-    DEMAND(memory != NULL && again != NULL);
+    uint8_t *memory = draw_memory(size + 64), *again = draw_memory(pixels);
     misuse(&workspace, renderer, memory, least);
     DEMAND(fxl_workspace_init(&workspace, renderer, memory, size) == FXL_OK);
     const uint16_t cut = (uint16_t)fuzz_below(in, lens->height);
     const fxl_band bands[] = {
-        {.pixels = again, .width = lens->width, .stride = lens->width, .rows = cut},
-        {.pixels = again + (size_t)cut * lens->width,
-         .width = lens->width,
-         .stride = lens->width,
-         .first_row = cut,
-         .rows = (uint16_t)(lens->height - cut)},
+        draw_band(lens, again, 0, cut),
+        draw_band(lens, again + (size_t)cut * lens->width, cut, lens->height - cut),
     };
     for (uint32_t i = cut == 0 ? 1 : 0; i < 2; i++) {
         fxl_fill_band(&bands[i], background);
@@ -118,9 +113,7 @@ static uint32_t below(sequence *of, uint32_t count)
 static void *again(void **memory, size_t size)
 {
     free(*memory);
-    *memory = malloc(size + (size == 0));
-    DEMAND(*memory != NULL);
-    return *memory;
+    return *memory = draw_memory(size);
 }
 
 /* A scene of one triangle. */
@@ -128,19 +121,10 @@ static void make_least(fxl_scene *scene)
 {
     static const fxl_point vertices[3] = {{0, 0, 0}, {65536, 0, 0}, {0, 65536, 0}};
     static const uint16_t corners[3] = {0, 1, 2};
-    static const fxl_face face = {{0, 0, -FXL_Q2_30_ONE}, 0, 3, 1, 0};
-    static const fxl_instance instance;
-    static const fxl_model model = {0, 3, 0, 1, FXL_MODEL_SORTED, 0, 0, 2 * 65536, 0};
-    *scene = (fxl_scene){.vertices = vertices,
-                         .indices = corners,
-                         .faces = &face,
-                         .models = &model,
-                         .instances = &instance,
-                         .vertex_count = 3,
-                         .index_count = 3,
-                         .face_count = 1,
-                         .model_count = 1,
-                         .instance_count = 1};
+    static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 3, 1, 0}};
+    static const fxl_instance instances[1];
+    static const fxl_model models[] = {{0, 3, 0, 1, FXL_MODEL_SORTED, 0, 0, 2 * 65536, 0}};
+    *scene = SCENE_OF(vertices, corners, faces, models, instances);
     DEMAND(fxl_scene_check_all(scene, NULL) == FXL_OK);
 }
 
@@ -239,8 +223,7 @@ static void set_up(sequence *of, other_core *core)
 {
     const size_t size = fxl_workspace_size(&of->renderer) + below(of, 2) * below(of, 2048);
     free(core->memory);
-    core->memory = malloc(size + 1);
-    DEMAND(core->memory != NULL);
+    core->memory = draw_memory(size);
     memset(&core->workspace, 0x5A, sizeof core->workspace);
     DEMAND(fxl_workspace_init(&core->workspace, &of->renderer, core->memory, size) == FXL_OK);
     core->of = of->now;
@@ -272,13 +255,9 @@ static void draw(sequence *of)
         return; /* two things do not go together */
     }
     const size_t bytes = (size_t)lens->width * lens->height * of->now.target->pixel_bits / 8u;
-    uint8_t *expected = malloc(bytes), *pixels = malloc(bytes);
-    DEMAND(expected != NULL && pixels != NULL);
-    fxl_band band = {.pixels = expected,
-                     .width = lens->width,
-                     .stride = lens->width,
-                     .rows = lens->height,
-                     .palette = renderer->palette};
+    uint8_t *expected = draw_memory(bytes), *pixels = draw_memory(bytes);
+    fxl_band band = draw_band(lens, expected, 0, lens->height);
+    band.palette = renderer->palette;
     fxl_frame_fill(renderer, &band, 1);
     if (below(of, 4) == 0) {
         (void)fxl_frame_release_scene(renderer);

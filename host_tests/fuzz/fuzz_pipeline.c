@@ -2,9 +2,8 @@
 /* The whole pipeline on arbitrary scenes, lenses and poses, and each stage on
  * arbitrary records of its contract. The first byte says which. */
 #include "answers.h"
-#include "draw.h"
+#include "parts.h"
 #include "input.h"
-#include "stages.h"
 
 enum {
     PIXELS = 4096,
@@ -71,20 +70,12 @@ static void fuzz_placed_limit(fuzz_input *in)
 {
     static const fxl_point vertices[FXL_MODEL_VERTICES_MAX];
     static const uint16_t corners[3] = {0, 1, 2};
-    static const fxl_face face = {{FXL_Q2_30_ONE, 0, 0}, 0, 3, 1, 0};
+    static const fxl_face faces[] = {{{FXL_Q2_30_ONE, 0, 0}, 0, 3, 1, 0}};
     static const fxl_instance instances[FXL_SCENE_INSTANCES_MAX];
-    fxl_model model = {0, FXL_MODEL_VERTICES_MAX, 0, 1, FXL_MODEL_SORTED, 0, 0, 0, 0};
-    fxl_scene scene = {.vertices = vertices,
-                       .indices = corners,
-                       .faces = &face,
-                       .models = &model,
-                       .instances = instances,
-                       .index_count = 3,
-                       .face_count = 1,
-                       .model_count = 1};
+    fxl_model models[] = {{0, FXL_MODEL_VERTICES_MAX, 0, 1, FXL_MODEL_SORTED, 0, 0, 0, 0}};
+    fxl_scene scene = SCENE_OF(vertices, corners, faces, models, instances);
     scene.instance_count = 1 + fuzz_below(in, fuzz_below(in, 2) ? 8 : FXL_SCENE_INSTANCES_MAX);
-    model.vertex_count = 3 + fuzz_below(in, FXL_MODEL_VERTICES_MAX - 2);
-    scene.vertex_count = model.vertex_count;
+    scene.vertex_count = models[0].vertex_count = 3 + fuzz_below(in, FXL_MODEL_VERTICES_MAX - 2);
     uint64_t model_view = (uint64_t)scene.instance_count * scene.vertex_count;
     DEMAND(check_scene(&scene) == (model_view <= FXL_SCENE_PLACED_MAX));
     DEMAND(model_view > FXL_SCENE_PLACED_MAX || scene.draw_list_needed == scene.instance_count + 1);

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "answers.h"
-#include "draw.h"
+#include "parts.h"
 #include "fixel/crc.h"
 
 enum {

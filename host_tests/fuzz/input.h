@@ -12,6 +12,19 @@ typedef struct {
     size_t left;
 } fuzz_input;
 
+/* A scene of tables, which are arrays: all members but those of extras. */
+#define SCENE_OF(points, corners, face_table, model_table, instance_table) \
+    ((fxl_scene){.vertices = (points), \
+                 .indices = (corners), \
+                 .faces = (face_table), \
+                 .models = (model_table), \
+                 .instances = (instance_table), \
+                 .vertex_count = sizeof(points) / sizeof *(points), \
+                 .index_count = sizeof(corners) / sizeof *(corners), \
+                 .face_count = sizeof(face_table) / sizeof *(face_table), \
+                 .model_count = sizeof(model_table) / sizeof *(model_table), \
+                 .instance_count = sizeof(instance_table) / sizeof *(instance_table)})
+
 /* The next 0..8 bytes, little-endian. */
 uint64_t fuzz_bits(fuzz_input *in, unsigned bytes);
 

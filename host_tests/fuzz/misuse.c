@@ -4,8 +4,7 @@
 #include <string.h>
 
 #include "answers.h"
-#include "draw.h"
-#include "stages.h"
+#include "parts.h"
 #include "study/clippers.h"
 #include "study/targets.h"
 
@@ -195,7 +194,8 @@ static void explain_placements(explained *state)
     }
 }
 
-void fuzz_explained(const fxl_scene *scene)
+/* What the library says of refused calls with a scene of no objects, whatever the input. */
+static void demand_explained(const fxl_scene *scene)
 {
     static explained state;
     memset(&state, 0, sizeof state);
@@ -247,11 +247,7 @@ static void misuse_init(fxl_renderer *renderer, const fxl_scene *scene, const fx
 /* A band of the lens's screen with one number spoilt, or none. */
 static fxl_band any_band(const fxl_lens *lens, uint8_t *pixels, fuzz_input *in)
 {
-    fxl_band band = {.pixels = pixels,
-                     .width = lens->width,
-                     .stride = lens->width,
-                     .first_row = 0,
-                     .rows = lens->height};
+    fxl_band band = draw_band(lens, pixels, 0, lens->height);
     uint16_t *const numbers[] = {&band.width, &band.stride, &band.first_row, &band.rows};
     uint32_t which = fuzz_below(in, 8);
     if (which < sizeof numbers / sizeof numbers[0]) {
@@ -304,27 +300,18 @@ static void misuse_scene(void)
 {
     static const fxl_point vertices[3];
     static const uint16_t corners[3];
-    static const fxl_face face;
-    static const fxl_model model;
-    static const fxl_instance instance;
-    const fxl_scene whole = {.vertices = vertices,
-                             .indices = corners,
-                             .faces = &face,
-                             .models = &model,
-                             .instances = &instance,
-                             .vertex_count = 3,
-                             .index_count = 3,
-                             .face_count = 1,
-                             .model_count = 1,
-                             .instance_count = 1};
+    static const fxl_face faces[1];
+    static const fxl_model models[1];
+    static const fxl_instance instances[1];
+    const fxl_scene whole = SCENE_OF(vertices, corners, faces, models, instances);
     fxl_scene_fault fault = {NULL, 0};
     for (int missing = 0; missing < 5; missing++) {
         fxl_scene scene = whole;
         scene.vertices = missing == 0 ? NULL : vertices;
         scene.indices = missing == 1 ? NULL : corners;
-        scene.faces = missing == 2 ? NULL : &face;
-        scene.models = missing == 3 ? NULL : &model;
-        scene.instances = missing == 4 ? NULL : &instance;
+        scene.faces = missing == 2 ? NULL : faces;
+        scene.models = missing == 3 ? NULL : models;
+        scene.instances = missing == 4 ? NULL : instances;
         DEMAND(fxl_scene_check(&scene, &fault) == FXL_E_ARGUMENT && fault.what != NULL);
     }
     DEMAND(fxl_scene_check(NULL, &fault) == FXL_E_ARGUMENT);
@@ -410,7 +397,7 @@ void fuzz_misuse(fuzz_input *in)
     misuse_scene();
     misuse_setters(&renderer);
     misuse_wire(&empty, &lens, &band);
-    fuzz_explained(&empty);
+    demand_explained(&empty);
     DEMAND(fxl_camera_from_pose(NULL, &camera) == FXL_E_ARGUMENT);
     DEMAND(fxl_camera_from_pose(&pose, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_player_step(NULL, 0, &motion_limits, NULL) == FXL_E_ARGUMENT);

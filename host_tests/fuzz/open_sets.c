@@ -4,14 +4,13 @@
 #include <string.h>
 
 #include "answers.h"
-#include "draw.h"
+#include "parts.h"
 #include "fixel/surfaces.h"
 
 enum {
     BILLBOARD_FACES = 4096, /* of a scene that is drawn with billboards */
     SURFACE_FACES = 512,    /* with surfaces */
-    ROWS = 4,
-    BACKGROUND = 0x11
+    ROWS = 4
 };
 
 /* A row of a frame, without a display list. */
@@ -20,20 +19,15 @@ static void draw_row(const fxl_scene_image *opened, const fxl_billboard_set *set
 {
     const fxl_lens *lens = &opened->lens;
     const uint32_t entries = opened->scene.draw_list_needed;
-    fxl_renderer *renderer = malloc(sizeof *renderer);
-    uint8_t *pixels = malloc(lens->width);
-    const fxl_memory memory = {malloc(entries * sizeof(fxl_draw_entry)), entries, NULL, 0, NULL, 0};
-    const fxl_band band = {.pixels = pixels,
-                           .width = lens->width,
-                           .stride = lens->width,
-                           .first_row = (uint16_t)(lens->height / 2),
-                           .rows = 1};
+    fxl_renderer *renderer = draw_memory(sizeof *renderer);
+    uint8_t *pixels = draw_memory(lens->width);
+    const fxl_memory memory = {draw_memory(entries * sizeof(fxl_draw_entry)), entries, NULL, 0, NULL, 0};
+    const fxl_band band = draw_band(lens, pixels, lens->height / 2, 1);
     fxl_billboards billboards;
-    DEMAND(renderer != NULL && pixels != NULL && memory.draw_list != NULL);
     DEMAND(fxl_renderer_init_with(renderer, &opened->scene, lens, &memory) == FXL_OK);
     DEMAND(fxl_attach_billboards(renderer, &billboards, set, FXL_SPRITES_OF(fxl_palette)) ==
            FXL_OK);
-    fxl_fill_band(&band, BACKGROUND);
+    fxl_fill_band(&band, DRAW_BACKGROUND);
     if (fxl_frame_begin(renderer, pose) == FXL_OK) {
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
     }
@@ -63,12 +57,11 @@ static uint32_t sum_sprites(const fxl_sprite *sprites, uint32_t count)
 void open_billboards(const fxl_scene_image *opened, const fxl_pose *pose)
 {
     const uint32_t count = opened->billboards.count;
-    fxl_sprite *sprites = malloc(count * sizeof *sprites + 1);
-    fxl_billboard *boards = malloc(count * sizeof *boards + 1);
+    fxl_sprite *sprites = draw_memory(count * sizeof *sprites);
+    fxl_billboard *boards = draw_memory(count * sizeof *boards);
     fxl_billboard_set set, untouched;
     fxl_scene_fault fault = {NULL, 0};
     volatile uint32_t sum = 0;
-    DEMAND(sprites != NULL && boards != NULL);
     memset(&set, 0x5A, sizeof set);
     memcpy(&untouched, &set, sizeof set);
     const fxl_status status = fxl_billboards_open(opened, sprites, boards, count, &set, &fault);
@@ -136,21 +129,16 @@ static void draw_rows(const fxl_scene_image *opened, const fxl_surface_set *set,
                       const fxl_pose *pose, bool is_wide)
 {
     const fxl_scene *scene = &opened->scene;
-    fxl_draw_entry *order = malloc(scene->draw_list_needed * sizeof *order);
-    fxl_renderer *renderer = malloc(sizeof *renderer);
-    uint16_t *pixels = malloc((size_t)opened->lens.width * ROWS * sizeof *pixels);
+    fxl_draw_entry *order = draw_memory(scene->draw_list_needed * sizeof *order);
+    fxl_renderer *renderer = draw_memory(sizeof *renderer);
+    uint16_t *pixels = draw_memory((size_t)opened->lens.width * ROWS * sizeof *pixels);
     const fxl_memory memory = {.draw_list = order, .draw_list_capacity = scene->draw_list_needed};
     const uint16_t rows = opened->lens.height < ROWS ? opened->lens.height : ROWS;
-    const fxl_band band = {.pixels = (uint8_t *)pixels,
-                           .width = opened->lens.width,
-                           .stride = opened->lens.width,
-                           .first_row = (uint16_t)((opened->lens.height - rows) / 2),
-                           .rows = rows,
-                           .palette = is_wide ? palette : NULL};
+    fxl_band band = draw_band(&opened->lens, pixels, (opened->lens.height - rows) / 2u, rows);
     fxl_surfaces surfaces;
     fxl_light light;
     fxl_lit_surfaces lit;
-    DEMAND(order != NULL && renderer != NULL && pixels != NULL);
+    band.palette = is_wide ? palette : NULL;
     DEMAND(fxl_renderer_init_with(renderer, scene, &opened->lens, &memory) == FXL_OK);
     attach(renderer, &surfaces, set, is_wide);
     if (opened->light.base != NULL) {
@@ -176,11 +164,10 @@ static void draw_rows(const fxl_scene_image *opened, const fxl_surface_set *set,
 void open_surfaces(const fxl_scene_image *opened, const fxl_pose *pose)
 {
     const uint32_t count = opened->surfaces.texture_count;
-    fxl_texture *textures = malloc(count * sizeof *textures + 1);
+    fxl_texture *textures = draw_memory(count * sizeof *textures);
     fxl_surface_set set, untouched;
     fxl_scene_fault fault = {NULL, 0};
     volatile uint32_t sum = 0;
-    DEMAND(textures != NULL);
     memset(&set, 0x5A, sizeof set);
     memcpy(&untouched, &set, sizeof set);
     const fxl_status status = fxl_surfaces_open(opened, textures, count, &set, &fault);

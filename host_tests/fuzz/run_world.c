@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "answers.h"
+#include "parts.h"
 #include "input.h"
-#include "stages.h"
 
 static fxl_q2_30 any_fraction(fuzz_input *in)
 {
@@ -191,21 +191,13 @@ static void demand_frame(fxl_renderer *renderer, fuzz_input *in)
 {
     static uint8_t pixels[PIXELS];
     const fxl_lens *lens = &renderer->frame.view.lens;
-    const fxl_band band = {.pixels = pixels,
-                           .width = lens->width,
-                           .stride = lens->width,
-                           .first_row = 0,
-                           .rows = lens->height};
+    const fxl_band band = draw_band(lens, pixels, 0, lens->height);
     const fxl_pose pose = fuzz_pose(in);
-    uint64_t faces = 0;
     memset(pixels, 0, sizeof pixels); /* else a record depends on the input before */
     DEMAND(fxl_frame_begin(renderer, &pose) == FXL_OK);
     DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
     DEMAND(fxl_frame_end(renderer) == FXL_OK);
-    for (uint32_t i = 0; i < renderer->scene->instance_count; i++) {
-        faces += renderer->scene->models[renderer->scene->instances[i].model].face_count;
-    }
-    DEMAND(renderer->workspace.counters.in == faces);
+    DEMAND(renderer->workspace.counters.in == draw_model_view(renderer->scene));
     record_band(&band);
     record_bytes(&renderer->workspace.counters, sizeof renderer->workspace.counters);
 }
@@ -216,11 +208,7 @@ static void demand_release(any_world *of, fxl_renderer *renderer, fuzz_input *in
     static uint8_t pixels[2][PIXELS];
     const fxl_lens *lens = &renderer->frame.view.lens;
     for (int i = 0; i < 2; i++) {
-        const fxl_band band = {.pixels = pixels[i],
-                               .width = lens->width,
-                               .stride = lens->width,
-                               .first_row = 0,
-                               .rows = lens->height};
+        const fxl_band band = draw_band(lens, pixels[i], 0, lens->height);
         memset(pixels[i], 0, sizeof pixels[i]);
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
         if (i == 0 && fxl_frame_release_scene(renderer) != FXL_OK) {
@@ -323,27 +311,9 @@ static fxl_scene squares(bool with_tree)
                                         {4, 4, 2, 2, FXL_MODEL_SORTED, 0, 0, 2 * SIDE, 0}};
     static const fxl_instance instances[3] = {
         {{0, 0, 5 * SIDE}, 0, 0, 0}, {{0, 0, 7 * SIDE}, 1, 0, 0}, {{SIDE, 0, 6 * SIDE}, 0, 1, 0}};
-    static const fxl_bsp_node node = {{0, 0, FXL_Q2_30_ONE},
-                                      0,
-                                      0,
-                                      FXL_BSP_NONE,
-                                      FXL_BSP_NONE,
-                                      FXL_BSP_NONE,
-                                      0,
-                                      2,
-                                      0,
-                                      {0, 0, 0},
-                                      2 * SIDE};
-    fxl_scene scene = {.vertices = vertices,
-                       .indices = indices,
-                       .faces = faces,
-                       .models = models,
-                       .instances = instances,
-                       .vertex_count = 8,
-                       .index_count = 8,
-                       .face_count = 4,
-                       .model_count = 2,
-                       .instance_count = 3};
+    static const fxl_bsp_node node = {
+        {0, 0, FXL_Q2_30_ONE}, 0, 0, FXL_BSP_NONE, FXL_BSP_NONE, FXL_BSP_NONE, 0, 2, 0, {0, 0, 0}, 2 * SIDE};
+    fxl_scene scene = SCENE_OF(vertices, indices, faces, models, instances);
     if (with_tree) {
         scene.bsp_nodes = &node;
         scene.bsp_node_count = 1;

@@ -5,10 +5,13 @@
     seeds.py OUT SCENE...       writes OUT/scene/* and OUT/pipeline/*
 """
 
+import contextlib
 import dataclasses
 import pathlib
 import random
+import re
 import sys
+import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 
@@ -20,6 +23,8 @@ LARGEST = 8000          # bytes of a scene that is worth mutating
 POSES = 3               # that a seed has of its scene's path
 PARTS = 28              # what the pipeline's first byte chooses among
 LENGTHS = (200, 400, 800, 2000)
+BEAMS = re.compile(r"^\[\[?(?:glow|beams)\]\]?\n(?:(?!\[).*\n)*", re.MULTILINE)
+ONLY_RGB565 = re.compile(r"pixels = \"rgb565\"(?:, |\n)|^bits = 16\n", re.MULTILINE)
 
 
 def scene_seeds(file):
@@ -42,6 +47,20 @@ def scene_seeds(file):
     yield image.pack(planted)
 
 
+def seeds_of(file):
+    """The seeds of a scene file; of the same scene without beams; of the same of a palette, if it is of RGB565 and can be."""
+    yield from scene_seeds(file)
+    text = pathlib.Path(file).read_text(encoding="utf-8")
+    with tempfile.TemporaryDirectory() as folder:
+        copy = pathlib.Path(folder) / "scene.toml"
+        for pattern in (BEAMS, ONLY_RGB565):
+            other = pattern.sub("", text)
+            if other != text:
+                copy.write_text(other, encoding="utf-8")
+                with contextlib.suppress(ToolError):    # it has what a palette has not, or names a model
+                    yield from list(scene_seeds(copy))
+
+
 def pipeline_seeds(generator):
     """Noise behind each choice of part."""
     for length in LENGTHS:
@@ -53,7 +72,7 @@ def main(argv):
     if len(argv) < 2:
         raise ToolError("usage: seeds.py OUT SCENE...")
     out = pathlib.Path(argv[0])
-    images = [blob for file in argv[1:] for blob in scene_seeds(file) if len(blob) <= LARGEST]
+    images = [blob for file in argv[1:] for blob in seeds_of(file) if len(blob) <= LARGEST]
     for target, blobs in (("scene", images), ("pipeline", pipeline_seeds(random.Random(1)))):
         folder = out / target
         folder.mkdir(parents=True, exist_ok=True)

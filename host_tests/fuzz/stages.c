@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "stages.h"
+#include "parts.h"
 
 #include <string.h>
 

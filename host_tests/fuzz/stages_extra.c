@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "answers.h"
-#include "stages.h"
+#include "parts.h"
 #include "study/clip_once.h"
 #include "study/clip_world.h"
 #include "study/half_space.h"
@@ -317,22 +317,13 @@ void fuzz_first_program(fuzz_input *in)
     static const fxl_point vertices[] = {
         {-65536, -65536, 0}, {-65536, 65536, 0}, {65536, 65536, 0}, {65536, -65536, 0}};
     static const uint16_t corners[] = {0, 1, 2, 3};
-    static const fxl_face face = {{0, 0, -FXL_Q2_30_ONE}, 0, 4, 7, 0};
-    static const fxl_model model = {0, 4, 0, 1, FXL_MODEL_CONVEX, 0, 0, 65536 * 2, 0};
-    static const fxl_instance instance = {{0, 0, 0}, 0, 0, 0};
+    static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 4, 7, 0}};
+    static const fxl_model models[] = {{0, 4, 0, 1, FXL_MODEL_CONVEX, 0, 0, 65536 * 2, 0}};
+    static const fxl_instance instances[1];
     static uint64_t memory[64];
     static uint8_t pixels[24 * 16];
     static fxl_renderer renderer;
-    fxl_scene scene = {.vertices = vertices,
-                       .indices = corners,
-                       .faces = &face,
-                       .models = &model,
-                       .instances = &instance,
-                       .vertex_count = 4,
-                       .index_count = 4,
-                       .face_count = 1,
-                       .model_count = 1,
-                       .instance_count = 1};
+    fxl_scene scene = SCENE_OF(vertices, corners, faces, models, instances);
     fxl_config config = fxl_config_default(24, 16);
     fxl_pose eye = fuzz_pose(in);
     uint32_t kind = fuzz_below(in, 16);

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "answers.h"
-#include "stages.h"
+#include "parts.h"
 
 enum {
     WIDTH = 20,

@@ -1,9 +1,29 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws a checked scene every way there is and compares. */
-#ifndef DRAW_H
-#define DRAW_H
+/* What the harnesses consist of: a checked scene drawn every way there is, and compared; and single
+ * stages, fed with any record that their contracts allow, and with some that they must refuse. */
+#ifndef PARTS_H
+#define PARTS_H
 
 #include "input.h"
+
+enum {
+    DRAW_BACKGROUND = 0x11
+};
+
+/* Memory that ends where it should: so many bytes of 0x5A. Free it. */
+void *draw_memory(size_t size);
+
+/* Rows of a screen without bytes between them. */
+fxl_band draw_band(const fxl_lens *lens, void *pixels, uint32_t first_row, uint32_t rows);
+
+/* The first rows of the frame that a renderer has begun, over the background, so many at a time. */
+void draw_bands(fxl_renderer *renderer, uint8_t *pixels, uint32_t rows, uint32_t step);
+
+/* The faces that a frame looked at are all accounted for. */
+bool draw_accounted(const fxl_counters *counters);
+
+/* Attaches the beams of the renderer's scene, if it has some: their memory, to be freed, or null. */
+void *draw_beams(fxl_renderer *renderer);
 
 /* How many clippers there are. */
 uint32_t draw_clipper_count(void);
@@ -90,5 +110,34 @@ void draw_setup(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
 /* Any sequence of set-up calls of a renderer and of two workspaces of other cores. */
 void draw_sequences(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
                     fuzz_input *in);
+
+/* --- stages ------------------------------------------------------------------- */
+
+void fuzz_project(fuzz_input *in);
+void fuzz_scan(fuzz_input *in);
+void fuzz_clip_world(fuzz_input *in);
+void fuzz_clip_view(fuzz_input *in);
+void fuzz_viewer(fuzz_input *in);
+void fuzz_lenses(fuzz_input *in);
+void fuzz_misuse(fuzz_input *in);
+void fuzz_sort(fuzz_input *in);
+void fuzz_beams(fuzz_input *in);
+void fuzz_split(fuzz_input *in);
+void fuzz_volumes(fuzz_input *in);
+void fuzz_normalised(fuzz_input *in);
+void fuzz_first_program(fuzz_input *in);
+void fuzz_planes(fuzz_input *in);
+void fuzz_orientations(fuzz_input *in);
+void fuzz_overlay(fuzz_input *in);
+void fuzz_geometry(fuzz_input *in);
+void fuzz_world(fuzz_input *in);
+void fuzz_surfaces(fuzz_input *in);
+
+/* Lights a renderer, or not: settings of any kind. */
+void fuzz_set_light(fxl_renderer *renderer, fxl_light *light, fuzz_input *in);
+
+/* Shows frames of a renderer whose screen is 24 x 16, and feeds formats, pump and drivers with what
+ * they must refuse. */
+void fuzz_show(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *eye);
 
 #endif
