@@ -299,42 +299,60 @@ screen: ## save what a board's screen shows after the last frame [BOARD= PROGRAM
 	@$(MAKE) $(WALK) $(PREDICTS)
 	@$(TOOL) screen $(DRAW_OPTIONS) --out $(BUILD)/screen/$(BOARD_CHOSEN).png
 
-pictures: ## renew the pictures of the documents (needs make report) [BOARD=]
+# What make pictures makes, a name each: PICTURE.NAME is the steps.
+define PICTURE.plaza
+@$(MAKE) run SCENE=scenes/plaza.toml FRAMES=106 OUT=$(BUILD)/plaza
+@$(FIXEL) pictures --run $(BUILD)/plaza --out docs/plaza.png
+endef
+PICTURE_OF_PROGRAM = @$(FIXEL) first-program --library $(BUILD)/host/libfixel.a $(1) --out docs/$(2).png
+PICTURE.cube = $(call PICTURE_OF_PROGRAM,,cube)
+PICTURE.hud = $(call PICTURE_OF_PROGRAM,--hud,hud)
+PICTURE.world = $(call PICTURE_OF_PROGRAM,--example crowd,world)
+PICTURE.crate = $(call PICTURE_OF_PROGRAM,--example crate,crate)
+PICTURE.neon = $(call PICTURE_OF_PROGRAM,--example neon,neon)
+PICTURE.looks = $(foreach each,$(notdir $(basename $(wildcard docs/looks/*.png))),$(call PICTURE_OF_PROGRAM,--look $(each),looks/$(each))$(newline))
+PICTURE.examples = $(foreach each,$(notdir $(basename $(wildcard docs/examples/*.png))),$(call PICTURE_OF_PROGRAM,--example $(each),examples/$(each))$(newline))
+define PICTURE.oled
+@$(MAKE) screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 PICTURE=docs/oled.png
+endef
+define PICTURE.precision
+@$(FIXEL) report --out $(BUILD)/report --picture docs/precision.png
+endef
+# $(1): its name, $(2): settings of make run, $(3): numbers of frames.
+define PICTURE_OF_RUN
+@$(MAKE) run $(2) OUT=$(BUILD)/$(1)
+@$(FIXEL) pictures --run $(BUILD)/$(1) --frames $(3) --out docs/$(1).png
+endef
+PICTURE.beam = $(call PICTURE_OF_RUN,beam,SCENE=scenes/beam.toml,20$(,)66$(,)92)
+PICTURE.room = $(call PICTURE_OF_RUN,room,SCENE=scenes/room.toml SCREEN=320x240,4$(,)18$(,)31)
+PICTURE.grove = $(call PICTURE_OF_RUN,grove,SCENE=scenes/grove.toml SCREEN=320x240,4$(,)22$(,)44)
+PICTURE.spin = $(call PICTURE_OF_RUN,spin,SCENE=scenes/spin.toml,5$(,)25$(,)70)
+PICTURE.game = $(call PICTURE_OF_RUN,game,PROGRAM=game,60$(,)120$(,)200)
+define PICTURE.wire
+@$(MAKE) wire SCENE=scenes/plaza.toml FRAMES=106 OUT=$(BUILD)/wire
+@$(FIXEL) pictures --run $(BUILD)/wire --frames 30,45,105 --out docs/wire.png
+endef
+define PICTURE.light
+@$(FIXEL) build scenes/plaza.toml -o $(BUILD)/lit.fxls
+@for light in day lamps dusk; do $(BUILD)/host/frames $(BUILD)/lit.fxls $(BUILD)/$$light.fxld --light $$light || exit 1; done
+@$(FIXEL) pictures --dumps $(BUILD)/day.fxld $(BUILD)/lamps.fxld $(BUILD)/dusk.fxld --frames 40,40,20 --out docs/light.png
+endef
+define PICTURE.scenes
+@for scene in landscape gallery car; do $(FIXEL) build scenes/$$scene.toml --screen 320x240 -o $(BUILD)/$$scene.fxls && \
+    $(BUILD)/host/frames $(BUILD)/$$scene.fxls $(BUILD)/$$scene.fxld || exit 1; done
+@$(FIXEL) pictures --dumps $(BUILD)/landscape.fxld $(BUILD)/gallery.fxld $(BUILD)/car.fxld --frames 70,6,63 --out docs/scenes.png
+endef
+define PICTURE.window
+@$(FIXEL) record --board $(BOARD_CHOSEN) --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
+endef
+PICTURES = $(patsubst PICTURE.%,%,$(filter PICTURE.%,$(.VARIABLES)))
+PICTURES_ASKED := $(strip $(if $(filter pictures,$(MAKECMDGOALS)),$(if $(value ONLY),$(foreach name,$(subst $(,), ,$(ONLY)),\
+    $(or $(call ONE_OF,$(name),$(PICTURES)),$(error ONLY: there is no picture "$(name)"; the pictures are: $(sort $(PICTURES))))),$(PICTURES))))
+
+pictures: ## renew the pictures of the documents (needs make report) [BOARD= ONLY=]
 	@$(SET_UP) test
 	@$(MAKE) $(BOARD_WALK.$(BOARD_CHOSEN)) $(BUILD)/host/live $(BUILD)/host/frames $(BUILD)/host/libfixel.a
-	@$(MAKE) run SCENE=scenes/plaza.toml FRAMES=106 OUT=$(BUILD)/plaza
-	@$(FIXEL) pictures --run $(BUILD)/plaza --out docs/plaza.png
-	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --out docs/cube.png
-	@$(FIXEL) first-program --hud --library $(BUILD)/host/libfixel.a --out docs/hud.png
-	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --example crowd --out docs/world.png
-	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --example crate --out docs/crate.png
-	@for each in $(notdir $(basename $(wildcard docs/looks/*.png))); do \
-	    $(FIXEL) first-program --library $(BUILD)/host/libfixel.a --look $$each --out docs/looks/$$each.png || exit 1; done
-	@for each in $(notdir $(basename $(wildcard docs/examples/*.png))); do \
-	    $(FIXEL) first-program --library $(BUILD)/host/libfixel.a --example $$each --out docs/examples/$$each.png || exit 1; done
-	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --example neon --out docs/neon.png
-	@$(MAKE) screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 \
-	    PICTURE=docs/oled.png
-	@$(FIXEL) report --out $(BUILD)/report --picture docs/precision.png
-	@$(MAKE) run SCENE=scenes/beam.toml OUT=$(BUILD)/beam
-	@$(FIXEL) pictures --run $(BUILD)/beam --frames 20,66,92 --out docs/beam.png
-	@$(MAKE) run SCENE=scenes/room.toml SCREEN=320x240 OUT=$(BUILD)/room
-	@$(FIXEL) pictures --run $(BUILD)/room --frames 4,18,31 --out docs/room.png
-	@$(MAKE) run SCENE=scenes/grove.toml SCREEN=320x240 OUT=$(BUILD)/grove
-	@$(FIXEL) pictures --run $(BUILD)/grove --frames 4,22,44 --out docs/grove.png
-	@$(MAKE) run SCENE=scenes/spin.toml OUT=$(BUILD)/spin
-	@$(FIXEL) pictures --run $(BUILD)/spin --frames 5,25,70 --out docs/spin.png
-	@$(MAKE) run PROGRAM=game OUT=$(BUILD)/game
-	@$(FIXEL) pictures --run $(BUILD)/game --frames 60,120,200 --out docs/game.png
-	@$(MAKE) wire SCENE=scenes/plaza.toml FRAMES=106 OUT=$(BUILD)/wire
-	@$(FIXEL) pictures --run $(BUILD)/wire --frames 30,45,105 --out docs/wire.png
-	@$(FIXEL) build scenes/plaza.toml -o $(BUILD)/lit.fxls
-	@for light in day lamps dusk; do $(BUILD)/host/frames $(BUILD)/lit.fxls $(BUILD)/$$light.fxld --light $$light || exit 1; done
-	@$(FIXEL) pictures --dumps $(BUILD)/day.fxld $(BUILD)/lamps.fxld $(BUILD)/dusk.fxld --frames 40,40,20 --out docs/light.png
-	@for scene in landscape gallery car; do $(FIXEL) build scenes/$$scene.toml --screen 320x240 -o $(BUILD)/$$scene.fxls && \
-	    $(BUILD)/host/frames $(BUILD)/$$scene.fxls $(BUILD)/$$scene.fxld || exit 1; done
-	@$(FIXEL) pictures --dumps $(BUILD)/landscape.fxld $(BUILD)/gallery.fxld $(BUILD)/car.fxld --frames 70,6,63 --out docs/scenes.png
-	@$(FIXEL) record --board $(BOARD_CHOSEN) --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
+	$(foreach name,$(PICTURES_ASKED),$(PICTURE.$(name))$(newline))
 
 # lib/lib.mk has the recipe. Each of its objects depends on the file of the flags, and so on set-up.
 lib: ## build the library and its headers for your firmware: for a core, or a chip such as rp2040 [CORE=cortex-m3 SIZE=1 LIB_FLAGS=]
