@@ -10,7 +10,7 @@ import subprocess
 
 from conftest import CHECKOUT, environment
 
-OBJECTS = ("dump", "explain", "judge", "light")
+OBJECTS = ("beneath", "dump", "explain", "judge")
 
 
 def command(tmp_path, *settings):
@@ -52,9 +52,9 @@ def test_a_pipe_has_a_line_each_10_seconds(tmp_path):
     clock.parent.mkdir()
     clock.write_text(f"#!/bin/sh\ncd {shlex.quote(str(tmp_path))}\necho >> asked\necho $(($(wc -l < asked) * 6))\n")
     clock.chmod(0o755)
-    sources = sorted((CHECKOUT / "host_tests" / "judges" / "reference").glob("*.c"))
+    sources = sorted((CHECKOUT / "host_tests" / "judges").glob("*/*.c"))
     done = subprocess.run(["make", "-n", f"BUILD={tmp_path}",
-                           *(f"{tmp_path}/host/objects/judges/reference/{file.stem}.o" for file in sources)],
+                           *(f"{tmp_path}/host/objects/judges/{file.parent.name}/{file.stem}.o" for file in sources)],
                           cwd=CHECKOUT, capture_output=True, text=True, check=True,
                           env=environment(MAKELEVEL="1", PATH=f"{clock.parent}:{os.environ['PATH']}"))
     told = [int(number) for number in re.findall(rf"building: (\d+) of {len(sources)}$", done.stdout, re.MULTILINE)]

@@ -1,25 +1,25 @@
 # SPDX-License-Identifier: MIT
-"""Every clipper draws every scene as double does, whole and in bands (docs/extras/clippers.md)."""
+"""Every clipper draws every scene as double does, whole and in bands (docs/extras/clippers.md); also what an inset takes from
+the border of the picture, and faces in the near or far plane (docs/accuracy.md, section 4)."""
 
 import json
 import math
-import pathlib
 import re
-import struct
 import subprocess
 
+import host_frames
 import pytest
 from clipper_names import clipper_names
 from conftest import CHECKOUT, sampled
+from host_frames import judged, pixels
 
 from fixel.scene import making
-from fixel.image import image
+from fixel.image import image, image_lens
 
 CLIPPERS = (*clipper_names(), "near-box")
 SCENES = ("tiny", "cube", "plaza", "w1", "w3", "adversarial", "beam")
 DISTANCE = 1 / 8192                                 # that explains a pixel (docs/accuracy.md, section 4)
 SPOT = CHECKOUT.parent / "shared" / "models" / "spot.obj"
-HEAD, BEFORE_PIXELS, AFTER_PIXELS = 784, 32, 48     # of a dump, of a frame
 
 
 @pytest.fixture(scope="module", name="folder")
@@ -41,14 +41,8 @@ def fixture_scene(request, folder):
 
 def drawn(build, scene, clipper, out, *options):
     """What the program counted; the pixels of each frame."""
-    done = subprocess.run([build / "host" / "frames", scene, out, "--clipper", clipper, *options],
-                          text=True, capture_output=True, check=False)
-    assert done.returncode == 0, done.stderr
-    dump = pathlib.Path(out).read_bytes()
-    width, height = struct.unpack_from("<HH", dump, 6)
-    size = BEFORE_PIXELS + width * height + AFTER_PIXELS
-    starts = range(HEAD + BEFORE_PIXELS, len(dump) - size + BEFORE_PIXELS, size)
-    return json.loads(done.stdout), [dump[start:start + width * height] for start in starts]
+    counted = host_frames.run(build / "host" / "frames", scene, out, "--clipper", clipper, *options)
+    return json.loads(counted), pixels(out)
 
 
 def bound(scene, clipper):
@@ -65,10 +59,7 @@ def test_double_explains_every_pixel(build, scene, clipper, tmp_path):
     """accuracy 4.2."""
     counted, whole = drawn(build, scene, clipper, tmp_path / "whole.fxld")
     assert counted["drawn"] > 0 and counted["refused"] == 0
-    verdict = tmp_path / "verdict.json"
-    subprocess.run([build / "host" / "judge", scene, tmp_path / "whole.fxld", "--clipper", clipper, "--json",
-                    verdict, "--distance", str(bound(scene, clipper))], check=True, capture_output=True)
-    found = json.loads(verdict.read_text(encoding="utf-8"))
+    found = judged(build, scene, tmp_path / "whole.fxld", "--clipper", clipper, "--distance", bound(scene, clipper))
     assert found["pixels_unexplained"] == 0
     assert found["pixels_differing"] * 100_000 <= found["pixels"]
     _, bands = drawn(build, scene, clipper, tmp_path / "bands.fxld", "--rows", "7", "--list", "700", "--cache", "5")
@@ -87,10 +78,7 @@ def test_what_an_inset_hides_is_not_explained(build, folder, tmp_path, clipper):
         compiled = folder / "inset.fxls"
         making.build(source, compiled)
         drawn(build, compiled, clipper, tmp_path / "inset.fxld")
-        verdict = tmp_path / "inset.json"
-        subprocess.run([build / "host" / "judge", compiled, tmp_path / "inset.fxld", "--clipper", clipper, "--json",
-                        verdict], check=True, capture_output=True)
-        unexplained[inset] = json.loads(verdict.read_text(encoding="utf-8"))["pixels_unexplained"]
+        unexplained[inset] = judged(build, compiled, tmp_path / "inset.fxld", "--clipper", clipper)["pixels_unexplained"]
     assert unexplained["0"] == 0
     assert unexplained["1/2"] > 1000
 
@@ -100,3 +88,119 @@ def test_wrong_usage_is_said(build, tmp_path):
                           text=True, capture_output=True, check=False)
     assert done.returncode == 2
     assert "usage" in done.stderr
+
+
+# --- what an inset takes from the picture is told (docs/accuracy.md, section 4.1) ------------------------
+
+FRAMES = 3
+ROOM = """
+screen = { width = 320, height = 240 }
+view = { fov = 75, near = "1/256", far = 100, INSET }
+background = "#102030"
+[[objects]]
+solid = "box"
+inside = true
+scale = ["1/50", "1/50", "1/50"]
+colours = ["#806040", "#608040", "#406080", "#804060", "#604080", "#408060"]
+[path]
+keys = [{ position = [0, 0, 0], yaw = 0, frames = FRAMES }, { position = [0, 0, 0], yaw = 60, pitch = 10 }]
+"""
+
+
+def border_of(build, folder, inset, clipper="view", near="1/256"):
+    """A room so small that its walls are where near is, drawn with such an inset: (frames' pixels of background,
+    the judge's verdict)."""
+    source = folder / "room.toml"
+    source.write_text(ROOM.replace(", INSET", inset).replace("1/256", near).replace("FRAMES", str(FRAMES)), encoding="utf-8")
+    compiled, options = source.with_suffix(".fxls"), ("--clipper", clipper)
+    making.build(source, compiled)
+    dumped = host_frames.drawn(build, compiled, "room", *options)
+    return [each.count(0) for each in pixels(dumped)], judged(build, compiled, dumped, *options)
+
+
+@pytest.mark.parametrize("clipper", ["view", "world", "once"])
+def test_a_border_of_background_is_told(build, tmp_path, clipper):
+    """accuracy 4.1."""
+    background, verdict = border_of(build, tmp_path, ', inset = "4/65536"', clipper)
+    assert min(background) > 1000
+    for empty, frame in zip(background, verdict["frames"]):
+        assert frame["pixels_unexplained"] > 0.9 * empty
+
+
+@pytest.mark.parametrize("clipper", clipper_names(but=("world", "left")))
+def test_the_default_leaves_no_border(build, tmp_path, clipper):
+    background, verdict = border_of(build, tmp_path, "", clipper)
+    assert background == [0] * FRAMES
+    assert verdict["pixels_unexplained"] == 0
+
+
+@pytest.mark.parametrize("near, inset", [("1/256", 1), ("1/128", 1), ("1/110", 1), ("1/128", 2), ("1/256", 0)])
+def test_a_run_says_beforehand_that_the_inset_hides_pixels(build, tmp_path, near, inset):
+    """Where a half pixel of border is hidden at the near plane, where the room's walls are, there are unexplained ones."""
+    told = border_of(build, tmp_path, f', inset = "{inset}/65536"', near=near)[1]["pixels_unexplained"]
+    scene = image.load(tmp_path / "room.fxls")
+    note = image_lens.note_of_inset(scene)
+    assert (note is not None) == (told > 0) == (image_lens.hidden_border(scene) > 0.5)
+    assert note is None or f"{image_lens.hidden_border(scene):.2f} pixel" in note and "view.inset" in note
+
+
+# --- faces in the near or the far plane, to within the rounding of the camera's matrix (section 4.3) ----------
+
+UNIT = 65536
+NEAR, FAR, INSET = UNIT, 50 * UNIT, 4               # units of 1/65536
+HALF_WALL = UNIT // 2
+TURNS = (1, 2, 3, 7, 20, 100, 1000, 10000)          # units of 2^-32 turn
+WALL = """
+screen = {{ width = 160, height = 120 }}
+view = {{ fov = 90, near = "{near}/65536", far = "{far}/65536", inset = "{inset}/65536" }}
+[[objects]]
+solid = "box"
+scale = [300, 300, 1]
+position = [0, 0, "{middle}/65536"]
+[path]
+interpolation = "linear"
+keys = [
+{keys}
+]
+"""
+
+
+def wall(folder, plane, inward=0):
+    """A wall that fills the screen, its front in the near or the far plane or so many units within, seen by a
+    camera that is turned a little from square."""
+    front = NEAR + INSET + inward if plane == "near" else FAR - INSET - inward
+    keys = "\n".join(f'{{ position = [0, 0, 0], yaw = "{yaw}/4294967296 turn", pitch = "{3 * yaw}/4294967296 turn", '
+                     f'roll = "{5 * yaw}/4294967296 turn" }},' for yaw in TURNS)
+    source = folder / f"{plane}{inward}.toml"
+    source.write_text(WALL.format(near=NEAR, far=FAR, inset=INSET, middle=front + HALF_WALL, keys=keys),
+                      encoding="utf-8")
+    compiled = source.with_suffix(".fxls")
+    making.build(source, compiled)
+    return compiled
+
+
+def walls(build, scene, clipper):
+    """The dump of a wall's frames."""
+    return host_frames.drawn(build, scene, f"{scene.stem}.{clipper}", "--clipper", clipper)
+
+
+@pytest.mark.parametrize("clipper", clipper_names(but=("triangles", "left")))
+@pytest.mark.parametrize("plane", ["near", "far"])
+def test_what_the_rounding_of_depths_decides_is_explained(build, tmp_path, plane, clipper):
+    """accuracy 4.3."""
+    scene = wall(tmp_path, plane)
+    found = judged(build, scene, walls(build, scene, clipper), "--clipper", clipper)
+    assert found["pixels_near_far"] > 500
+    assert found["pixels_unexplained"] == 0
+
+
+@pytest.mark.parametrize("plane", ["near", "far"])
+def test_a_wall_on_the_wrong_side_by_one_unit_is_not_explained(build, tmp_path, plane):
+    """One unit of 1/65536 is more than 20 times the bound for this wall. Frames turned further tilt it by more than the unit. accuracy 4.3."""
+    inside, outside = wall(tmp_path, plane, 1), wall(tmp_path, plane, -1)
+    for board, truth in ((inside, outside), (outside, inside)):
+        dumped = walls(build, board, "view")
+        assert judged(build, board, dumped)["pixels_unexplained"] == 0
+        frames = judged(build, truth, dumped)["frames"]
+        for frame in frames[:TURNS.index(20) + 1]:
+            assert (frame["pixels_unexplained"], frame["pixels_near_far"]) == (160 * 120, 0)

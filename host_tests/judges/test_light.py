@@ -1,43 +1,24 @@
 # SPDX-License-Identifier: MIT
 """Frames in light and fog, against the reference renderer in double (docs/extras/light.md)."""
 
-import json
-import subprocess
-
+import host_frames
 import pytest
-from conftest import run_cli
-
-from fixel.board import dump
+from host_frames import pixels
 
 LIGHTS = ("day", "lamps", "dusk")
 EXPLAINED = 1 / 8192  # pixels from an edge: that of make run
 
 
 def built(scene, folder, *options):
-    image = folder / f"{scene}.fxls"
-    made = run_cli("build", f"scenes/{scene}.toml", "-o", image, *options)
-    assert made.returncode == 0, made.stderr
-    return image
+    return host_frames.compiled(f"scenes/{scene}.toml", folder / f"{scene}.fxls", *options)
 
 
 def drawn(build, image, name, *options, frames=30):
-    out = image.with_name(f"{name}.fxld")
-    done = subprocess.run([build / "host" / "frames", image, out, "--frames", str(frames), *options], text=True,
-                          capture_output=True, check=False)
-    assert done.returncode == 0, done.stderr
-    return out
+    return host_frames.drawn(build, image, name, "--frames", frames, *options)
 
 
 def judged(build, image, dumped, *options):
-    out = dumped.with_suffix(".json")
-    done = subprocess.run([build / "host" / "judge", image, dumped, "--json", out, "--distance", str(EXPLAINED), *options],
-                          text=True, capture_output=True, check=False)
-    assert done.returncode == 0, done.stderr
-    return json.loads(out.read_text())
-
-
-def pixels(dumped):
-    return [bytes(frame.pixels) for frame in dump.read_dump(dumped).frames]
+    return host_frames.judged(build, image, dumped, "--distance", EXPLAINED, *options)
 
 
 @pytest.mark.parametrize("scene, tree", [("plaza", []), ("beam", []), ("w3", []), ("knot", ["--tree", "all"])])

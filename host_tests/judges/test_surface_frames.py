@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Frames of scenes with surfaces, against the reference renderer in double (docs/extras/surfaces.md)."""
 
-import json
 import math
 import random
-import subprocess
 
+import host_frames
 import pytest
 from clipper_names import clipper_names
-from conftest import CHECKOUT, run_cli, sampled
+from conftest import CHECKOUT, sampled
+from host_frames import judged, pixels
 from model_files import png
 from scene_head import head
 
@@ -31,10 +31,7 @@ keys = [{ position = [0, 0, 0], yaw = 20, frames = 3 }, { position = [1, 0.5, 0]
 
 
 def built(scene, folder, name="scene"):
-    image = folder / f"{name}.fxls"
-    made = run_cli("build", scene, "-o", image)
-    assert made.returncode == 0, made.stderr
-    return image
+    return host_frames.compiled(scene, folder / f"{name}.fxls")
 
 
 def floor(folder, name, text):
@@ -44,23 +41,7 @@ def floor(folder, name, text):
 
 
 def drawn(build, image, name, *options):
-    out = image.with_name(f"{name}.fxld")
-    done = subprocess.run([build / "host" / "frames", image, out, "--frames", FRAMES, *options], text=True,
-                          capture_output=True, check=False)
-    assert done.returncode == 0, done.stderr
-    return out
-
-
-def judged(build, image, dumped, *options):
-    out = dumped.with_suffix(".json")
-    done = subprocess.run([build / "host" / "judge", image, dumped, "--json", out, *options], text=True,
-                          capture_output=True, check=False)
-    assert done.returncode == 0, done.stderr
-    return json.loads(out.read_text())
-
-
-def pixels(dumped):
-    return [bytes(frame.pixels) for frame in dump.read_dump(dumped).frames]
+    return host_frames.drawn(build, image, name, "--frames", FRAMES, *options)
 
 
 @pytest.mark.parametrize("scene", SCENES)

@@ -2,11 +2,11 @@
 """Surfaces of faces that a tree cuts when the scene is built: each part shows the texels and the light of the whole face."""
 
 import json
-import subprocess
 
 import numpy
 import pytest
 from conftest import CHECKOUT, run_cli
+from host_frames import drawn, judged
 from scene_head import head
 
 from fixel.board import dump
@@ -86,11 +86,6 @@ keys = [{ position = [0, 0, 0], pitch = -50, frames = 5 }, { position = [0.5, 0.
 """
 
 
-def run(*words):
-    done = subprocess.run(list(map(str, words)), capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-
-
 def compiled(folder, text, layers):
     """(the scene, its image)."""
     file = folder / "scene.toml"
@@ -99,12 +94,6 @@ def compiled(folder, text, layers):
     made = folder / f"{layers}.fxls"
     made.write_bytes(image.pack(scene))
     return scene, made
-
-
-def drawn(build, made, *options):
-    out = made.with_suffix(".fxld")
-    run(build / "host" / "frames", made, out, *options)
-    return out
 
 
 def pictures(dumped):
@@ -123,13 +112,12 @@ def test_parts_are_those_of_the_reference(build, tmp_path, pixels, last):
     scene, made = compiled(tmp_path, SCREEN % pixels + CROSSING % last, "all")
     faces, records = tree_faces(scene)
     assert len(faces) > len(records) + 10 and scene.surfaces.normals
-    out = drawn(build, made)
-    run(build / "host" / "judge", made, out, "--json", tmp_path / "judge.json")
-    verdict = json.loads((tmp_path / "judge.json").read_text())
+    out = drawn(build, made, made.stem)
+    verdict = judged(build, made, out)
     assert verdict["pixels_unexplained"] == 0 < verdict["texel_pixels"]
     whole = pictures(out)
     for options in (("--rows", "7"), ("--rows", "7", "--list", "60"), ("--rows", "7", "--cores", "2")):
-        assert all(map(numpy.array_equal, whole, pictures(drawn(build, made, *options)))), options
+        assert all(map(numpy.array_equal, whole, pictures(drawn(build, made, made.stem, *options)))), options
 
 
 @pytest.mark.parametrize("pixels", TARGETS)
@@ -180,7 +168,7 @@ def test_a_cut_moves_no_texel(build, tmp_path, pixels, division, more, yaw):
     faces, records = tree_faces(scene)
     assert len(records) == 1 and len(faces) >= 4
     _, whole = compiled(tmp_path, text, "none")
-    one, other = (pictures(drawn(build, made)) for made in (cut, whole))
+    one, other = (pictures(drawn(build, made, made.stem)) for made in (cut, whole))
     assert len(one) == 6 and all(map(numpy.array_equal, one, other))
     assert all(len(numpy.unique(picture)) >= 3 for picture in one)
 
@@ -196,12 +184,11 @@ def test_the_parts_of_a_face_without_a_surface_have_its_colour(build, tmp_path, 
     assert [face.whole for face in image.load(cut).models[-1].faces] == \
         [face.whole for face in scene.models[scene.objects[scene.tree.object].model].faces]
     _, whole = compiled(tmp_path, text, "none")
-    one, other = (pictures(drawn(build, made)) for made in (cut, whole))
+    one, other = (pictures(drawn(build, made, made.stem)) for made in (cut, whole))
     assert len(one) == 6 and all(map(numpy.array_equal, one, other))
     assert all(len(numpy.unique(picture)) == 1 for picture in one)
-    run(build / "host" / "judge", cut, drawn(build, cut), "--json", tmp_path / "judge.json")
-    assert json.loads((tmp_path / "judge.json").read_text())["pixels_unexplained"] == 0
+    assert judged(build, cut, drawn(build, cut, "cut"))["pixels_unexplained"] == 0
     for face in parts:
         face.whole = ()
     cut.write_bytes(image.pack(scene))
-    assert any(len(numpy.unique(picture)) > 1 for picture in pictures(drawn(build, cut)))
+    assert any(len(numpy.unique(picture)) > 1 for picture in pictures(drawn(build, cut, "cut")))

@@ -7,8 +7,7 @@
 #include "draw/stages.h"
 #include "fixel/all.h"
 #include "reference/camera.h"
-#include "reference/clip_view.h"
-#include "reference/lens.h"
+#include "reference/clip.h"
 #include "reference/record.h"
 
 _Static_assert((int)FXL_PLANE_NEAR == (int)REF_PLANE_NEAR &&

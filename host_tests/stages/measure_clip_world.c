@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
 
-#include "reference/clip_world.h"
-#include "reference/plane.h"
+#include "reference/clip.h"
+#include "reference/frustum.h"
 #include "stages/bridge.h"
 #include "stages/measure.h"
 #include "study/clip_world.h"

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reference/span_buffer.h"
+#include "reference/scan.h"
 #include "stages/bridge.h"
 #include "stages/measure.h"
 #include "study/span_buffer.h"

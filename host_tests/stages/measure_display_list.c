@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <stdlib.h>
 
-#include "reference/display_list.h"
+#include "reference/order.h"
 #include "reference/scan.h"
 #include "stages/bridge.h"
 #include "stages/measure.h"

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "reference/transform.h"
+#include "reference/camera.h"
 #include "reference/placement.h"
 #include "stages/bridge.h"
 #include "stages/measure.h"

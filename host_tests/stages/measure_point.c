@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
 
-#include "reference/project.h"
-#include "reference/transform.h"
+#include "reference/camera.h"
 #include "stages/bridge.h"
 #include "stages/measure.h"
 

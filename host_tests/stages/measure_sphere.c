@@ -2,9 +2,8 @@
 #include <math.h>
 
 #include "game/exact.h"
-#include "reference/box.h"
-#include "reference/sphere.h"
-#include "reference/transform.h"
+#include "reference/cull.h"
+#include "reference/camera.h"
 #include "stages/bridge.h"
 #include "stages/measure.h"
 

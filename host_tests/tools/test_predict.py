@@ -223,7 +223,7 @@ def test_the_records_of_a_board():
                "LIT_PIECES": "fxl_lit_pieces", "LIT_PIECE": "fxl_lit_piece", "SURFACE_SET": "fxl_surface_set",
                "TEXTURE": "fxl_texture", "BILLBOARD_SET": "fxl_billboard_set", "BILLBOARD": "fxl_billboard", "SPRITE": "fxl_sprite",
                "BSP_WORKSPACE": "fxl_bsp_workspace", "BSP_ITEM": "fxl_bsp_item"}
-    header = ROOT / "host_tests/judges/predict/records.h"
+    header = ROOT / "host_tests/judges/predict/shares.h"
     assert re.findall(r"ARM_(\w+) =", header.read_text(encoding="utf-8")) == list(records)
     compile_for_a_board("".join(
         [*(f'#include "{ROOT / file}"\n' for file in ("lib/draw/beam_light.c", "lib/order/bsp_pieces.h")),

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Frame dumps (docs/formats.md, section 2): reads a whole dump, and writes that of the reference
- * renderer. */
+/* Frame dumps, and whether their poses are those of the scene's path. */
 #ifndef JUDGE_DUMP_H
 #define JUDGE_DUMP_H
 
 #include "reference/render.h"
 #include "reference/scene.h"
+
+/* Frame dumps (docs/formats.md, section 2): reads a whole dump, and writes that of the reference
+ * renderer. */
 
 /* place pixel-format: frames as files, and their twins */
 typedef struct {
@@ -40,5 +42,21 @@ bool judge_dump_save(judge_dump *dump, const char *path);
 
 /* Writes a file that appears under its name only when it is complete. */
 bool judge_save_file(const char *path, const void *bytes, size_t size);
+
+/* Compares the poses of a dump with the path of its scene. */
+
+typedef struct {
+    uint32_t frames;
+    double max_error; /* of a coordinate, in units of 1/65536 */
+    double max_bound; /* the bound of docs/accuracy.md at the last frame, same unit */
+    uint32_t frames_beyond_bound;
+} judge_walk;
+
+/* Compares the poses. Poses of a path must be equal, bit for bit. Segments are replayed in
+ * double from the start pose; then angles must be equal, and the error of positions is measured.
+ * Returns null, or one clause that says how the dump differs from the path; *frame is then the
+ * frame. */
+const char *judge_walk_compare(const ref_scene_image *image, const judge_dump *dump,
+                               judge_walk *walk, uint32_t *frame);
 
 #endif

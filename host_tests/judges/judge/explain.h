@@ -1,10 +1,22 @@
 /* SPDX-License-Identifier: MIT */
-/* Explains why a pixel may differ from that of the reference renderer (docs/accuracy.md, section
- * 4). */
+/* Whether a pixel that differs from the reference's is explained: by outlines, by bounds, by what a
+ * frame may show. */
 #ifndef JUDGE_EXPLAIN_H
 #define JUDGE_EXPLAIN_H
 
 #include "reference/render.h"
+
+/* Frames with outlines. */
+
+/* How far from a polygon's box, in pixels, its outline may be. */
+#define JUDGE_OUTLINE_REACH 2.0
+
+/* Whether a line along an edge of a polygon may cover a pixel, if it is moved by at most a pixel:
+ * as far as outlines move a vertex, and as far as rounding does. */
+bool judge_is_on_outline(const ref_screen_polygon *polygon, int x, int y);
+
+/* Explains why a pixel may differ from that of the reference renderer (docs/accuracy.md, section
+ * 4). */
 
 /* The bounds of a polygon's outline, in pixels. */
 typedef struct {
@@ -63,5 +75,27 @@ double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_b
  * may be in or out. Looks at polygons within a pixel of the centre alone. */
 double judge_explain_by_depth(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
                               size_t count, const judge_question *question, double resolution);
+
+/* Judges one pixel of a frame against the reference renderer's frame. */
+
+/* The distance in pixels within which an edge explains a difference, unless the caller asks for
+ * another one (docs/accuracy.md, section 4). */
+#define JUDGE_DISTANCE (1.0 / 8192)
+
+/* Why a pixel may have its colour. */
+typedef struct {
+    double distance; /* in pixels, as judge_explain returns it */
+    bool near_far;   /* it needs near and far moved by the bound on depths */
+    bool texels;     /* it needs another texel within the bound */
+} judge_reason;
+
+/* Returns the bounds of a frame's polygons, for the caller to free; null where memory is short. */
+judge_box *judge_boxes_of(const ref_display_list *list);
+
+/* Explains a colour at pixel (x, y) of the renderer's frame, which was begun with keeps_doubt. The
+ * reason is within the bound if its distance is at most `limit`. line: the palette index of the
+ * outlines that were drawn; below 0: none. */
+judge_reason judge_pixel(const ref_renderer *renderer, const judge_box *boxes, uint8_t background,
+                         int line, int x, int y, uint16_t colour, double limit);
 
 #endif

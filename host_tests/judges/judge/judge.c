@@ -16,10 +16,12 @@
 #include <string.h>
 
 #include "frames/read_file.h"
-#include "judge/light.h"
-#include "judge/pixel.h"
+#include "judge/explain.h"
 #include "judge/verdict.h"
-#include "judge/walk.h"
+#include "lights/named.h"
+/* place pixel-format: which colours a pixel may have */
+#include "reference/light.h"
+#include "judge/dump.h"
 
 typedef struct {
     const char *scene, *dump, *json, *twin, *names, *shown;
@@ -210,6 +212,40 @@ static bool parse_options(int count, char **arguments, options *wanted)
     return wanted->scene && wanted->dump && wanted->json;
 }
 
+static double q16(int32_t value)
+{
+    return value / 65536.0;
+}
+
+static double q30(int32_t value)
+{
+    return value / 1073741824.0;
+}
+
+/* place light: a new setting: who judges by settings by name */
+/* Has the image's scene be lit; *light is where the light is kept. */
+static void light_scene(ref_scene_image *image, const named_light *named, ref_light *light)
+{
+    *light = (ref_light){
+        .ambient = q30(named->ambient),
+        .strength = q30(named->strength),
+        .direction = {q30(named->direction[0]), q30(named->direction[1]), q30(named->direction[2])},
+        .point_count = named->point_count,
+        .fog_near = q16(named->fog_near),
+        .fog_far = q16(named->fog_far),
+        .levels = named->levels};
+    for (int i = 0; i < named->point_count; i++) {
+        const int32_t *at = named->points[i].position;
+        light->points[i] = (ref_point_light){{q16(at[0]), q16(at[1]), q16(at[2])},
+                                             q16(named->points[i].range),
+                                             q30(named->points[i].strength)};
+    }
+    ref_light_make_ramp(light, image->palette, named->dark);
+    const int dark[REF_CHANNELS] = {named->dark[0] / 8, named->dark[1] / 4, named->dark[2] / 8};
+    image->dark = ref_colour_of(dark);
+    image->scene.light = light;
+}
+
 /* Returns 0, or 2 after it said why. */
 static int open_inputs(const options *wanted, session *run)
 {
@@ -252,7 +288,7 @@ static int judge(options *wanted, session *run)
         wanted->depth_bits = run->image.depth_bits;
     }
     if (wanted->light) {
-        judge_light(&run->image, wanted->light, &run->light);
+        light_scene(&run->image, wanted->light, &run->light);
     }
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
     if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, run->dump.pixel_bits, &run->twin)) ||

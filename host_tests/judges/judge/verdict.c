@@ -9,9 +9,9 @@
 #include <unistd.h>
 
 #include "frames/moving_reference.h"
-#include "judge/pixel.h"
+#include "judge/explain.h"
 #include "oracle/tie.h"
-#include "reference/fill.h"
+#include "reference/scan.h"
 #include "reference/placement.h"
 
 enum {

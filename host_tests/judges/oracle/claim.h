@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* A claim: how its samples are made and how one is judged. A sample is a list of integers, so
- * any sample can be printed and run again. */
+/* Claims, and the tally of their samples. */
 #ifndef ORACLE_CLAIM_H
 #define ORACLE_CLAIM_H
 
 #include <stdio.h>
 
 #include "oracle/random.h"
+
+/* A claim: how its samples are made and how one is judged. A sample is a list of integers, so
+ * any sample can be printed and run again. */
 
 enum {
     ORACLE_NUMBERS_MAX = 98,
@@ -57,5 +59,38 @@ static inline void oracle_put(oracle_input *input, int64_t number)
 {
     input->numbers[input->count++] = number;
 }
+
+/* The largest, the mean, the root mean square and a histogram of a claim's samples. The bounds
+ * of the histogram are fixed, so shards can be added up. */
+
+enum {
+    ORACLE_BINS = 64
+};
+
+typedef struct {
+    uint64_t samples, skipped;
+    double max, sum, squares;
+    oracle_input worst; /* the first sample that reached the largest */
+    uint64_t bins[ORACLE_BINS];
+    uint64_t extras[ORACLE_EXTRAS_MAX];
+    struct {
+        uint64_t samples;
+        double max;
+        oracle_input worst;
+    } kinds[ORACLE_KINDS_MAX];
+} oracle_tally;
+
+void oracle_tally_count(oracle_tally *tally, const oracle_input *input,
+                        const oracle_verdict *verdict);
+
+/* Prints the tally as one JSON object on stdout. */
+void oracle_tally_print(const oracle_tally *tally, const oracle_claim *claim);
+
+/* Coverage of every triangle whose vertices are quarter pixels of a screen of 4 x 4 pixels, in
+ * both windings, with repeated vertices. The first vertex of a closed outline has no effect, so
+ * it is not varied. Shards divide the first vertices among them. */
+/* place fill-rule: what the two claims count */
+
+void oracle_grid(uint64_t shard, uint64_t shards, oracle_tally *tally);
 
 #endif

@@ -3,8 +3,55 @@
 
 #include <stdio.h>
 #include <stdlib.h>
-
 #include <gmp.h>
+#include <string.h>
+
+#include "study/normalised.h"
+#include "frames/methods.h"
+#include "unit/polygon_face.h"
+#include "study/clippers.h"
+
+static void set_screen(const fxl_lens *lens, oracle_space *space)
+{
+    space->centre_x = (int64_t)lens->width << 15;
+    space->centre_y = (int64_t)lens->height << 15;
+}
+
+oracle_space oracle_space_of_view(const fxl_view *view)
+{
+    const fxl_view_frustum *f = &view->view_frustum;
+    oracle_space space = {.camera = view->camera,
+                          .planes = {[FXL_PLANE_NEAR] = {0, 0, 1, -f->near_z, 0},
+                                     [FXL_PLANE_FAR] = {0, 0, -1, f->far_z, 0},
+                                     [FXL_PLANE_LEFT] = {f->x_side, 0, f->x_depth, -f->inset, 30},
+                                     [FXL_PLANE_RIGHT] = {-f->x_side, 0, f->x_depth, -f->inset, 30},
+                                     [FXL_PLANE_BOTTOM] = {0, f->y_side, f->y_depth, -f->inset, 30},
+                                     [FXL_PLANE_TOP] = {0, -f->y_side, f->y_depth, -f->inset, 30}},
+                          .x_scale = view->lens.focal,
+                          .y_scale = view->lens.focal};
+    set_screen(&view->lens, &space);
+    return space;
+}
+
+oracle_space oracle_space_of_normalised(const fxl_view *view)
+{
+    fxl_normalised f;
+    fxl_normalised_from_camera(&view->camera, &view->lens, &f);
+    oracle_space space = {.camera = {f.eye, {f.x.direction, f.y.direction, f.z.direction}},
+                          .x_shift = f.x.shift,
+                          .y_shift = f.y.shift,
+                          .z_shift = f.z.shift,
+                          .planes = {[FXL_PLANE_NEAR] = {0, 0, 1, -f.near_z, 0},
+                                     [FXL_PLANE_FAR] = {0, 0, -1, f.far_z, 0},
+                                     [FXL_PLANE_LEFT] = {1, 0, 1, -f.x_inset, 0},
+                                     [FXL_PLANE_RIGHT] = {-1, 0, 1, -f.x_inset, 0},
+                                     [FXL_PLANE_BOTTOM] = {0, 1, 1, -f.y_inset, 0},
+                                     [FXL_PLANE_TOP] = {0, -1, 1, -f.y_inset, 0}},
+                          .x_scale = (int64_t)view->lens.width << 15,
+                          .y_scale = (int64_t)view->lens.height << 15};
+    set_screen(&view->lens, &space);
+    return space;
+}
 
 /* The point (x, y, z) / w of the view in units of 2^-46, w > 0. */
 typedef struct {
@@ -215,4 +262,75 @@ void oracle_clip(const oracle_space *space, const fxl_polygon *polygon, oracle_o
                               project(space->y_scale, vertex->point->y, vertex->point->z);
         outline->origins[i] = vertex->origin;
     }
+}
+
+static const fxl_clipper *chosen = &fxl_clipper_view;
+static int own_integers;
+
+int oracle_clipper_choose(const char *name)
+{
+    const named_clipper *found = find_clipper(name);
+    chosen = found ? found->clipper : chosen;
+    return found != NULL;
+}
+
+void oracle_clipper_own_integers(void)
+{
+    own_integers = 1;
+}
+
+static int is_normalised(void)
+{
+    return chosen == &fxl_clipper_normalised || chosen == &fxl_clipper_once;
+}
+
+oracle_space oracle_clipper_space(const fxl_view *view)
+{
+    return own_integers && is_normalised() ? oracle_space_of_normalised(view)
+                                           : oracle_space_of_view(view);
+}
+
+double oracle_clipper_bound(const fxl_lens *lens)
+{
+    if (chosen == &fxl_clipper_world) { /* two units of the world at the near plane */
+        return 1.25 + 2.0 * lens->focal / lens->near_z;
+    }
+    if (own_integers && is_normalised()) {
+        return 1.25;
+    }
+    return chosen == &fxl_clipper_normalised || oracle_clipper_wants_triangles() ? 2 : 1.25;
+}
+
+int oracle_clipper_wants_triangles(void)
+{
+    return chosen == &fxl_clipper_once || chosen == &fxl_clipper_triangles;
+}
+
+fxl_clip_result oracle_clipper_take(fxl_view *view, const fxl_polygon *polygon,
+                                    fxl_screen_polygon *screens, int room_for, int *count)
+{
+    static fxl_clipper_work work;
+    static fxl_clipper_workspace room;
+    static polygon_face face;
+    memset(&room, 0, sizeof room);
+    view->frame += 1;
+    if (chosen->begin != NULL) {
+        chosen->begin(view);
+    }
+    polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
+    face.model_view.clipper_workspace = &room;
+    fxl_clip_result result = chosen->clip(&face.model_view, &face.face, &work, &screens[0]);
+    fxl_clip_result now = result;
+    *count = 0;
+    while (now == FXL_CLIP_INSIDE || now == FXL_CLIP_CUT || now == FXL_CLIP_BETWEEN) {
+        *count += 1;
+        if (chosen->next == NULL) {
+            break;
+        }
+        if (*count == room_for) {
+            abort(); /* the caller's array is too small */
+        }
+        now = chosen->next(&face.model_view, &work, &screens[*count]);
+    }
+    return result;
 }

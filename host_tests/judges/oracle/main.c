@@ -13,9 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "oracle/clipper.h"
-#include "oracle/grid.h"
-#include "oracle/tally.h"
+#include "oracle/clip.h"
+#include "oracle/claim.h"
 
 /* place claim: the list of claims */
 static const oracle_claim *const claims[] = {

@@ -11,13 +11,11 @@
 #include <stdlib.h>
 
 #include "oracle/clip.h"
-#include "oracle/clipper.h"
-#include "oracle/hausdorff.h"
+#include "oracle/cover.h"
 #include "oracle/polygons.h"
-#include "reference/clip_world.h"
+#include "reference/clip.h"
 #include "reference/frustum.h"
-#include "reference/project.h"
-#include "reference/transform.h"
+#include "reference/camera.h"
 #include "stages/bridge.h"
 
 enum {

@@ -10,8 +10,7 @@
 #include <string.h>
 
 #include "oracle/clip.h"
-#include "oracle/clipper.h"
-#include "oracle/hausdorff.h"
+#include "oracle/cover.h"
 #include "oracle/polygons.h"
 
 enum {

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* What the library did in a frame: calls of its functions, and how much each was given. */
+/* What is counted, and the functions that count. */
 #ifndef PREDICT_COUNTS_H
 #define PREDICT_COUNTS_H
 
 #include "fixel/order.h"
 #include "paint/depth_code.h"
 #include "fixel/types.h"
+
+/* What the library did in a frame: calls of its functions, and how much each was given. */
 
 #define PREDICT_COUNTS(X) \
     X(frames) \
@@ -188,5 +190,21 @@ extern const fxl_order counting_tree;
  * it covers; and its rows. */
 double area_between(const fxl_screen_point *points, uint32_t count, double top, double bottom);
 double rows_between(const fxl_screen_point *points, uint32_t count, double top, double bottom);
+
+/* Functions that count calls of the library's functions. The linker's --wrap puts them in their
+ * place for callers in other files, so nothing in the library knows of it. */
+
+/* The declarations of a function that is wrapped, under both names. */
+#define WRAPPED(result, name, parameters) \
+    result __real_##name parameters; \
+    result __wrap_##name parameters; \
+    _Static_assert(__builtin_types_compatible_p(__typeof__(name), __typeof__(__real_##name)), \
+                   #name " is declared otherwise"); \
+    result __wrap_##name parameters
+
+/* A record of the library in whose place another is, for callers of a function in its own file. */
+#define WRAPPED_RECORD(type, name) \
+    extern const type __wrap_##name; \
+    const type __wrap_##name
 
 #endif

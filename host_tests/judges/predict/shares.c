@@ -4,7 +4,6 @@
 #include "paint/lit_pieces.h"
 #include "fixel/render.h"
 #include "order/bsp_pieces.h"
-#include "predict/records.h"
 
 static uint32_t aligned(uint32_t bytes)
 {

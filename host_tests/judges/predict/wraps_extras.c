@@ -10,7 +10,7 @@
 #include "paint/depth_cells.h"
 #include "paint/depth_row.h"
 #include "paint/lit_pieces.h"
-#include "predict/wrapped.h"
+#include "predict/counts.h"
 #include "raster/scan.h"
 #include "scene/scene_check.h"
 #include "view/model_view.h"

@@ -12,7 +12,7 @@
 #include "paint/plain_rows.h"
 #include "paint/rgb565_colour.h"
 #include "paint/texture_level.h"
-#include "predict/wrapped.h"
+#include "predict/counts.h"
 
 /* A lamp that lights a face takes a root and a division; one behind it, or out of range, none. */
 static void count_lamp(const fxl_point_light *lamp, const fxl_lit_place *place)

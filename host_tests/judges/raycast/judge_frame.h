@@ -3,7 +3,7 @@
 #ifndef RAYCAST_JUDGE_FRAME_H
 #define RAYCAST_JUDGE_FRAME_H
 
-#include "dump_file.h"
+#include "file.h"
 #include "scene_file.h"
 
 #define EXAMPLES 4

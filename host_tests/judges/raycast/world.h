@@ -1,13 +1,31 @@
 /* SPDX-License-Identifier: MIT */
-/* The polygons of the world, and the test which of them a ray meets first. */
+/* A world of faces, what a ray meets of it first, and the light on that. */
 #ifndef RAYCAST_WORLD_H
 #define RAYCAST_WORLD_H
 
-#include <stdbool.h>
 #include <stdint.h>
+#include <stdbool.h>
 
-#include "light.h"
 #include "vector.h"
+
+/* Light at run time (docs/extras/light.md): the colour of a face that a ray meets. */
+
+/* Of an image; ramp is null where it has no light. */
+typedef struct {
+    const uint8_t *base, *points, *ramp;
+    uint32_t point_count, levels;
+} light_tables;
+
+/* A face: its normal, and the middle of its bounding box along the axes of the model. */
+typedef struct {
+    vector normal, middle;
+    uint8_t material;
+} light_face;
+
+/* The colour of a face for an eye that looks along forward. */
+uint8_t light_colour(const light_tables *light, const light_face *face, vector eye, vector forward);
+
+/* The polygons of the world, and the test which of them a ray meets first. */
 
 typedef struct {
     uint32_t first, count; /* corners */

@@ -4,10 +4,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "reference/project.h"
+#include "reference/camera.h"
 /* place field: the reference's reader: sizes of entries, and offsets as numbers */
 #include "reference/sections.h"
-#include "reference/transform.h"
 #include "reference/placement.h"
 
 enum {

@@ -4,7 +4,7 @@
 #ifndef REF_BILLBOARD_H
 #define REF_BILLBOARD_H
 
-#include "reference/display_list.h"
+#include "reference/order.h"
 
 typedef struct {
     ref_texture texture; /* of one level */

@@ -1,7 +1,42 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference/camera.h"
 
-#include "reference/angle.h"
+#include <math.h>
+
+static const double two_pi = 6.283185307179586476925286766559;
+
+double ref_radians(ref_angle angle)
+{
+    return (double)angle / 4294967296.0 * two_pi;
+}
+
+/* The angle is reduced, in integers, to at most an eighth of a turn from a multiple of a quarter
+ * turn, because libm's sine of a rounded pi is not 0, and a camera that looks along an axis must
+ * do so exactly. */
+double ref_sin(ref_angle angle)
+{
+    uint32_t quarters = (angle + 0x20000000u) >> 30;
+    int64_t rest = (int64_t)angle - ((int64_t)quarters << 30);
+    if (rest > INT64_C(0x20000000)) { /* the last eighth belongs to the next turn */
+        rest -= INT64_C(0x100000000);
+    }
+    double radians = (double)rest / 4294967296.0 * two_pi;
+    switch (quarters) {
+    case 0:
+        return sin(radians);
+    case 1:
+        return cos(radians);
+    case 2:
+        return -sin(radians);
+    default:
+        return -cos(radians);
+    }
+}
+
+double ref_cos(ref_angle angle)
+{
+    return ref_sin(angle + 0x40000000u);
+}
 
 /* The axes of the view start as the axes of the world. Each turn rotates the view about one of
  * its own axes: it replaces the two other axes by combinations of themselves. This follows the
@@ -43,4 +78,65 @@ ref_point ref_forward(ref_angle yaw, ref_angle pitch)
 {
     ref_pose pose = {.yaw = yaw, .pitch = pitch};
     return ref_camera_from_pose(&pose).forward;
+}
+
+/* accuracy 4.1 */
+ref_lens ref_lens_from_fov(int width, int height, ref_angle fov, double near_z, double far_z,
+                           double inset)
+{
+    double focal = width / 2.0 / tan(ref_radians(fov) / 2);
+    return (ref_lens){.width = width,
+                      .height = height,
+                      .focal = floor(focal * REF_ONE + 0.5) / REF_ONE,
+                      .near_z = near_z,
+                      .far_z = far_z,
+                      .inset = inset,
+                      .centre_x = width / 2.0,
+                      .centre_y = height / 2.0};
+}
+
+static long double along(const ref_point *axis, const ref_point *from_eye)
+{
+    return (long double)axis->x * from_eye->x + (long double)axis->y * from_eye->y +
+           (long double)axis->z * from_eye->z;
+}
+
+ref_view_point ref_transform_point(const ref_camera *camera, const ref_point *point)
+{
+    ref_point from_eye = {point->x - camera->position.x, point->y - camera->position.y,
+                          point->z - camera->position.z};
+    return (ref_view_point){along(&camera->right, &from_eye), along(&camera->up, &from_eye),
+                            along(&camera->forward, &from_eye)};
+}
+
+void ref_transform_polygon(const ref_camera *camera, const ref_polygon *polygon,
+                           ref_view_polygon *view)
+{
+    view->colour = polygon->colour;
+    view->count = polygon->count;
+    for (int i = 0; i < polygon->count; i++) {
+        view->vertices[i].position = ref_transform_point(camera, &polygon->vertices[i].position);
+    }
+}
+
+ref_screen_point ref_project_point(const ref_lens *lens, const ref_view_point *view)
+{
+    return (ref_screen_point){(double)(lens->centre_x + lens->focal * view->x / view->z),
+                              (double)(lens->centre_y - lens->focal * view->y / view->z)};
+}
+
+ref_view_point ref_ray_through(const ref_lens *lens, const ref_screen_point *screen)
+{
+    return (ref_view_point){(long double)screen->x - lens->centre_x,
+                            (long double)lens->centre_y - screen->y, lens->focal};
+}
+
+void ref_project_polygon(const ref_lens *lens, const ref_view_polygon *view,
+                         ref_screen_polygon *screen)
+{
+    screen->colour = view->colour;
+    screen->count = view->count;
+    for (int i = 0; i < view->count; i++) {
+        screen->points[i] = ref_project_point(lens, &view->vertices[i].position);
+    }
 }

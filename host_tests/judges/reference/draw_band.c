@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Pixels of a band: the drawn polygons far to near, or by depth. */
 #include "reference/depth.h"
-#include "reference/fill.h"
-#include "reference/render.h"
 #include "reference/scan.h"
+#include "reference/render.h"
 
 /* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
 uint16_t ref_pixel_of(const ref_renderer *renderer, uint8_t colour)

@@ -1,10 +1,23 @@
 /* SPDX-License-Identifier: MIT */
-/* The view frustum (SPEC.md, section 4.3), in double. */
+/* Planes, and the view frustum in the world, in double. */
 #ifndef REF_FRUSTUM_H
 #define REF_FRUSTUM_H
 
 #include "reference/camera.h"
-#include "reference/lens.h"
+
+/* Makes the plane through a point, with a normal that points inside, moved inside by inset. */
+ref_plane ref_plane_from_point(const ref_point *point, const ref_point *normal, double inset);
+
+/* Returns how far a point lies inside; negative outside. Summed in 64 bits: exact where normal
+ * and point are the library's integers. */
+long double ref_plane_distance(const ref_plane *plane, const ref_point *point);
+
+/* Makes the plane through three points. Its normal points to where they run clockwise. Returns
+ * false where they lie on one line. */
+bool ref_plane_from_points(const ref_point *a, const ref_point *b, const ref_point *c,
+                           ref_plane *plane);
+
+/* The view frustum (SPEC.md, section 4.3), in double. */
 
 enum {
     REF_PLANE_NEAR,

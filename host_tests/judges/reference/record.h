@@ -10,6 +10,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 
 #define REF_ONE               65536.0 /* units of 16.16 in 1 */
 #define REF_POLYGON_CAPACITY  32
@@ -101,5 +102,22 @@ typedef struct {
 typedef struct {
     uint32_t in, backfacing, outside, degenerate, refused, drawn, clipped;
 } ref_counters;
+
+/* Lists that grow. */
+
+/* Makes space for one entry more behind count entries of so many bytes: the capacity becomes twice
+ * what it was, or first. Returns the entries, which may have moved; null where memory is short:
+ * then nothing has changed. */
+static inline void *ref_grown(void *entries, size_t count, size_t *capacity, size_t first,
+                              size_t size)
+{
+    if (count < *capacity) {
+        return entries;
+    }
+    const size_t more = *capacity ? 2 * *capacity : first;
+    void *moved = realloc(entries, more * size);
+    *capacity = moved ? more : *capacity;
+    return moved;
+}
 
 #endif

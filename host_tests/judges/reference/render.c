@@ -5,16 +5,14 @@
 #include <string.h>
 
 #include "reference/billboard.h"
-#include "reference/clip_world.h"
+#include "reference/clip.h"
 #include "reference/cull.h"
 #include "reference/camera.h"
 #include "reference/depth.h"
 #include "reference/beam_light.h"
 #include "reference/light.h"
-#include "reference/project.h"
 #include "reference/scan.h"
 #include "reference/submit_by_bsp.h"
-#include "reference/transform.h"
 #include "reference/placement.h"
 
 bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref_lens *lens)

@@ -4,9 +4,8 @@
 #define REF_RENDER_H
 
 #include "reference/clipper.h"
-#include "reference/display_list.h"
 #include "reference/order.h"
-#include "reference/sphere.h"
+#include "reference/cull.h"
 
 /* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
 typedef struct {

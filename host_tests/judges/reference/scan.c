@@ -2,6 +2,8 @@
 #include "reference/scan.h"
 
 #include <math.h>
+#include <stddef.h>
+#include <string.h>
 
 /* Tells whether the edge from upper to lower (upper.y <= cy < lower.y) has its x at cy <= cx.
  * Computed from the upper end, whatever the direction of the edge, so two neighbours get the
@@ -98,4 +100,87 @@ bool ref_scan_next(ref_scan *scan, ref_span *span)
         }
     }
     return false;
+}
+
+static ptrdiff_t place_of(const ref_band *band, int x, int y)
+{
+    return (ptrdiff_t)(y - band->first_row) * band->stride + x;
+}
+
+uint16_t ref_pixel(const ref_band *band, int x, int y)
+{
+    const ptrdiff_t place = place_of(band, x, y);
+    return band->pixels ? band->pixels[place] : band->pixels_16[place];
+}
+
+void ref_fill_span(const ref_band *band, const ref_span *span, uint16_t colour)
+{
+    for (int x = span->x0; x < span->x1; x++) {
+        const ptrdiff_t place = place_of(band, x, span->y);
+        if (band->pixels) {
+            band->pixels[place] = (uint8_t)colour;
+        } else {
+            band->pixels_16[place] = colour;
+        }
+    }
+}
+
+void ref_fill_band(const ref_band *band, uint16_t colour)
+{
+    for (int y = 0; y < band->rows; y++) {
+        ref_span whole = {band->first_row + y, 0, band->width};
+        ref_fill_span(band, &whole, colour);
+    }
+}
+
+void ref_span_buffer_begin(ref_span_buffer *cover, bool *covered, const ref_band *band)
+{
+    *cover = (ref_span_buffer){covered, band->width, band->first_row, band->rows};
+    memset(covered, 0, (size_t)band->width * (size_t)band->rows * sizeof *covered);
+}
+
+static bool *row_of(const ref_span_buffer *cover, int y)
+{
+    return cover->covered + (ptrdiff_t)(y - cover->first_row) * cover->width;
+}
+
+static long runs_of(const bool *row, int width)
+{
+    long runs = 0;
+    for (int x = 0; x < width; x++) {
+        runs += row[x] && (x == 0 || !row[x - 1]);
+    }
+    return runs;
+}
+
+long ref_span_buffer_intervals(const ref_span_buffer *cover)
+{
+    long runs = 0;
+    for (int y = 0; y < cover->rows; y++) {
+        runs += runs_of(row_of(cover, cover->first_row + y), cover->width);
+    }
+    return runs;
+}
+
+bool ref_span_buffer_draw(ref_span_buffer *cover, const ref_span *span, uint8_t colour,
+                          const ref_band *band, long runs)
+{
+    bool *row = row_of(cover, span->y), with[REF_SCREEN_MAX];
+    memcpy(with, row, (size_t)cover->width * sizeof *row);
+    for (int x = span->x0; x < span->x1; x++) {
+        with[x] = true;
+    }
+    if (ref_span_buffer_intervals(cover) - runs_of(row, cover->width) +
+            runs_of(with, cover->width) >
+        runs) {
+        return false;
+    }
+    uint8_t *pixels = band->pixels + (ptrdiff_t)(span->y - band->first_row) * band->stride;
+    for (int x = span->x0; x < span->x1; x++) {
+        if (!row[x]) {
+            pixels[x] = colour;
+        }
+        row[x] = true;
+    }
+    return true;
 }

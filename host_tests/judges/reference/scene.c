@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference/scene.h"
 
-#include "reference/scene_parts.h"
-/* place field: the reference's reader: sizes of entries, and offsets as numbers */
 #include "reference/sections.h"
+/* place field: the reference's reader: sizes of entries, and offsets as numbers */
 #include "reference/billboard.h"
 #include "reference/surface.h"
 #include "reference/placement.h"

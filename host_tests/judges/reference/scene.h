@@ -4,7 +4,7 @@
 #ifndef REF_SCENE_H
 #define REF_SCENE_H
 
-#include "reference/lens.h"
+#include "reference/camera.h"
 #include "reference/player.h"
 
 typedef struct {

@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* The sections of a scene image, as docs/formats.md, section 1.2, lists them. */
+/* A scene image as sections, and the parts of a scene that an image need not have. */
 #ifndef REF_SECTIONS_H
 #define REF_SECTIONS_H
 
 #include <stddef.h>
 #include <stdint.h>
+
+#include "reference/scene.h"
+
+/* The sections of a scene image, as docs/formats.md, section 1.2, lists them. */
 
 /* Their kinds. */
 enum {
@@ -48,5 +52,15 @@ const char *ref_sections_check(const uint8_t *bytes, size_t size);
 /* Returns the first entry of a section, and writes how many there are; null and 0 where there is no
  * such section. Requires sections that are sound. */
 const uint8_t *ref_section(const uint8_t *bytes, int kind, uint32_t *count);
+
+/* The parts of a scene image that it need not have (docs/formats.md, section 1): light, placements,
+ * a BSP, clusters, beams. Each function returns true also where the image has none of its own, and
+ * false where a part is not usable. The tables that it makes are ref_scene_close's to free. */
+
+bool ref_light_part_read(const uint8_t *bytes, ref_scene_image *image);
+bool ref_placements_read(const uint8_t *bytes, ref_scene_image *image);
+bool ref_bsp_read(const uint8_t *bytes, ref_scene *scene);
+bool ref_clusters_read(const uint8_t *bytes, ref_scene *scene);
+bool ref_beams_read(const uint8_t *bytes, ref_scene *scene);
 
 #endif

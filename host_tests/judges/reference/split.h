@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Splitting polygons of the world by planes (docs/extras/clippers.md, section 9), in double. */
+/* Polygons of the world split by planes: by one, and by those of a BSP. */
 #ifndef REF_SPLIT_H
 #define REF_SPLIT_H
 
-#include "reference/record.h"
+#include "reference/scene.h"
+
+/* Splitting polygons of the world by planes (docs/extras/clippers.md, section 9), in double. */
 
 typedef struct {
     int count;
@@ -28,5 +30,40 @@ long double ref_split_distance(const ref_plane *plane, const ref_lattice_point *
 
 ref_split_result ref_split_piece(const ref_piece *in, const ref_plane *plane, ref_piece *front,
                                  ref_piece *back);
+
+/* The BSP (docs/extras/bsp.md), exact in 128 bits, and instances that are cut to its leaves. */
+
+bool ref_bsp_is_front(const ref_scene *scene, const ref_bsp_node *node,
+                      const ref_lattice_point *point);
+
+/* A piece of a face: at a node, or in the leaf on one side of a node. */
+typedef struct {
+    uint32_t instance, face, node;
+    bool in_leaf, behind;
+    ref_piece shape;
+} ref_bsp_piece;
+
+typedef struct {
+    ref_bsp_piece *pieces;
+    size_t count, capacity;
+} ref_bsp_pieces;
+
+typedef enum {
+    REF_BSP_CUT,
+    REF_BSP_WHOLE, /* a piece would have more vertices than a face may have: no piece is kept */
+    REF_BSP_MEMORY /* memory is short */
+} ref_bsp_result;
+
+/* Appends a piece. Returns false where memory is short. */
+bool ref_bsp_append(ref_bsp_pieces *to, const ref_bsp_piece *piece);
+
+/* Appends an instance's faces that face the eye as pieces at the root. Returns false where
+ * memory is short. */
+bool ref_bsp_faces(const ref_scene *scene, uint32_t instance, const ref_lattice_point *eye,
+                   ref_bsp_pieces *pieces);
+
+/* Appends the pieces of those faces of an instance that face the eye, each in its leaf. */
+ref_bsp_result ref_bsp_cut(const ref_scene *scene, uint32_t instance, const ref_lattice_point *eye,
+                           ref_bsp_pieces *pieces);
 
 #endif

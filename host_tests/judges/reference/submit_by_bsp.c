@@ -8,7 +8,7 @@
 #include "reference/camera.h"
 #include "reference/placement.h"
 #include "reference/cull.h"
-#include "reference/bsp_cut.h"
+#include "reference/split.h"
 
 typedef struct {
     ref_renderer *renderer;

@@ -4,8 +4,7 @@
 #include <math.h>
 
 #include "reference/light.h"
-#include "reference/project.h"
-#include "reference/transform.h"
+#include "reference/camera.h"
 #include "reference/placement.h"
 
 /* --- the corners of a face ---------------------------------------------------------------------

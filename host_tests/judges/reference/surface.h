@@ -4,8 +4,7 @@
 #ifndef REF_SURFACE_H
 #define REF_SURFACE_H
 
-#include "reference/camera.h"
-#include "reference/rgb565.h"
+#include "reference/light.h"
 #include "reference/scene.h"
 
 enum {

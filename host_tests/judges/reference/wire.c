@@ -6,10 +6,7 @@
 
 #include "reference/camera.h"
 #include "reference/cull.h"
-#include "reference/grow.h"
-#include "reference/project.h"
-#include "reference/transform.h"
-#include "reference/volume.h"
+#include "reference/clip.h"
 
 static bool append(ref_wire *wire, const ref_screen_line *line)
 {

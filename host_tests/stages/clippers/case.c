@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "clippers/measure.h"
-#include "reference/transform.h"
+#include "reference/camera.h"
 
 /* A polygon of less is not missed: 1/65536 square pixel. */
 #define AREA_MIN 0x1p-16

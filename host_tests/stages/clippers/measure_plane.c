@@ -2,8 +2,8 @@
 #include <math.h>
 
 #include "clippers/measure.h"
-#include "reference/plane.h"
-#include "reference/rectangle.h"
+#include "reference/frustum.h"
+#include "reference/clip.h"
 #include "study/rectangle.h"
 
 static void note(clipper_tally *tally, double error)

@@ -5,7 +5,7 @@
 
 #include "draw/stages.h"
 #include "fixel/all.h"
-#include "reference/volume.h"
+#include "reference/clip.h"
 
 enum {
     OUTLINE_MAX = REF_VOLUME_CAPACITY

@@ -14,7 +14,7 @@
 #define DESIGNS_DESIGN_H
 
 #include "designs/input.h"
-#include "oracle/depth_sample.h"
+#include "oracle/depth.h"
 #include "oracle/surface_sample.h"
 
 /* A screen position in units of 1/65536 pixel. */

@@ -12,7 +12,7 @@ $(BUILD)/host/objects/stages/designs/%.o: host_tests/stages/designs/%.c
 
 # Triangles with surfaces, and what is exact of them.
 DESIGNS_ORACLE := $(addprefix $(BUILD)/host/objects/,$(addprefix judges/oracle/,random.o setup.o triangle.o \
-    triangle_random.o surface_sample.o surface_shown.o depth_sample.o) stages/bridge.o)
+    surface_sample.o depth.o) stages/bridge.o)
 
 $(BUILD)/host/designs: $(DESIGNS_OBJECTS) $(DESIGNS_ORACLE) $(BUILD)/host/libreference.a \
         $(call LIB_HOST_NEEDED,$(wildcard host_tests/stages/designs/*.c) $(DESIGNS_ORACLE:$(BUILD)/host/objects/%.o=host_tests/%.c))

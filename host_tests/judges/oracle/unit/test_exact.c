@@ -4,7 +4,7 @@
 #include <stddef.h>
 
 #include "oracle/clip.h"
-#include "oracle/hausdorff.h"
+#include "oracle/cover.h"
 #include "unity.h"
 
 #define UNIT ((int64_t)1 << 32) /* 1/65536 pixel */

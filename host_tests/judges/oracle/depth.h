@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Two triangles that are seen through one pixel: as numbers of an input, drawn by the library with
  * a depth buffer, and their exact distances. */
-#ifndef ORACLE_DEPTH_SAMPLE_H
-#define ORACLE_DEPTH_SAMPLE_H
+#ifndef ORACLE_DEPTH_H
+#define ORACLE_DEPTH_H
 
 #include "oracle/triangle.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "oracle/tally.h"
+#include "oracle/claim.h"
 
 #include <inttypes.h>
 #include <math.h>
