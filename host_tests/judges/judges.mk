@@ -48,7 +48,7 @@ $(BUILD)/host/frames: $(call JUDGES_OBJECTS,frames) $(JUDGES_PATH) $(REFERENCE_L
 	$(HOSTCC) $^ -lm -o $@
 
 # A session of drawing as a board has it: of a program that walks a path.
-JUDGES_SESSION := $(JUDGES)/frames/session.o $(JUDGES)/frames/read_file.o $(JUDGES_PATH)
+JUDGES_SESSION := $(JUDGES)/frames/session.o $(JUDGES)/frames/input.o $(JUDGES_PATH)
 # Instances that move, as the reference has them.
 JUDGES_MOVING := $(JUDGES)/frames/moving_reference.o
 
@@ -60,7 +60,7 @@ $(BUILD)/host/hidden: $(call JUDGES_OBJECTS,visibility) $(JUDGES)/visibility/cou
 
 # --- a board's frames against the reference's --------------------------------------------------------------------------
 
-$(BUILD)/host/judge: $(call JUDGES_OBJECTS,judge) $(JUDGES)/frames/read_file.o $(JUDGES_MOVING) $(REFERENCE_LIBRARY) \
+$(BUILD)/host/judge: $(call JUDGES_OBJECTS,judge) $(JUDGES)/frames/input.o $(JUDGES_MOVING) $(REFERENCE_LIBRARY) \
         $(BUILD)/host/liboracle.a \
         $(call JUDGES_LIBRARY,judge/*.c oracle/tie.c frames/moving_reference.c)
 	$(SAY)
@@ -68,7 +68,7 @@ $(BUILD)/host/judge: $(call JUDGES_OBJECTS,judge) $(JUDGES)/frames/read_file.o $
 
 # The same pose by pose, for the live window.
 LIVE_JUDGE := judge/explain judge/beneath
-$(BUILD)/host/live: $(call JUDGES_OBJECTS,live) $(JUDGES)/frames/read_file.o $(JUDGES_MOVING) $(LIVE_JUDGE:%=$(JUDGES)/%.o) \
+$(BUILD)/host/live: $(call JUDGES_OBJECTS,live) $(JUDGES)/frames/input.o $(JUDGES_MOVING) $(LIVE_JUDGE:%=$(JUDGES)/%.o) \
         $(REFERENCE_LIBRARY) $(call JUDGES_LIBRARY,live/*.c frames/moving_reference.c $(LIVE_JUDGE:%=%.c))
 	$(SAY)
 	$(HOSTCC) $^ -lm -o $@
@@ -99,7 +99,7 @@ $(BUILD)/host/raycast: $(RAYCAST_SOURCES) $(wildcard host_tests/judges/raycast/*
 	$(JUDGES_CC) $(RAYCAST_SOURCES) -o $@ -lm
 
 # place field: images that all refuse alike
-$(BUILD)/host/loader: $(call JUDGES_OBJECTS,loader) $(JUDGES)/frames/read_file.o $(JUDGES)/raycast/scene_sections.o \
+$(BUILD)/host/loader: $(call JUDGES_OBJECTS,loader) $(JUDGES)/frames/input.o $(JUDGES)/raycast/scene_sections.o \
         $(JUDGES)/raycast/file.o $(BUILD)/host/libfixel.a $(REFERENCE_LIBRARY)
 	$(SAY)
 	$(HOSTCC) $^ -Wl,--wrap=unusable -lm -o $@

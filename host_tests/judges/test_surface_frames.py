@@ -290,7 +290,6 @@ position = [0.1, 0.07, 100]
 [path]
 keys = [{ position = [0, 0, 0], frames = 20 }, { position = [3, 1.7, 0] }]
 """)
-    image, out = built(scene, tmp_path), tmp_path / "many.fxld"
-    subprocess.run([build / "host" / "frames", image, out], check=True, capture_output=True)
-    verdict = judged(build, image, out)
+    image = built(scene, tmp_path)
+    verdict = judged(build, image, host_frames.drawn(build, image, "many"))
     assert verdict["pixels_unexplained"] == 0 and verdict["pixels_differing"] > 0

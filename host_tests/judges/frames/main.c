@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* frames SCENE.fxls OUT.fxld [--clipper NAME] [--hidden NAME] [--frames N] [--rows N]
- *     [--pixels palette|rgb565] [--list WORDS] [--cache ENTRIES] [--sliver UNITS] [--pieces BYTES] [--light NAME]
+ *     [--pixels palette|rgb565] [--list WORDS] [--cache ENTRIES] [--sliver UNITS] [--pieces BYTES]
+ * [--light NAME]
  *
  * Draws a scene's path by a clipper and a visibility method into a frame dump, in bands of
  * --rows rows (0: whole frames), and prints the sums of the counters as JSON. The unit of
  * --sliver is 2^-16 unit of the world. Exit code 0: it ran; 2: it could not. */
-#include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "frames/dump.h"
+#include "frames/input.h"
 #include "frames/methods.h"
 #include "frames/session.h"
 #include "reference/render.h"
@@ -19,14 +20,14 @@
 
 /* place pixel-format: the option pixels, the targets, frames as files */
 typedef struct {
-    const char *scene, *out;
+    const char *files[2]; /* the scene; the dump */
     const named_clipper *clipper;
     const named_visibility *visibility; /* null: that of the scene */
     const named_light *light;
     uint8_t pixel_bits; /* 0: as the scene asks */
     uint32_t frames, rows, list, cache, sliver, pieces;
     uint32_t cores, outlines, border; /* palette indices; NO_COLOUR: none */
-    const char *picks; /* where the names of what is picked go; null: nowhere */
+    const char *picks;                /* where the names of what is picked go; null: nowhere */
 } options;
 
 enum {
@@ -38,77 +39,46 @@ typedef struct {
     uint64_t drawn, clipped, refused, degenerate;
 } sums;
 
-static int fail(const char *what, const char *why)
+static bool take_clipper(const char *value, void *to)
 {
-    fprintf(stderr, "error: %s: %s\n", what, why);
-    return 2;
+    return (*(const named_clipper **)to = find_clipper(value)) != NULL;
 }
 
-static bool parse_number(const char *text, uint32_t *number)
+static bool take_visibility(const char *value, void *to)
 {
-    char *end;
-    errno = 0;
-    unsigned long value = strtoul(text, &end, 10);
-    *number = (uint32_t)value;
-    return *text >= '0' && *text <= '9' && *end == '\0' && errno == 0 && value <= UINT32_MAX;
+    return (*(const named_visibility **)to = find_visibility(value)) != NULL;
+}
+
+static bool take_pixels(const char *value, void *to)
+{
+    const bool is_wide = strcmp(value, "rgb565") == 0;
+    *(uint8_t *)to = is_wide ? 16 : 8;
+    return is_wide || strcmp(value, "palette") == 0;
 }
 
 static bool parse(int count, char **arguments, options *wanted)
 {
-    *wanted = (options){
-        .clipper = find_clipper("view"), .list = 1u << 20, .cache = 256, .pieces = 1u << 20,
-        .outlines = NO_COLOUR, .border = NO_COLOUR};
-    for (int i = 1; i < count; i++) {
-        const char *name = arguments[i];
-        if (strncmp(name, "--", 2) != 0) {
-            if (wanted->out) {
-                return false;
-            }
-            *(wanted->scene ? &wanted->out : &wanted->scene) = name;
-            continue;
-        }
-        if (++i == count) {
-            return false;
-        }
-        const char *value = arguments[i];
-        if (strcmp(name, "--clipper") == 0) {
-            wanted->clipper = find_clipper(value);
-        } else if (strcmp(name, "--hidden") == 0) {
-            wanted->visibility = find_visibility(value);
-            if (!wanted->visibility) {
-                return false;
-            }
-        } else if (strcmp(name, "--pixels") == 0) {
-            wanted->pixel_bits = strcmp(value, "rgb565") == 0    ? 16
-                                 : strcmp(value, "palette") == 0 ? 8
-                                                                 : 0;
-            if (wanted->pixel_bits == 0) {
-                return false;
-            }
-        } else if (strcmp(name, "--picks") == 0) {
-            wanted->picks = value;
-        } else if (strcmp(name, "--light") == 0) {
-            wanted->light = find_light(value);
-            if (!wanted->light) {
-                return false;
-            }
-        } else {
-            uint32_t *number = strcmp(name, "--frames") == 0   ? &wanted->frames
-                               : strcmp(name, "--rows") == 0   ? &wanted->rows
-                               : strcmp(name, "--list") == 0   ? &wanted->list
-                               : strcmp(name, "--cache") == 0  ? &wanted->cache
-                               : strcmp(name, "--sliver") == 0 ? &wanted->sliver
-                               : strcmp(name, "--pieces") == 0 ? &wanted->pieces
-                               : strcmp(name, "--cores") == 0  ? &wanted->cores
-                               : strcmp(name, "--outlines") == 0 ? &wanted->outlines
-                               : strcmp(name, "--border") == 0   ? &wanted->border
-                                                                 : NULL;
-            if (!number || !parse_number(value, number)) {
-                return false;
-            }
-        }
-    }
-    return wanted->out && wanted->clipper;
+    *wanted = (options){.clipper = find_clipper("view"),
+                        .list = 1u << 20,
+                        .cache = 256,
+                        .pieces = 1u << 20,
+                        .outlines = NO_COLOUR,
+                        .border = NO_COLOUR};
+    const argument known[] = {{"--clipper", take_clipper, &wanted->clipper},
+                              {"--hidden", take_visibility, &wanted->visibility},
+                              {"--pixels", take_pixels, &wanted->pixel_bits},
+                              {"--light", take_light, &wanted->light},
+                              {"--picks", take_text, &wanted->picks},
+                              {"--frames", take_number, &wanted->frames},
+                              {"--rows", take_number, &wanted->rows},
+                              {"--list", take_number, &wanted->list},
+                              {"--cache", take_number, &wanted->cache},
+                              {"--sliver", take_number, &wanted->sliver},
+                              {"--pieces", take_number, &wanted->pieces},
+                              {"--cores", take_number, &wanted->cores},
+                              {"--outlines", take_number, &wanted->outlines},
+                              {"--border", take_number, &wanted->border}};
+    return read_arguments(count, arguments, known, sizeof known / sizeof *known, wanted->files, 2);
 }
 
 /* A target that goes with the clipper replaces that of the visibility method. */
@@ -129,17 +99,17 @@ static void choose_method(const options *wanted, const session *run, session_set
 /* Null, or what is wrong. */
 static const char *open_scene(const options *wanted, session *run)
 {
-    const char *wrong = session_open(run, wanted->scene);
+    const char *wrong = session_open(run, wanted->files[0]);
     if (wrong) {
         return wrong;
     }
     const fxl_lens *lens = &run->image.lens;
-    session_settings settings = {
-        .clipper = wanted->clipper->clipper,
-        .pixel_bits = wanted->pixel_bits ? wanted->pixel_bits : run->image.pixel_bits,
-        .display_list_words = wanted->list,
-        .cache_entries = wanted->cache,
-        .pieces_bytes = wanted->pieces};
+    session_settings settings = {.clipper = wanted->clipper->clipper,
+                                 .pixel_bits = wanted->pixel_bits ? wanted->pixel_bits
+                                                                  : run->image.pixel_bits,
+                                 .display_list_words = wanted->list,
+                                 .cache_entries = wanted->cache,
+                                 .pieces_bytes = wanted->pieces};
     choose_method(wanted, run, &settings);
     settings.raster_bytes =
         settings.target->memory_size ? settings.target->memory_size(lens) * 16 : 0;
@@ -169,9 +139,8 @@ static fxl_status pick_all(session *run, uint8_t *names)
         for (uint16_t x = 0; x < lens->width && status == FXL_OK; x++) {
             fxl_picked picked;
             status = fxl_pick_face(&run->renderer, x, y, &picked);
-            *names++ = picked.instance == FXL_PICK_NONE
-                           ? 0
-                           : ref_face_name(picked.instance, picked.face);
+            *names++ =
+                picked.instance == FXL_PICK_NONE ? 0 : ref_face_name(picked.instance, picked.face);
         }
     }
     return status;
@@ -217,20 +186,22 @@ int main(int count, char **arguments)
     static session run;
     options wanted;
     if (!parse(count, arguments, &wanted)) {
-        return fail("usage", "frames SCENE.fxls OUT.fxld [--clipper NAME] [--hidden NAME] "
-                             "[--pixels palette|rgb565] [--frames N] [--rows N] [--list WORDS] [--cache ENTRIES] "
-                             "[--sliver UNITS] [--pieces BYTES] [--cores 2] [--outlines COLOUR] "
-                             "[--border COLOUR] [--picks OUT.fxld]");
+        return fail(
+            "usage",
+            "frames SCENE.fxls OUT.fxld [--clipper NAME] [--hidden NAME] "
+            "[--pixels palette|rgb565] [--frames N] [--rows N] [--list WORDS] [--cache ENTRIES] "
+            "[--sliver UNITS] [--pieces BYTES] [--cores 2] [--outlines COLOUR] "
+            "[--border COLOUR] [--picks OUT.fxld]");
     }
     const char *wrong = open_scene(&wanted, &run);
     if (wrong) {
-        return fail(wanted.scene, wrong);
+        return fail(wanted.files[0], wrong);
     }
     uint32_t frames = run.image.frame_count;
     frames = wanted.frames > 0 && wanted.frames < frames ? wanted.frames : frames;
-    FILE *file = fopen(wanted.out, "wb");
+    FILE *file = fopen(wanted.files[1], "wb");
     if (!file) {
-        return fail(wanted.out, "it cannot be written");
+        return fail(wanted.files[1], "it cannot be written");
     }
     dump to;
     sums counted = {0};
@@ -243,18 +214,17 @@ int main(int count, char **arguments)
     if (pick_file) {
         dump_begin(&picks, pick_file, &run.image, frames, 8);
     }
-    fxl_status status =
-        draw_all(&wanted, &run, &to, pick_file ? &picks : NULL, frames, &counted);
+    fxl_status status = draw_all(&wanted, &run, &to, pick_file ? &picks : NULL, frames, &counted);
     if (status != FXL_OK) {
         fclose(file);
-        return fail(wanted.scene, fxl_status_text(status));
+        return fail(wanted.files[0], fxl_status_text(status));
     }
     bool saved = dump_end(&to);
     if (pick_file) {
         saved = dump_end(&picks) && fclose(pick_file) == 0 && saved;
     }
     if (fclose(file) != 0 || !saved) {
-        return fail(wanted.out, "it cannot be written");
+        return fail(wanted.files[1], "it cannot be written");
     }
     printf("{\"clipper\": \"%s\", \"hidden\": \"%s\", \"frames\": %" PRIu32 ", \"drawn\": %" PRIu64
            ", \"clipped\": %" PRIu64 ", \"refused\": %" PRIu64 ", \"degenerate\": %" PRIu64

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "frames/read_file.h"
+#include "frames/input.h"
 
 void *session_memory(size_t size)
 {

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <math.h>
 
-#include "frames/read_file.h"
+#include "frames/input.h"
 
 enum {
     HEAD_SIZE = 16 + 768,

@@ -363,7 +363,7 @@ judge_reason judge_pixel(const ref_renderer *renderer, const judge_box *boxes, u
                          int line, int x, int y, uint16_t colour, double limit)
 {
     const ref_display_list *list = &renderer->display_list;
-    const double resolution = ref_depth_resolution(&renderer->lens, renderer->depth_bits);
+    const double resolution = ref_depth_resolution(&renderer->lens, renderer->method.depth_bits);
     const int ways = renderer->scene->surfaces ? 4 : 2;
     judge_question question = {.x = x,
                                .y = y,
@@ -376,7 +376,7 @@ judge_reason judge_pixel(const ref_renderer *renderer, const judge_box *boxes, u
         question.doubt = way & 1;
         question.texels = way & 2;
         const double distance =
-            renderer->depth_bits != 0
+            renderer->method.depth_bits != 0
                 ? judge_explain_by_depth(&renderer->lens, list->drawn, boxes, list->count,
                                          &question, resolution)
                 : judge_explain(&renderer->lens, list->drawn, boxes, list->count, &question);

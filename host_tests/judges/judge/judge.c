@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "frames/read_file.h"
+#include "frames/input.h"
 #include "judge/explain.h"
 #include "judge/verdict.h"
 #include "lights/named.h"
@@ -24,13 +24,9 @@
 #include "judge/dump.h"
 
 typedef struct {
-    const char *scene, *dump, *json, *twin, *names, *shown;
-    unsigned cuts; /* the planes that the board's clipper cuts by */
-    bool by_points;
-    bool by_bsp;    /* the board drew in the order of the scene's BSP */
-    bool flat;      /* the board drew faces in their own colours */
-    int depth_bits; /* the board drew by a depth buffer of so many; else 0 */
-    bool unasked;   /* the board drew as the scene says */
+    const char *files[2]; /* the scene; the dump */
+    const char *json, *twin, *names, *shown;
+    ref_method method; /* how the board drew */
     double distance;
     int line;                 /* the palette index of outlines that the board drew; below 0: none */
     const named_light *light; /* in which the board drew; or null */
@@ -46,14 +42,7 @@ typedef struct {
     ref_light light;
 } session;
 
-/* A text that grows. */
-typedef struct {
-    char *text;
-    size_t length, capacity;
-    bool failed;
-} report;
-
-__attribute__((format(printf, 1, 2))) static int fail(const char *format, ...)
+__attribute__((format(printf, 1, 2))) static int refuse(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -64,63 +53,41 @@ __attribute__((format(printf, 1, 2))) static int fail(const char *format, ...)
     return 2;
 }
 
-__attribute__((format(printf, 2, 3))) static void say(report *out, const char *format, ...)
-{
-    char piece[512];
-    va_list arguments;
-    va_start(arguments, format);
-    int length = vsnprintf(piece, sizeof piece, format, arguments);
-    va_end(arguments);
-    size_t needed = out->length + (size_t)length + 1;
-    if (needed > out->capacity) {
-        size_t capacity = 2 * needed;
-        char *more = realloc(out->text, capacity);
-        if (!more) {
-            out->failed = true;
-            return;
-        }
-        out->text = more;
-        out->capacity = capacity;
-    }
-    memcpy(out->text + out->length, piece, (size_t)length + 1);
-    out->length += (size_t)length;
-}
-
 /* null where there is no distance: no pixel differs, or no distance explains it */
-static void say_distance(report *out, const char *name, double distance)
+static void print_distance(FILE *out, const char *name, double distance)
 {
     if (distance >= 0 && isfinite(distance)) {
-        say(out, "\"%s\": %.9g", name, distance);
+        fprintf(out, "\"%s\": %.9g", name, distance);
     } else {
-        say(out, "\"%s\": null", name);
+        fprintf(out, "\"%s\": null", name);
     }
 }
 
-static void say_frame(report *out, uint32_t number, const judge_frame *frame)
+static void print_frame(FILE *out, uint32_t number, const judge_frame *frame)
 {
-    say(out,
-        "    {\"frame\": %u, \"pixels_differing\": %u, \"pixels_tied\": %u, "
-        "\"pixels_near_far\": %u, \"texel_pixels\": %u, \"pixels_unexplained\": %u, ",
-        (unsigned)number, (unsigned)frame->differing, (unsigned)frame->tied,
-        (unsigned)frame->near_far, (unsigned)frame->texels, (unsigned)frame->unexplained);
-    say_distance(out, "max_edge_distance_px", frame->max_distance);
+    fprintf(out,
+            "    {\"frame\": %u, \"pixels_differing\": %u, \"pixels_tied\": %u, "
+            "\"pixels_near_far\": %u, \"texel_pixels\": %u, \"pixels_unexplained\": %u, ",
+            (unsigned)number, (unsigned)frame->differing, (unsigned)frame->tied,
+            (unsigned)frame->near_far, (unsigned)frame->texels, (unsigned)frame->unexplained);
+    print_distance(out, "max_edge_distance_px", frame->max_distance);
     if (frame->unexplained > 0) {
-        say(out, ",\n     \"first_unexplained\": [");
+        fprintf(out, ",\n     \"first_unexplained\": [");
         uint32_t shown = frame->unexplained < JUDGE_SAMPLES_MAX ? frame->unexplained
                                                                 : (uint32_t)JUDGE_SAMPLES_MAX;
         for (uint32_t i = 0; i < shown; i++) {
             const judge_sample *pixel = &frame->samples[i];
-            say(out, "%s{\"x\": %d, \"y\": %d, \"board\": %d, \"twin\": %d, ", i ? ", " : "",
-                pixel->x, pixel->y, pixel->board, pixel->twin);
-            say_distance(out, "distance_px", pixel->distance);
-            say(out, "}");
+            fprintf(out, "%s{\"x\": %d, \"y\": %d, \"board\": %d, \"twin\": %d, ", i ? ", " : "",
+                    pixel->x, pixel->y, pixel->board, pixel->twin);
+            print_distance(out, "distance_px", pixel->distance);
+            fprintf(out, "}");
         }
-        say(out, "]");
+        fprintf(out, "]");
     }
-    say(out, "}");
+    fprintf(out, "}");
 }
 
-static void say_all(report *out, const options *wanted, const session *run)
+static void print_all(FILE *out, const options *wanted, const session *run)
 {
     uint32_t count = run->dump.frame_count;
     uint64_t pixels = (uint64_t)run->dump.width * (uint64_t)run->dump.height * count;
@@ -135,81 +102,56 @@ static void say_all(report *out, const options *wanted, const session *run)
         inexplicable += run->frames[i].inexplicable;
         farthest = fmax(farthest, run->frames[i].max_distance);
     }
-    say(out, "{\n  \"distance\": %.9g,\n  \"pixels\": %llu,\n  \"pixels_differing\": %llu,\n",
-        wanted->distance, (unsigned long long)pixels, (unsigned long long)differing);
-    say(out, "  \"pixels_tied\": %llu,\n", (unsigned long long)tied);
-    say(out, "  \"pixels_near_far\": %llu,\n", (unsigned long long)near_far);
-    say(out, "  \"texel_pixels\": %llu,\n", (unsigned long long)texels);
-    say(out, "  \"pixels_unexplained\": %llu,\n  \"pixels_inexplicable\": %llu,\n  ",
-        (unsigned long long)unexplained, (unsigned long long)inexplicable);
-    say_distance(out, "max_edge_distance_px", farthest);
-    say(out, ",\n  \"walk\": {\"frames\": %u, \"path\": \"%s\", ", (unsigned)run->walk.frames,
-        run->image.poses ? "poses" : "strides");
-    say(out, "\"max_position_error_units\": %.9g, \"position_bound_units\": %.9g, ",
-        run->walk.max_error, run->walk.max_bound);
-    say(out, "\"frames_beyond_bound\": %u},\n  \"frames\": [\n",
-        (unsigned)run->walk.frames_beyond_bound);
+    fprintf(out, "{\n  \"distance\": %.9g,\n  \"pixels\": %llu,\n  \"pixels_differing\": %llu,\n",
+            wanted->distance, (unsigned long long)pixels, (unsigned long long)differing);
+    fprintf(out, "  \"pixels_tied\": %llu,\n", (unsigned long long)tied);
+    fprintf(out, "  \"pixels_near_far\": %llu,\n", (unsigned long long)near_far);
+    fprintf(out, "  \"texel_pixels\": %llu,\n", (unsigned long long)texels);
+    fprintf(out, "  \"pixels_unexplained\": %llu,\n  \"pixels_inexplicable\": %llu,\n  ",
+            (unsigned long long)unexplained, (unsigned long long)inexplicable);
+    print_distance(out, "max_edge_distance_px", farthest);
+    fprintf(out, ",\n  \"walk\": {\"frames\": %u, \"path\": \"%s\", ", (unsigned)run->walk.frames,
+            run->image.poses ? "poses" : "strides");
+    fprintf(out, "\"max_position_error_units\": %.9g, \"position_bound_units\": %.9g, ",
+            run->walk.max_error, run->walk.max_bound);
+    fprintf(out, "\"frames_beyond_bound\": %u},\n  \"frames\": [\n",
+            (unsigned)run->walk.frames_beyond_bound);
     for (uint32_t i = 0; i < count; i++) {
-        say_frame(out, i, &run->frames[i]);
-        say(out, i + 1 < count ? ",\n" : "\n");
+        print_frame(out, i, &run->frames[i]);
+        fprintf(out, i + 1 < count ? ",\n" : "\n");
     }
-    say(out, "  ]\n}\n");
+    fprintf(out, "  ]\n}\n");
+}
+
+static bool take_outlines(const char *value, void *to)
+{
+    *(int *)to = atoi(value) & 255;
+    return true;
+}
+
+static bool take_distance(const char *value, void *to)
+{
+    char *end;
+    const double distance = strtod(value, &end);
+    *(double *)to = distance;
+    return end != value && !*end && distance >= 0 && isfinite(distance);
 }
 
 static bool parse_options(int count, char **arguments, options *wanted)
 {
-    *wanted =
-        (options){.distance = JUDGE_DISTANCE, .cuts = REF_CUT_ALL, .by_bsp = true, .unasked = true,
-                  .line = -1};
-    for (int i = 1; i < count; i++) {
-        const char *name = arguments[i];
-        const char *value = i + 1 < count ? arguments[i + 1] : NULL;
-        if (strncmp(name, "--", 2) != 0) {
-            if (wanted->dump) {
-                return false;
-            }
-            *(wanted->scene ? &wanted->dump : &wanted->scene) = name;
-            continue;
-        }
-        if (!value) {
-            return false;
-        }
-        i++;
-        if (strcmp(name, "--json") == 0) {
-            wanted->json = value;
-        } else if (strcmp(name, "--twin") == 0) {
-            wanted->twin = value;
-        } else if (strcmp(name, "--names") == 0) {
-            wanted->names = value;
-        } else if (strcmp(name, "--outlines") == 0) {
-            wanted->line = atoi(value) & 255;
-        } else if (strcmp(name, "--shown") == 0) {
-            wanted->shown = value;
-        } else if (strcmp(name, "--clipper") == 0) {
-            if (!ref_clipper_cuts(value, &wanted->cuts, &wanted->by_points)) {
-                return false;
-            }
-        } else if (strcmp(name, "--hidden") == 0) {
-            if (!ref_visibility_draws(value, &wanted->by_bsp, &wanted->flat, &wanted->depth_bits)) {
-                return false;
-            }
-            wanted->unasked = false;
-        } else if (strcmp(name, "--light") == 0) {
-            wanted->light = find_light(value);
-            if (!wanted->light) {
-                return false;
-            }
-        } else if (strcmp(name, "--distance") == 0) {
-            char *end;
-            wanted->distance = strtod(value, &end);
-            if (end == value || *end || !(wanted->distance >= 0) || !isfinite(wanted->distance)) {
-                return false;
-            }
-        } else {
-            return false;
-        }
-    }
-    return wanted->scene && wanted->dump && wanted->json;
+    *wanted = (options){.distance = JUDGE_DISTANCE, .method = REF_METHOD_OF_SCENE, .line = -1};
+    const argument known[] = {{"--json", take_text, &wanted->json},
+                              {"--twin", take_text, &wanted->twin},
+                              {"--names", take_text, &wanted->names},
+                              {"--shown", take_text, &wanted->shown},
+                              {"--outlines", take_outlines, &wanted->line},
+                              {"--clipper", ref_take_clipper, &wanted->method},
+                              {"--hidden", ref_take_visibility, &wanted->method},
+                              {"--light", take_light, &wanted->light},
+                              {"--distance", take_distance, &wanted->distance}};
+    return read_arguments(count, arguments, known, sizeof known / sizeof *known, wanted->files,
+                          2) &&
+           wanted->json;
 }
 
 static double q16(int32_t value)
@@ -249,28 +191,29 @@ static void light_scene(ref_scene_image *image, const named_light *named, ref_li
 /* Returns 0, or 2 after it said why. */
 static int open_inputs(const options *wanted, session *run)
 {
-    run->bytes = read_file(wanted->scene, &run->size);
+    run->bytes = read_file(wanted->files[0], &run->size);
     if (!run->bytes) {
-        return fail("%s: it cannot be read", wanted->scene);
+        return refuse("%s: it cannot be read", wanted->files[0]);
     }
     const char *wrong = ref_scene_open(run->bytes, run->size, &run->image);
     if (wrong) {
-        return fail("%s: %s", wanted->scene, wrong);
+        return refuse("%s: %s", wanted->files[0], wrong);
     }
-    wrong = judge_dump_open(wanted->dump, &run->dump);
+    wrong = judge_dump_open(wanted->files[1], &run->dump);
     if (wrong) {
-        return fail("%s: %s", wanted->dump, wrong);
+        return refuse("%s: %s", wanted->files[1], wrong);
     }
     if (run->dump.width != run->image.lens.width || run->dump.height != run->image.lens.height ||
         run->dump.frame_count > run->image.frame_count ||
         memcmp(judge_dump_palette(&run->dump), run->image.palette, 768) != 0) {
-        return fail("%s: its screen, palette or number of frames is not that of %s", wanted->dump,
-                    wanted->scene);
+        return refuse("%s: its screen, palette or number of frames is not that of %s",
+                      wanted->files[1], wanted->files[0]);
     }
     uint32_t frame;
     wrong = judge_walk_compare(&run->image, &run->dump, &run->walk, &frame);
     if (wrong) {
-        return fail("%s: frame %u: %s (%s)", wanted->dump, (unsigned)frame, wrong, wanted->scene);
+        return refuse("%s: frame %u: %s (%s)", wanted->files[1], (unsigned)frame, wrong,
+                      wanted->files[0]);
     }
     return 0;
 }
@@ -282,48 +225,65 @@ static int judge(options *wanted, session *run)
     if (code != 0) {
         return code;
     }
-    const judge_scene scene = {&run->image, run->bytes, run->size};
-    if (wanted->unasked) {
-        wanted->by_bsp = !run->image.by_distance;
-        wanted->depth_bits = run->image.depth_bits;
+    if (!wanted->method.is_asked) {
+        wanted->method.by_bsp = !run->image.by_distance;
+        wanted->method.depth_bits = run->image.depth_bits;
     }
     if (wanted->light) {
         light_scene(&run->image, wanted->light, &run->light);
     }
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
-    if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, run->dump.pixel_bits, &run->twin)) ||
-        (wanted->names && !judge_dump_like(&run->dump, 8, &run->names)) ||
-        (wanted->shown && !judge_dump_like(&run->dump, 8, &run->shown)) ||
-        !judge_frames(&scene, &run->dump, wanted->cuts, wanted->by_points, wanted->by_bsp,
-                      wanted->flat, wanted->depth_bits, wanted->distance, wanted->line, run->frames,
-                      wanted->twin ? &run->twin : NULL, wanted->names ? &run->names : NULL,
-                      wanted->shown ? &run->shown : NULL)) {
-        return fail("there is not enough memory to judge %s, or the library refuses its scene",
-                    wanted->dump);
+    const struct {
+        const char *path;
+        judge_dump *dump;
+        int pixel_bits;
+    } wishes[] = {{wanted->twin, &run->twin, run->dump.pixel_bits},
+                  {wanted->names, &run->names, 8},
+                  {wanted->shown, &run->shown, 8}};
+    bool has_room = run->frames != NULL;
+    for (int i = 0; i < 3 && has_room; i++) {
+        has_room =
+            !wishes[i].path || judge_dump_like(&run->dump, wishes[i].pixel_bits, wishes[i].dump);
     }
-    if (wanted->twin && !judge_dump_save(&run->twin, wanted->twin)) {
-        return fail("%s: it cannot be written", wanted->twin);
+    const judge_task question = {.image = &run->image,
+                                 .bytes = run->bytes,
+                                 .size = run->size,
+                                 .dump = &run->dump,
+                                 .method = wanted->method,
+                                 .distance = wanted->distance,
+                                 .line = wanted->line,
+                                 .frames = run->frames,
+                                 .twin = wanted->twin ? &run->twin : NULL,
+                                 .names = wanted->names ? &run->names : NULL,
+                                 .shown = wanted->shown ? &run->shown : NULL};
+    if (!has_room || !judge_frames(&question)) {
+        return refuse("there is not enough memory to judge %s, or the library refuses its scene",
+                      wanted->files[1]);
     }
-    if (wanted->names && !judge_dump_save(&run->names, wanted->names)) {
-        return fail("%s: it cannot be written", wanted->names);
+    for (int i = 0; i < 3; i++) {
+        if (wishes[i].path && !judge_dump_save(wishes[i].dump, wishes[i].path)) {
+            return refuse("%s: it cannot be written", wishes[i].path);
+        }
     }
-    if (wanted->shown && !judge_dump_save(&run->shown, wanted->shown)) {
-        return fail("%s: it cannot be written", wanted->shown);
+    char *text = NULL;
+    size_t length;
+    FILE *out = open_memstream(&text, &length);
+    bool saved = out != NULL;
+    if (out) {
+        print_all(out, wanted, run);
+        saved = fclose(out) == 0 && judge_save_file(wanted->json, text, length);
     }
-    report out = {0};
-    say_all(&out, wanted, run);
-    bool saved = !out.failed && judge_save_file(wanted->json, out.text, out.length);
-    free(out.text);
-    return saved ? 0 : fail("%s: it cannot be written", wanted->json);
+    free(text);
+    return saved ? 0 : refuse("%s: it cannot be written", wanted->json);
 }
 
 int main(int count, char **arguments)
 {
     options wanted;
     if (!parse_options(count, arguments, &wanted)) {
-        return fail("usage: judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] "
-                    "[--names NAMES.fxld] [--shown NAMES.fxld] [--outlines COLOUR] "
-                    "[--distance PIXELS] [--clipper NAME] [--hidden NAME] [--light NAME]");
+        return refuse("usage: judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] "
+                      "[--names NAMES.fxld] [--shown NAMES.fxld] [--outlines COLOUR] "
+                      "[--distance PIXELS] [--clipper NAME] [--hidden NAME] [--light NAME]");
     }
     static session run;
     int code = judge(&wanted, &run);

@@ -22,18 +22,7 @@ enum {
 /* What the threads share. Each takes the next frame under the lock. It writes only to that
  * frame's place in frames and twin. */
 typedef struct {
-    const judge_scene *scene;
-    const ref_scene_image *image; /* the scene's */
-    const judge_dump *dump;
-    unsigned cuts;
-    bool by_points;
-    bool by_bsp;
-    bool flat;
-    int depth_bits;
-    double distance;
-    int line; /* the palette index of outlines; below 0: none */
-    judge_frame *frames;
-    judge_dump *twin, *names, *shown;
+    const judge_task *asked;
     ref_rgb565 rgb565; /* where the dump has 16 bits a pixel */
     pthread_mutex_t lock;
     uint32_t next, done;
@@ -59,19 +48,19 @@ static void count_pixel(judge_frame *frame, const judge_sample *pixel, double li
 
 /* Sets the pixel's distance. Counts where explaining it needs near and far moved by the bound on
  * depths, or another texel within the bound. */
-static void explain(const job *work, const ref_renderer *renderer, const judge_box *boxes,
+static void explain(const judge_task *asked, const ref_renderer *renderer, const judge_box *boxes,
                     judge_sample *pixel, judge_frame *frame)
 {
-    const judge_reason reason = judge_pixel(renderer, boxes, work->image->background, work->line,
-                                            pixel->x, pixel->y, pixel->board, work->distance);
+    const judge_reason reason = judge_pixel(renderer, boxes, asked->image->background, asked->line,
+                                            pixel->x, pixel->y, pixel->board, asked->distance);
     pixel->distance = reason.distance;
     frame->near_far += reason.near_far;
     frame->texels += reason.texels;
 }
 
-static oracle_tie_view tie_view(const job *work, const ref_pose *pose)
+static oracle_tie_view tie_view(const judge_task *asked, const ref_pose *pose)
 {
-    const ref_lens *lens = &work->image->lens;
+    const ref_lens *lens = &asked->image->lens;
     return (oracle_tie_view){
         .eye = {pose->position.x, pose->position.y, pose->position.z},
         .yaw = pose->yaw,
@@ -90,19 +79,19 @@ static oracle_tie_view tie_view(const job *work, const ref_pose *pose)
 
 /* Tells whether the pixel's centre lies exactly on an edge of a polygon that was drawn about
  * there. Then double cannot tell its side, and the exact test decides. */
-static bool is_tied(const job *work, const ref_renderer *renderer, const judge_box *boxes,
+static bool is_tied(const judge_task *asked, const ref_renderer *renderer, const judge_box *boxes,
                     const oracle_tie_view *view, int column, int row)
 {
     const ref_scene *scene = renderer->scene;
     double x = column + 0.5, y = row + 0.5;
     for (size_t i = 0; i < renderer->display_list.count; i++) {
         const judge_box *box = &boxes[i];
-        if (box->left - x > work->distance || x - box->right > work->distance ||
-            box->top - y > work->distance || y - box->bottom > work->distance) {
+        if (box->left - x > asked->distance || x - box->right > asked->distance ||
+            box->top - y > asked->distance || y - box->bottom > asked->distance) {
             continue;
         }
         const ref_instance *instance = &scene->instances[renderer->display_list.drawn[i].instance];
-        if (ref_placement_of(scene, instance) && !renderer->by_points) {
+        if (ref_placement_of(scene, instance) && !renderer->method.by_points) {
             continue; /* its vertices are no integers */
         }
         const ref_model *model = &scene->models[instance->model];
@@ -123,18 +112,18 @@ static bool is_tied(const job *work, const ref_renderer *renderer, const judge_b
 }
 
 /* False where memory is short. */
-static bool compare_pixels(const job *work, const ref_renderer *renderer, const uint16_t *twin,
-                           uint32_t number)
+static bool compare_pixels(const judge_task *asked, const ref_renderer *renderer,
+                           const uint16_t *twin, uint32_t number)
 {
-    judge_frame *frame = &work->frames[number];
+    judge_frame *frame = &asked->frames[number];
     *frame = (judge_frame){.max_distance = -1};
     judge_box *boxes = NULL; /* allocated at the first difference */
-    ref_pose pose = judge_dump_pose(work->dump, number);
-    oracle_tie_view view = tie_view(work, &pose);
-    for (int y = 0; y < work->dump->height; y++) {
-        for (int x = 0; x < work->dump->width; x++) {
-            const size_t place = (size_t)y * (size_t)work->dump->width + (size_t)x;
-            const uint16_t board = judge_dump_pixel(work->dump, number, place);
+    ref_pose pose = judge_dump_pose(asked->dump, number);
+    oracle_tie_view view = tie_view(asked, &pose);
+    for (int y = 0; y < asked->dump->height; y++) {
+        for (int x = 0; x < asked->dump->width; x++) {
+            const size_t place = (size_t)y * (size_t)asked->dump->width + (size_t)x;
+            const uint16_t board = judge_dump_pixel(asked->dump, number, place);
             if (board == twin[place]) {
                 continue;
             }
@@ -142,9 +131,9 @@ static bool compare_pixels(const job *work, const ref_renderer *renderer, const 
                 return false;
             }
             judge_sample pixel = {x, y, board, twin[place], 0};
-            explain(work, renderer, boxes, &pixel, frame);
-            count_pixel(frame, &pixel, work->distance);
-            frame->tied += is_tied(work, renderer, boxes, &view, x, y);
+            explain(asked, renderer, boxes, &pixel, frame);
+            count_pixel(frame, &pixel, asked->distance);
+            frame->tied += is_tied(asked, renderer, boxes, &view, x, y);
         }
     }
     free(boxes);
@@ -152,56 +141,57 @@ static bool compare_pixels(const job *work, const ref_renderer *renderer, const 
 }
 
 /* The names of what changed each pixel last. pixels: of the band, which is a frame. */
-static bool put_shown(const job *work, ref_renderer *renderer, const ref_band *band,
+static bool put_shown(const judge_task *asked, ref_renderer *renderer, const ref_band *band,
                       uint16_t *pixels, uint32_t number)
 {
-    const size_t area = (size_t)work->dump->width * (size_t)work->dump->height;
+    const size_t area = (size_t)asked->dump->width * (size_t)asked->dump->height;
     renderer->shown = calloc(area, sizeof *renderer->shown);
     if (!renderer->shown) {
         return false;
     }
-    ref_fill_band(band, ref_pixel_of(renderer, work->image->background));
+    ref_fill_band(band, ref_pixel_of(renderer, asked->image->background));
     ref_frame_draw(renderer, band);
     for (size_t i = 0; i < area; i++) {
         const uint32_t place = renderer->shown[i];
         const ref_drawn *drawn = &renderer->display_list.drawn[place > 0 ? place - 1 : 0];
         pixels[i] = place > 0 ? ref_face_name(drawn->instance, drawn->face) : 0;
     }
-    judge_dump_put(work->shown, number, pixels, &renderer->counters);
+    judge_dump_put(asked->shown, number, pixels, &renderer->counters);
     free(renderer->shown);
     renderer->shown = NULL;
     return true;
 }
 
-static bool judge_one(const job *work, ref_renderer *renderer, uint16_t *pixels, uint32_t number)
+static bool judge_one(const judge_task *asked, ref_renderer *renderer, uint16_t *pixels,
+                      uint32_t number)
 {
-    int width = work->dump->width, height = work->dump->height;
+    int width = asked->dump->width, height = asked->dump->height;
     ref_band band = {NULL, width, width, 0, height, pixels};
-    ref_pose pose = judge_dump_pose(work->dump, number);
+    ref_pose pose = judge_dump_pose(asked->dump, number);
     if (!ref_frame_begin(renderer, &pose)) {
         return false;
     }
-    ref_fill_band(&band, ref_pixel_of(renderer, work->image->background));
+    ref_fill_band(&band, ref_pixel_of(renderer, asked->image->background));
     ref_frame_draw(renderer, &band);
-    if (work->twin) {
-        judge_dump_put(work->twin, number, pixels, &renderer->counters);
+    if (asked->twin) {
+        judge_dump_put(asked->twin, number, pixels, &renderer->counters);
     }
-    const bool compared = compare_pixels(work, renderer, pixels, number);
-    if (work->names) {
+    const bool compared = compare_pixels(asked, renderer, pixels, number);
+    if (asked->names) {
         ref_fill_band(&band, 0);
         renderer->draws_names = true;
         ref_frame_draw(renderer, &band);
         renderer->draws_names = false;
-        judge_dump_put(work->names, number, pixels, &renderer->counters);
+        judge_dump_put(asked->names, number, pixels, &renderer->counters);
     }
-    return compared && (!work->shown || put_shown(work, renderer, &band, pixels, number));
+    return compared && (!asked->shown || put_shown(asked, renderer, &band, pixels, number));
 }
 
 /* Called under the lock. Prints nothing in the first second, and then at most once a second. */
 static void report_progress(job *work)
 {
     time_t now = time(NULL);
-    uint32_t total = work->dump->frame_count;
+    uint32_t total = work->asked->dump->frame_count;
     if (now - work->reported < 2 && (work->done < total || !isatty(STDERR_FILENO))) {
         return;
     }
@@ -213,26 +203,23 @@ static void report_progress(job *work)
 static void *run_worker(void *argument)
 {
     job *work = argument;
-    size_t area = (size_t)work->dump->width * (size_t)work->dump->height;
+    size_t area = (size_t)work->asked->dump->width * (size_t)work->asked->dump->height;
     ref_renderer renderer;
     moving_reference moving; /* each thread's own: it is at the thread's frame */
     uint16_t *pixels = malloc(area * sizeof *pixels);
-    bool moves = moving_reference_open(&moving, work->image, work->scene->bytes, work->scene->size);
-    bool ready = ref_renderer_init(&renderer, &moving.scene, &work->image->lens);
+    bool moves =
+        moving_reference_open(&moving, work->asked->image, work->asked->bytes, work->asked->size);
+    bool ready = ref_renderer_init(&renderer, &moving.scene, &work->asked->image->lens);
     bool sound = pixels && ready && moves;
-    renderer.cuts = work->cuts;
-    renderer.by_points = work->by_points;
-    renderer.by_bsp = work->by_bsp;
-    renderer.draws_flat = work->flat;
-    renderer.depth_bits = work->depth_bits;
-    renderer.rgb565 = work->dump->pixel_bits == 16 ? &work->rgb565 : NULL;
+    renderer.method = work->asked->method;
+    renderer.rgb565 = work->asked->dump->pixel_bits == 16 ? &work->rgb565 : NULL;
     renderer.keeps_doubt = true;
     pthread_mutex_lock(&work->lock);
-    while (sound && !work->failed && work->next < work->dump->frame_count) {
+    while (sound && !work->failed && work->next < work->asked->dump->frame_count) {
         uint32_t number = work->next++;
         pthread_mutex_unlock(&work->lock);
         moving_reference_play(&moving, number);
-        sound = judge_one(work, &renderer, pixels, number);
+        sound = judge_one(work->asked, &renderer, pixels, number);
         pthread_mutex_lock(&work->lock);
         work->done++;
         report_progress(work);
@@ -247,27 +234,10 @@ static void *run_worker(void *argument)
     return NULL;
 }
 
-bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cuts, bool by_points,
-                  bool by_bsp, bool flat, int depth_bits, double distance, int line,
-                  judge_frame *frames, judge_dump *twin, judge_dump *names, judge_dump *shown)
+bool judge_frames(const judge_task *asked)
 {
-    job work = {.scene = scene,
-                .image = scene->image,
-                .dump = dump,
-                .cuts = cuts,
-                .by_points = by_points,
-                .by_bsp = by_bsp,
-                .flat = flat,
-                .depth_bits = depth_bits,
-                .distance = distance,
-                .line = line,
-                .frames = frames,
-                .twin = twin,
-                .names = names,
-                .shown = shown,
-                .lock = PTHREAD_MUTEX_INITIALIZER,
-                .reported = time(NULL)};
-    ref_rgb565_make(&work.rgb565, scene->image->palette, scene->image->dark);
+    job work = {.asked = asked, .lock = PTHREAD_MUTEX_INITIALIZER, .reported = time(NULL)};
+    ref_rgb565_make(&work.rgb565, asked->image->palette, asked->image->dark);
     pthread_t threads[THREADS_MAX];
     long wanted = sysconf(_SC_NPROCESSORS_ONLN), started = 0;
     while (started < wanted - 1 && started < THREADS_MAX &&

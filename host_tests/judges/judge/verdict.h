@@ -27,26 +27,26 @@ typedef struct {
     judge_sample samples[JUDGE_SAMPLES_MAX]; /* the first unexplained pixels */
 } judge_frame;
 
-/* A scene: the image, and the bytes that it was read from. */
+/* What is judged, and where the answers go. */
 typedef struct {
     const ref_scene_image *image;
-    const uint8_t *bytes;
+    const uint8_t *bytes; /* that the image was read from */
     size_t size;
-} judge_scene;
+    const judge_dump *dump;
+    ref_method method;   /* how the board drew */
+    double distance;     /* pixels from an edge within which a difference is explained */
+    int line;            /* palette index of outlines that the board drew, which are explained along
+                            the edges of polygons; below 0: none */
+    judge_frame *frames; /* as many as the dump has */
+    /* Each may be null: the pixels of the reference renderer; the names of the faces that it shows;
+     * the names of the faces and billboards that changed each pixel last, also where they let
+     * through, 0 where nothing did. */
+    judge_dump *twin, *names, *shown;
+} judge_task;
 
-/* Judges every frame, on as many threads as there are processors. frames has room for
- * dump->frame_count. cuts: the planes that the board's clipper cuts by (reference/clipper.h).
- * by_points: that clipper works from points rounded in the world. by_bsp: the board drew in the
- * order of the scene's BSP. flat: it drew faces in their own colours. depth_bits: it drew by a
- * depth buffer of so many bits; else 0. twin (may be null) receives the pixels of the reference
- * renderer, names (may be null) the names of the faces that it shows. Prints progress on stderr.
+/* Judges every frame, on as many threads as there are processors. Prints progress on stderr.
  * Returns false where memory is short, or where the library refuses a scene in which something
- * moves. shown (may be null) receives the names of the faces and billboards that changed each pixel
- * last, also where they let through; 0: nothing did. line: the palette index of outlines that the
- * board drew, which are explained along the edges of polygons; below 0: none. */
-bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cuts, bool by_points,
-                  bool by_bsp, bool flat, int depth_bits, double distance, int line,
-                  judge_frame *frames,
-                  judge_dump *twin, judge_dump *names, judge_dump *shown);
+ * moves. */
+bool judge_frames(const judge_task *asked);
 
 #endif

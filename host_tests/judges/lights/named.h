@@ -4,6 +4,7 @@
 #ifndef LIGHTS_NAMED_H
 #define LIGHTS_NAMED_H
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -20,8 +21,8 @@ typedef struct {
     uint8_t dark[3];
 } named_light;
 
-/* Null where there is none of this name. */
-static inline const named_light *find_light(const char *name)
+/* Takes a light by its name into a const named_light *. False where there is none of this name. */
+static inline bool take_light(const char *name, void *to)
 {
     enum {
         UNIT = 65536,
@@ -66,10 +67,11 @@ static inline const named_light *find_light(const char *name)
                                           {70, 48, 84}}};
     for (unsigned i = 0; i < sizeof lights / sizeof lights[0]; i++) {
         if (strcmp(lights[i].name, name) == 0) {
-            return &lights[i];
+            *(const named_light **)to = &lights[i];
+            return true;
         }
     }
-    return NULL;
+    return false;
 }
 
 #endif

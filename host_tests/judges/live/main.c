@@ -31,7 +31,7 @@
 
 #include "reference/billboard.h"
 #include "frames/moving_reference.h"
-#include "frames/read_file.h"
+#include "frames/input.h"
 #include "judge/explain.h"
 #include "reference/clipper.h"
 #include "reference/render.h"
@@ -69,7 +69,7 @@ static double distance_at(const ref_renderer *renderer, const ref_drawn *drawn, 
     const ref_scene *scene = renderer->scene;
     const ref_instance *instance = &scene->instances[drawn->instance];
     ref_depth_plane plane = drawn->depth;
-    if (renderer->depth_bits == 0 && !ref_billboard_of(scene, instance)) {
+    if (renderer->method.depth_bits == 0 && !ref_billboard_of(scene, instance)) {
         const ref_face *faces = &scene->faces[scene->models[instance->model].first_face];
         ref_depth_plane_find(scene, &renderer->camera, instance, &faces[drawn->face], &plane);
     }
@@ -146,12 +146,6 @@ typedef struct {
     uint8_t *outlines;
     size_t outlines_capacity;
 } session;
-
-static int fail(const char *where, const char *what)
-{
-    fprintf(stderr, "error: live: %s: %s\n", where, what);
-    return 2;
-}
 
 static size_t outlines_size(const ref_renderer *renderer)
 {
@@ -345,15 +339,6 @@ static int open_scene(const char *path, session *run)
     return 0;
 }
 
-/* Reads an option. */
-static bool choose(const char *option, const char *name, ref_renderer *as)
-{
-    return strcmp(option, "--clipper") == 0 ? ref_clipper_cuts(name, &as->cuts, &as->by_points)
-           : strcmp(option, "--hidden") == 0
-               ? ref_visibility_draws(name, &as->by_bsp, &as->draws_flat, &as->depth_bits)
-               : false;
-}
-
 static void close_session(session *run)
 {
     ref_renderer_close(&run->renderer);
@@ -371,28 +356,20 @@ static void close_session(session *run)
 
 int main(int count, char **arguments)
 {
-    ref_renderer as = {.by_bsp = true /* where the scene has a tree */, .cuts = REF_CUT_ALL};
-    bool unasked = true;
-    for (int i = 2; i < count; i += 2) {
-        unasked = unasked && strcmp(arguments[i], "--hidden") != 0;
-        if (i + 1 == count || !choose(arguments[i], arguments[i + 1], &as)) {
-            count = 0;
-        }
-    }
-    if (count < 2) {
-        return fail("usage", "live SCENE.fxls [--clipper NAME] [--hidden NAME]");
+    ref_method method = REF_METHOD_OF_SCENE;
+    const char *scene;
+    const argument known[] = {{"--clipper", ref_take_clipper, &method},
+                              {"--hidden", ref_take_visibility, &method}};
+    if (!read_arguments(count, arguments, known, 2, &scene, 1)) {
+        return fail("live: usage", "live SCENE.fxls [--clipper NAME] [--hidden NAME]");
     }
     session run = {0};
-    int code = open_scene(arguments[1], &run);
-    if (code == 0 && unasked) {
-        as.by_bsp = !run.image.by_distance;
-        as.depth_bits = run.image.depth_bits;
+    int code = open_scene(scene, &run);
+    if (code == 0 && !method.is_asked) {
+        method.by_bsp = !run.image.by_distance;
+        method.depth_bits = run.image.depth_bits;
     }
-    run.renderer.by_bsp = as.by_bsp;
-    run.renderer.draws_flat = as.draws_flat;
-    run.renderer.depth_bits = as.depth_bits;
-    run.renderer.cuts = as.cuts;
-    run.renderer.by_points = as.by_points;
+    run.renderer.method = method;
     ref_rgb565_make(&run.rgb565, run.image.palette, run.image.dark);
     run.renderer.rgb565 = run.image.is_rgb565 ? &run.rgb565 : NULL;
     if (code == 0) {

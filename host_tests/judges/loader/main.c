@@ -10,7 +10,7 @@
 #include "fixel/billboards.h"
 #include "fixel/surfaces.h"
 #include "fixel/scene.h"
-#include "frames/read_file.h"
+#include "frames/input.h"
 #include "loader/rays.h"
 #include "reference/sections.h"
 #include "scene/scene_sections.h"

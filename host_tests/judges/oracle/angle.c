@@ -48,9 +48,27 @@ uint32_t oracle_any_angle(oracle_random *random)
     }
 }
 
-bool oracle_is_angle(int64_t number)
+bool oracle_are_angles(const int64_t *numbers, int count)
 {
-    return number >= 0 && number <= UINT32_MAX;
+    while (count > 0 && numbers[count - 1] >= 0 && numbers[count - 1] <= UINT32_MAX) {
+        count--;
+    }
+    return count == 0;
+}
+
+bool oracle_are_words(const int64_t *numbers, int count)
+{
+    while (count > 0 && numbers[count - 1] >= INT32_MIN && numbers[count - 1] <= INT32_MAX) {
+        count--;
+    }
+    return count == 0;
+}
+
+void oracle_put_angles(oracle_random *random, int count, oracle_input *input)
+{
+    for (int i = 0; i < count; i++) {
+        oracle_put(input, oracle_any_angle(random));
+    }
 }
 
 void oracle_report(FILE *words, const char *name, int32_t got, long double exact)
@@ -63,12 +81,9 @@ void oracle_report(FILE *words, const char *name, int32_t got, long double exact
 
 /* --- matrix_entry ------------------------------------------------------------ */
 
-static void generate_matrix(oracle_random *random, uint64_t index, oracle_input *input)
+static void generate_matrix(oracle_random *random, oracle_input *input)
 {
-    (void)index;
-    for (int i = 0; i < 3; i++) {
-        oracle_put(input, oracle_any_angle(random));
-    }
+    oracle_put_angles(random, 3, input);
 }
 
 static const char *const entry_names[9] = {"right.x", "right.y",   "right.z",   "up.x",     "up.y",
@@ -115,8 +130,7 @@ static void judge_entries(const fxl_axes *axes, const long double exact[9], FILE
 static oracle_outcome judge_matrix(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
     const int64_t *n = input->numbers;
-    if (input->count != 3 || !oracle_is_angle(n[0]) || !oracle_is_angle(n[1]) ||
-        !oracle_is_angle(n[2])) {
+    if (input->count != 3 || !oracle_are_angles(n, 3)) {
         return ORACLE_UNUSABLE;
     }
     fxl_camera camera;
@@ -141,12 +155,9 @@ const oracle_claim oracle_matrix_entry = {
 
 /* --- matrix_entry_instance --------------------------------------------------- */
 
-static void generate_instance(oracle_random *random, uint64_t index, oracle_input *input)
+static void generate_instance(oracle_random *random, oracle_input *input)
 {
-    (void)index;
-    for (int i = 0; i < 6; i++) {
-        oracle_put(input, oracle_any_angle(random));
-    }
+    oracle_put_angles(random, 6, input);
     oracle_put(input, oracle_below(random, 4) == 0
                           ? FXL_Q16_16_ONE
                           : (int64_t)oracle_spread(random, FXL_SCALE_MIN, FXL_SCALE_MAX));
@@ -159,12 +170,8 @@ static oracle_outcome judge_instance(const oracle_input *input, FILE *words,
                                      oracle_verdict *verdict)
 {
     const int64_t *n = input->numbers;
-    for (int i = 0; i < 6; i++) {
-        if (input->count != 7 || !oracle_is_angle(n[i])) {
-            return ORACLE_UNUSABLE;
-        }
-    }
-    if (n[6] < FXL_SCALE_MIN || n[6] > FXL_SCALE_MAX) {
+    if (input->count != 7 || !oracle_are_angles(n, 6) || n[6] < FXL_SCALE_MIN ||
+        n[6] > FXL_SCALE_MAX) {
         return ORACLE_UNUSABLE;
     }
     fxl_placement placement = {.scale = (int32_t)n[6]};
@@ -204,12 +211,12 @@ const oracle_claim oracle_matrix_entry_instance = {
 
 /* A step that visits every angle once in 2^32 samples, evenly spread at all times. One sample in
  * eight is near a multiple of 2^27. */
-static void generate_sine(oracle_random *random, uint64_t index, oracle_input *input)
+static void generate_sine(oracle_random *random, oracle_input *input)
 {
     uint32_t first = (uint32_t)(random->state >> 32);
-    oracle_random near = {random->state ^ index * UINT64_C(0x9E3779B97F4A7C15)};
-    uint32_t angle = first + (uint32_t)index * UINT32_C(0x9E3779B1);
-    input->kind = index % 8 == 0;
+    oracle_random near = {random->state ^ input->index * UINT64_C(0x9E3779B97F4A7C15)};
+    uint32_t angle = first + (uint32_t)input->index * UINT32_C(0x9E3779B1);
+    input->kind = input->index % 8 == 0;
     if (input->kind) {
         angle = (oracle_below(&near, 32) << 27) + oracle_below(&near, 8192) - 4096;
     }
@@ -218,7 +225,7 @@ static void generate_sine(oracle_random *random, uint64_t index, oracle_input *i
 
 static oracle_outcome judge_sine(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
-    if (input->count != 1 || !oracle_is_angle(input->numbers[0])) {
+    if (input->count != 1 || !oracle_are_angles(input->numbers, 1)) {
         return ORACLE_UNUSABLE;
     }
     uint32_t angle = (uint32_t)input->numbers[0];

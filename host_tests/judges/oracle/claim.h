@@ -20,7 +20,9 @@ enum {
 #define ORACLE_REFUSED 1e9
 
 typedef struct {
-    int kind; /* which of the claim's kinds of sample; not part of the input */
+    int kind;       /* which of the claim's kinds of sample; not part of the input */
+    int variant;    /* the claim's */
+    uint64_t index; /* of the sample in its shard */
     int count;
     int64_t numbers[ORACLE_NUMBERS_MAX];
 } oracle_input;
@@ -41,7 +43,8 @@ typedef struct {
     const char *numbers; /* the meaning of an input's numbers */
     const char *kinds[ORACLE_KINDS_MAX + 1];
     const char *extras[ORACLE_EXTRAS_MAX + 1];
-    void (*generate)(oracle_random *random, uint64_t index, oracle_input *input);
+    int variant; /* which of the claims with these functions */
+    void (*generate)(oracle_random *random, oracle_input *input);
     /* Judges a sample. words, where not null, receives the sample in words. */
     oracle_outcome (*judge)(const oracle_input *input, FILE *words, oracle_verdict *verdict);
 } oracle_claim;

@@ -161,9 +161,8 @@ enum {
 /* A band's pixels, and how often each was covered. */
 static uint8_t covered[FXL_SCREEN_MAX][FXL_SCREEN_MAX];
 
-static void generate(oracle_random *random, uint64_t index, oracle_input *input)
+static void generate(oracle_random *random, oracle_input *input)
 {
-    (void)index;
     static const int sizes[] = {1, 4, 16, 16, 32, 32, 64, 320};
     int width = sizes[oracle_below(random, 8)], height = sizes[oracle_below(random, 8)];
     if (oracle_below(random, 64) == 0) {

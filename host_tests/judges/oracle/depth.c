@@ -19,7 +19,7 @@ int depth_sample_put(oracle_random *random, const double z[DEPTH_FACES], double 
         oracle_triangle_point(input, &n[PIXEL], z[face], point);
         oracle_triangle_about(random, point, most, view);
         for (int i = 0; i < 3; i++) {
-            inside &= oracle_triangle_put_corner(input, view[i]);
+            inside &= oracle_put_point(input, view[i]);
         }
     }
     return inside;
@@ -232,8 +232,9 @@ static int mantissa_of(const fxl_lens *lens)
 }
 
 /* The distances differ by 2^-20 to 2^-9 of themselves, or by 2^-5 of that with 32 bits. */
-static void generate_gap(oracle_random *random, int wide, oracle_input *input)
+static void generate(oracle_random *random, oracle_input *input)
 {
+    const int wide = input->variant;
     oracle_setup_generate(random, FXL_SCREEN_MAX, input);
     const int64_t *n = input->numbers;
     const double near = (double)(n[3] + 2 * n[5] + 2) / 65536;
@@ -250,25 +251,13 @@ static void generate_gap(oracle_random *random, int wide, oracle_input *input)
     }
 }
 
-static void generate_16(oracle_random *random, uint64_t index, oracle_input *input)
-{
-    (void)index;
-    generate_gap(random, 0, input);
-}
-
-static void generate_32(oracle_random *random, uint64_t index, oracle_input *input)
-{
-    (void)index;
-    generate_gap(random, 1, input);
-}
-
 /* --- the claims ----------------------------------------------------------------------------- */
 
 /* accuracy 5.4 */
-static oracle_outcome judge_depth(const oracle_input *input, FILE *words, oracle_verdict *verdict,
-                                  int wide)
+static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
     static depth_sample sample;
+    const int wide = input->variant;
     double gap, slack;
     if (input->count != DEPTH_NUMBERS) {
         return ORACLE_UNUSABLE;
@@ -293,32 +282,18 @@ static oracle_outcome judge_depth(const oracle_input *input, FILE *words, oracle
     return ORACLE_COUNTED;
 }
 
-static oracle_outcome judge_16(const oracle_input *input, FILE *words, oracle_verdict *verdict)
-{
-    return judge_depth(input, words, verdict, 0);
-}
+/* Of a buffer of 16 bits a pixel or, where wide, 32. */
+#define DEPTH_CLAIM(bits, wide) \
+    const oracle_claim oracle_depth_##bits = { \
+        .id = "depth_" #bits, \
+        .unit = "of its bound", \
+        .numbers = DEPTH_TEXT, \
+        .kinds = {"two faces through a pixel"}, \
+        .extras = {"farther_one_shown"}, \
+        .variant = wide, \
+        .generate = generate, \
+        .judge = judge, \
+    }
 
-static oracle_outcome judge_32(const oracle_input *input, FILE *words, oracle_verdict *verdict)
-{
-    return judge_depth(input, words, verdict, 1);
-}
-
-const oracle_claim oracle_depth_16 = {
-    .id = "depth_16",
-    .unit = "of its bound",
-    .numbers = DEPTH_TEXT,
-    .kinds = {"two faces through a pixel"},
-    .extras = {"farther_one_shown"},
-    .generate = generate_16,
-    .judge = judge_16,
-};
-
-const oracle_claim oracle_depth_32 = {
-    .id = "depth_32",
-    .unit = "of its bound",
-    .numbers = DEPTH_TEXT,
-    .kinds = {"two faces through a pixel"},
-    .extras = {"farther_one_shown"},
-    .generate = generate_32,
-    .judge = judge_32,
-};
+DEPTH_CLAIM(16, 0);
+DEPTH_CLAIM(32, 1);

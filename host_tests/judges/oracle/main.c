@@ -115,7 +115,7 @@ static int read_options(int argc, char **argv, choices *options)
 
 static int run_input(const oracle_claim *claim, const char *text)
 {
-    oracle_input input = {0};
+    oracle_input input = {.variant = claim->variant};
     while (*text) {
         char *end;
         int64_t number = strtoll(text, &end, 10);
@@ -152,9 +152,9 @@ static int run_shard(const oracle_claim *claim, const choices *options)
         if (tally.skipped > 1000 * options->samples + 100000) {
             return fail("hardly any sample can be judged", claim->id);
         }
-        oracle_input input = {0};
+        oracle_input input = {.variant = claim->variant, .index = index};
         oracle_verdict verdict = {0};
-        claim->generate(&random, index, &input);
+        claim->generate(&random, &input);
         if (options->kind < ORACLE_KINDS_MAX && (uint64_t)input.kind != options->kind) {
             tally.skipped++;
             continue;

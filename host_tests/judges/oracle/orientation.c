@@ -26,42 +26,18 @@ static oracle_outcome judge_turn(fxl_status status, const exact_placement *exact
     return ORACLE_COUNTED;
 }
 
-static bool are_angles(const int64_t *numbers, int count)
-{
-    while (count > 0 && oracle_is_angle(numbers[count - 1])) {
-        count--;
-    }
-    return count == 0;
-}
-
-static bool are_words(const int64_t *numbers, int count)
-{
-    while (count > 0 && numbers[count - 1] >= INT32_MIN && numbers[count - 1] <= INT32_MAX) {
-        count--;
-    }
-    return count == 0;
-}
-
 /* --- orientation_angles ------------------------------------------------------ */
 
-static void put_angles(oracle_random *random, int count, oracle_input *input)
+static void generate_angles(oracle_random *random, oracle_input *input)
 {
-    for (int i = 0; i < count; i++) {
-        oracle_put(input, oracle_any_angle(random));
-    }
-}
-
-static void generate_angles(oracle_random *random, uint64_t index, oracle_input *input)
-{
-    (void)index;
-    put_angles(random, 3, input);
+    oracle_put_angles(random, 3, input);
 }
 
 static oracle_outcome judge_angles(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
     const int64_t *n = input->numbers;
     fxl_orientation got;
-    if (input->count != 3 || !are_angles(n, 3)) {
+    if (input->count != 3 || !oracle_are_angles(n, 3)) {
         return ORACLE_UNUSABLE;
     }
     const exact_placement exact = exact_angles((fxl_angle)n[0], (fxl_angle)n[1], (fxl_angle)n[2]);
@@ -114,18 +90,17 @@ static fxl_point point_of(const int64_t *n)
     return (fxl_point){(int32_t)n[0], (int32_t)n[1], (int32_t)n[2]};
 }
 
-static void generate_axis(oracle_random *random, uint64_t index, oracle_input *input)
+static void generate_axis(oracle_random *random, oracle_input *input)
 {
-    (void)index;
     put_vector(random, input);
-    put_angles(random, 1, input);
+    oracle_put_angles(random, 1, input);
 }
 
 static oracle_outcome judge_axis(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
     const int64_t *n = input->numbers;
     fxl_orientation got;
-    if (input->count != 4 || !is_vector(n) || !are_angles(n + 3, 1)) {
+    if (input->count != 4 || !is_vector(n) || !oracle_are_angles(n + 3, 1)) {
         return ORACLE_UNUSABLE;
     }
     const fxl_point axis = point_of(n);
@@ -145,9 +120,9 @@ const oracle_claim oracle_orientation_axis = {
 
 /* --- orientation_look_at ----------------------------------------------------- */
 
-static void generate_look(oracle_random *random, uint64_t index, oracle_input *input)
+static void generate_look(oracle_random *random, oracle_input *input)
 {
-    input->kind = (int)(index % 2);
+    input->kind = (int)(input->index % 2);
     put_vector(random, input);
     const int64_t *from = input->numbers;
     if (input->kind == 0) {
@@ -172,7 +147,7 @@ static oracle_outcome judge_look(const oracle_input *input, FILE *words, oracle_
 {
     const int64_t *n = input->numbers;
     fxl_orientation got;
-    if (input->count != 6 || !are_words(n, 6)) {
+    if (input->count != 6 || !oracle_are_words(n, 6)) {
         return ORACLE_UNUSABLE;
     }
     if (!is_vector(n) || !is_vector(n + 3) || are_parallel(n, n + 3)) {
@@ -195,9 +170,9 @@ const oracle_claim oracle_orientation_look_at = {
 /* --- orientation_product ----------------------------------------------------- */
 
 /* Orientations as the library makes them; of the second kind, each entry is off by up to 1 more. */
-static void generate_product(oracle_random *random, uint64_t index, oracle_input *input)
+static void generate_product(oracle_random *random, oracle_input *input)
 {
-    input->kind = (int)(index % 2);
+    input->kind = (int)(input->index % 2);
     for (int k = 0; k < 2; k++) {
         fxl_orientation made;
         (void)fxl_orientation_from_angles(oracle_any_angle(random), oracle_any_angle(random),
@@ -224,7 +199,7 @@ static oracle_outcome judge_product(const oracle_input *input, FILE *words, orac
     const int64_t *n = input->numbers;
     fxl_placement a, b;
     fxl_orientation got;
-    if (input->count != 18 || !are_words(n, 18)) {
+    if (input->count != 18 || !oracle_are_words(n, 18)) {
         return ORACLE_UNUSABLE;
     }
     if (!orientation_of(n, &a) || !orientation_of(n + 9, &b)) {
@@ -258,15 +233,15 @@ static void put_place(oracle_random *random, int64_t reach, double least, double
     for (int i = 0; i < 3; i++) {
         oracle_put(input, oracle_between(random, -reach, reach));
     }
-    put_angles(random, 3, input);
+    oracle_put_angles(random, 3, input);
     oracle_put(input, oracle_below(random, 4) == 0
                           ? FXL_Q16_16_ONE
                           : (int64_t)oracle_spread(random, least * 65536, most * 65536));
 }
 
-static void generate_parents(oracle_random *random, uint64_t index, oracle_input *input)
+static void generate_parents(oracle_random *random, oracle_input *input)
 {
-    const int depth = 1 + (int)(index % DEPTH);
+    const int depth = 1 + (int)(input->index % DEPTH);
     put_place(random, 50 * REACH, 0.5, 2, input);
     for (int i = 0; i < depth; i++) {
         put_place(random, REACH, 0.7, 1.4, input);
@@ -275,7 +250,7 @@ static void generate_parents(oracle_random *random, uint64_t index, oracle_input
 
 static bool place_of(const int64_t *n, fxl_point *centre, fxl_placement *placement)
 {
-    if (!is_vector((int64_t[]){n[0] | 1, n[1], n[2]}) || !are_angles(n + 3, 3) ||
+    if (!is_vector((int64_t[]){n[0] | 1, n[1], n[2]}) || !oracle_are_angles(n + 3, 3) ||
         n[6] < FXL_SCALE_MIN || n[6] > FXL_SCALE_MAX) {
         return false;
     }

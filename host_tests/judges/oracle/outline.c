@@ -29,20 +29,12 @@ enum {
 /* The values that are counted as beyond. */
 #define BOUND 1.25
 
-static void generate(oracle_random *random, uint64_t index, oracle_input *input)
+/* Of one claim the polygons that are nearly parallel to a plane, of the other all else. */
+static void generate(oracle_random *random, oracle_input *input)
 {
-    (void)index;
     do {
         oracle_polygon_generate(random, FXL_SCREEN_MAX, FXL_FACE_VERTICES_MAX, input);
-    } while (input->kind == ORACLE_NEAR_PARALLEL);
-}
-
-static void generate_near_parallel(oracle_random *random, uint64_t index, oracle_input *input)
-{
-    (void)index;
-    do {
-        oracle_polygon_generate(random, FXL_SCREEN_MAX, FXL_FACE_VERTICES_MAX, input);
-    } while (input->kind != ORACLE_NEAR_PARALLEL);
+    } while ((input->kind == ORACLE_NEAR_PARALLEL) != input->variant);
 }
 
 static void print_spots(FILE *words, const char *whose, const oracle_spot *spots, int count)
@@ -134,22 +126,17 @@ static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdi
     return ORACLE_COUNTED;
 }
 
-const oracle_claim oracle_outline_clipped = {
-    .id = "outline_clipped",
-    .unit = "1/65536 pixel",
-    .numbers = ORACLE_SETUP_TEXT ", count of vertices, x y z of each",
-    .kinds = {ORACLE_POLYGON_KINDS},
-    .extras = {"cut", "touching", "refused", "beyond_bound", "twin_beyond"},
-    .generate = generate,
-    .judge = judge,
-};
+#define OUTLINE_CLAIM(name, is_near_parallel) \
+    const oracle_claim oracle_outline_##name = { \
+        .id = "outline_" #name, \
+        .unit = "1/65536 pixel", \
+        .numbers = ORACLE_SETUP_TEXT ", count of vertices, x y z of each", \
+        .kinds = {ORACLE_POLYGON_KINDS}, \
+        .extras = {"cut", "touching", "refused", "beyond_bound", "twin_beyond"}, \
+        .variant = is_near_parallel, \
+        .generate = generate, \
+        .judge = judge, \
+    }
 
-const oracle_claim oracle_outline_near_parallel = {
-    .id = "outline_near_parallel",
-    .unit = "1/65536 pixel",
-    .numbers = ORACLE_SETUP_TEXT ", count of vertices, x y z of each",
-    .kinds = {ORACLE_POLYGON_KINDS},
-    .extras = {"cut", "touching", "refused", "beyond_bound", "twin_beyond"},
-    .generate = generate_near_parallel,
-    .judge = judge,
-};
+OUTLINE_CLAIM(clipped, 0);
+OUTLINE_CLAIM(near_parallel, 1);

@@ -2,6 +2,7 @@
 #include "oracle/setup.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static int in_32_bits(int64_t number)
 {
@@ -159,6 +160,19 @@ void oracle_to_world(const oracle_input *input, const double view[3], double wor
     for (int i = 0; i < 3; i++) {
         world[i] = x * right[i] + y * up[i] + view[2] * forward[i];
     }
+}
+
+int oracle_put_point(oracle_input *input, const double view[3])
+{
+    double world[3];
+    int inside = 1;
+    oracle_to_world(input, view, world);
+    for (int k = 0; k < 3; k++) {
+        const int64_t coordinate = input->numbers[6 + k] + (int64_t)floor(world[k] * 65536 + 0.5);
+        inside = inside && llabs(coordinate) <= FXL_COORDINATE_MAX;
+        oracle_put(input, coordinate);
+    }
+    return inside;
 }
 
 static int64_t dot(const fxl_direction *row, const int64_t d[3])

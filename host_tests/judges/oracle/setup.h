@@ -39,6 +39,9 @@ void oracle_setup_generate(oracle_random *random, int side_max, oracle_input *in
  * y are as long as those of the unsheared view. */
 void oracle_to_world(const oracle_input *input, const double view[3], double world[3]);
 
+/* Appends the point of the world that a point of the view is. Returns whether it is in range. */
+int oracle_put_point(oracle_input *input, const double view[3]);
+
 /* Computes the exact coordinates of a point in the view, in units of 2^-46. */
 typedef struct {
     int64_t x, y, z;

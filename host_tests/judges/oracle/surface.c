@@ -26,9 +26,9 @@ static int is_steep(const surface_sample *sample, int attribute, int64_t exact)
 
 /* place sampling: the claims of texels */
 /* accuracy 5.3 */
-static oracle_outcome judge_texel(const oracle_input *input, FILE *words, oracle_verdict *verdict,
-                                  uint8_t division)
+static oracle_outcome judge_texel(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
+    const uint8_t division = (uint8_t)input->variant;
     surface_sample sample;
     if (input->count != SURFACE_NUMBERS + 1 || input->numbers[SURFACE_NUMBERS] < 1 ||
         input->numbers[SURFACE_NUMBERS] > 7) {
@@ -65,39 +65,16 @@ static oracle_outcome judge_texel(const oracle_input *input, FILE *words, oracle
     return judged ? ORACLE_COUNTED : ORACLE_SKIPPED;
 }
 
-static void generate_texel(oracle_random *random, uint64_t index, oracle_input *input)
+static void generate_texel(oracle_random *random, oracle_input *input)
 {
-    (void)index;
     surface_sample_generate(random, input);
     oracle_put(input, oracle_between(random, 1, 7));
 }
 
-static oracle_outcome judge_divided(const oracle_input *input, FILE *words, oracle_verdict *verdict)
-{
-    return judge_texel(input, words, verdict, FXL_DIVIDE_1);
-}
-
-static oracle_outcome judge_every_16(const oracle_input *input, FILE *words,
-                                     oracle_verdict *verdict)
-{
-    return judge_texel(input, words, verdict, FXL_DIVIDE_16);
-}
-
-static oracle_outcome judge_every_8(const oracle_input *input, FILE *words, oracle_verdict *verdict)
-{
-    return judge_texel(input, words, verdict, FXL_DIVIDE_8);
-}
-
-static oracle_outcome judge_affine(const oracle_input *input, FILE *words, oracle_verdict *verdict)
-{
-    return judge_texel(input, words, verdict, FXL_AFFINE);
-}
-
 /* --- light ---------------------------------------------------------------------------------- */
 
-static void generate_light(oracle_random *random, uint64_t index, oracle_input *input)
+static void generate_light(oracle_random *random, oracle_input *input)
 {
-    (void)index;
     surface_sample_generate(random, input);
     surface_sample_put_light(random, input);
 }
@@ -134,45 +111,22 @@ static oracle_outcome judge_light(const oracle_input *input, FILE *words, oracle
 
 /* --- claims --------------------------------------------------------------------------------- */
 
-const oracle_claim oracle_texel_divided = {
-    .id = "texel_divided",
-    .unit = "texel",
-    .numbers = SURFACE_TEXT ", log2 of the texture's side",
-    .kinds = {"anywhere in sight"},
-    .extras = {"beyond_own_bound", "not_judged"},
-    .generate = generate_texel,
-    .judge = judge_divided,
-};
+#define TEXEL_CLAIM(name, division, kind) \
+    const oracle_claim oracle_texel_##name = { \
+        .id = "texel_" #name, \
+        .unit = "texel", \
+        .numbers = SURFACE_TEXT ", log2 of the texture's side", \
+        .kinds = {kind}, \
+        .extras = {"beyond_own_bound", "not_judged"}, \
+        .variant = division, \
+        .generate = generate_texel, \
+        .judge = judge_texel, \
+    }
 
-const oracle_claim oracle_texel_every_16 = {
-    .id = "texel_every_16",
-    .unit = "texel",
-    .numbers = SURFACE_TEXT ", log2 of the texture's side",
-    .kinds = {"anywhere in sight"},
-    .extras = {"beyond_own_bound", "not_judged"},
-    .generate = generate_texel,
-    .judge = judge_every_16,
-};
-
-const oracle_claim oracle_texel_every_8 = {
-    .id = "texel_every_8",
-    .unit = "texel",
-    .numbers = SURFACE_TEXT ", log2 of the texture's side",
-    .kinds = {"anywhere in sight"},
-    .extras = {"beyond_own_bound", "not_judged"},
-    .generate = generate_texel,
-    .judge = judge_every_8,
-};
-
-const oracle_claim oracle_texel_affine = {
-    .id = "texel_affine",
-    .unit = "texel",
-    .numbers = SURFACE_TEXT ", log2 of the texture's side",
-    .kinds = {"all corners on the screen"},
-    .extras = {"beyond_own_bound", "not_judged"},
-    .generate = generate_texel,
-    .judge = judge_affine,
-};
+TEXEL_CLAIM(divided, FXL_DIVIDE_1, "anywhere in sight");
+TEXEL_CLAIM(every_16, FXL_DIVIDE_16, "anywhere in sight");
+TEXEL_CLAIM(every_8, FXL_DIVIDE_8, "anywhere in sight");
+TEXEL_CLAIM(affine, FXL_AFFINE, "all corners on the screen");
 
 /* place light: the claim light_level: pixels of lit surfaces */
 const oracle_claim oracle_light_level = {
@@ -185,12 +139,12 @@ const oracle_claim oracle_light_level = {
     .judge = judge_light,
 };
 
+/* --- colours at corners ------------------------------------------------------------------------
+ */
+
 /* corner_colour: one pixel of a triangle with colours at its corners, as the library draws it in
  * RGB565, against the exact channels there (SPEC.md, section 9.8). */
 /* place pixel-format: the claim of colours at corners */
-
-/* Where docs/accuracy.md, section 5.1, allows more, a sample is not judged. */
-#define JUDGED_BOUND (1.0 / 256)
 
 enum {
     CHANNELS = 3
@@ -209,9 +163,8 @@ static int64_t any_colour(oracle_random *random)
     return colour;
 }
 
-static void generate(oracle_random *random, uint64_t index, oracle_input *input)
+static void generate_colours(oracle_random *random, oracle_input *input)
 {
-    (void)index;
     surface_sample_generate(random, input);
     for (int i = 0; i < 3; i++) {
         oracle_put(input, any_colour(random));
@@ -242,7 +195,7 @@ static double distance(int64_t exact, int level, int bits)
     return fmax(0, fmax(level - held, held - level - 1));
 }
 
-static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdict *verdict)
+static oracle_outcome judge_colours(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
     surface_sample sample;
     uint32_t colours[3];
@@ -288,6 +241,6 @@ const oracle_claim oracle_corner_colour = {
     .numbers = SURFACE_TEXT ", three colours 65536 red + 256 green + blue",
     .kinds = {"anywhere in sight"},
     .extras = {"not_judged"},
-    .generate = generate,
-    .judge = judge,
+    .generate = generate_colours,
+    .judge = judge_colours,
 };

@@ -14,7 +14,7 @@
 static int put_corner(oracle_random *random, oracle_input *input, const double view[3], double size,
                       const int64_t middle[2])
 {
-    const int inside = oracle_triangle_put_corner(input, view);
+    const int inside = oracle_put_point(input, view);
     for (int k = 0; k < 2; k++) {
         oracle_put(input, middle[k] + (int64_t)oracle_uniform(random, -size, size));
     }

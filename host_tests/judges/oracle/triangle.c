@@ -44,19 +44,6 @@ void oracle_triangle_about(oracle_random *random, const double point[3], double 
     }
 }
 
-int oracle_triangle_put_corner(oracle_input *input, const double view[3])
-{
-    double world[3];
-    int inside = 1;
-    oracle_to_world(input, view, world);
-    for (int k = 0; k < 3; k++) {
-        const int64_t coordinate = input->numbers[6 + k] + (int64_t)floor(world[k] * 65536 + 0.5);
-        inside = inside && llabs(coordinate) <= FXL_COORDINATE_MAX;
-        oracle_put(input, coordinate);
-    }
-    return inside;
-}
-
 void oracle_triangle_point(const oracle_input *input, const int64_t pixel[2], double z,
                            double point[3])
 {

@@ -19,9 +19,6 @@ void oracle_triangle_point(const oracle_input *input, const int64_t pixel[2], do
 void oracle_triangle_about(oracle_random *random, const double point[3], double most,
                            double view[3][3]);
 
-/* Appends a corner of the world. Returns whether it is in range. */
-int oracle_triangle_put_corner(oracle_input *input, const double view[3]);
-
 /* The unit normal of three corners of the world, each component to nearest; 0 where they are on one
  * line. */
 fxl_direction oracle_triangle_normal(const fxl_point *corners);

@@ -15,9 +15,8 @@
 /* In 1/65536 pixel: the error of double for a coordinate of up to 2^26 units. */
 #define TWIN_BOUND 1e-6
 
-static void generate_unclipped(oracle_random *random, uint64_t index, oracle_input *input)
+static void generate_unclipped(oracle_random *random, oracle_input *input)
 {
-    (void)index;
     oracle_setup_generate(random, FXL_SCREEN_MAX, input);
     const int64_t *n = input->numbers;
     double half_width = (double)n[0] / 2, half_height = (double)n[1] / 2;
@@ -34,16 +33,9 @@ static void generate_unclipped(oracle_random *random, uint64_t index, oracle_inp
         if (input->kind == 2) { /* at the rim */
             x = oracle_below(random, 2) ? half_width : -half_width;
         }
-        double view[3] = {x * z / focal, y * z / focal, z}, world[3];
-        oracle_to_world(input, view, world);
-        int inside = 1;
+        const double view[3] = {x * z / focal, y * z / focal, z};
         input->count = ORACLE_SETUP_NUMBERS;
-        for (int i = 0; i < 3; i++) {
-            int64_t coordinate = n[6 + i] + (int64_t)floor(world[i] * 65536 + 0.5);
-            inside = inside && llabs(coordinate) <= FXL_COORDINATE_MAX;
-            oracle_put(input, coordinate);
-        }
-        if (inside) {
+        if (oracle_put_point(input, view)) {
             return;
         }
     }
@@ -207,17 +199,15 @@ static void put_rows(oracle_random *random, bool at_corner, oracle_input *input)
     }
 }
 
-static void generate_turned(oracle_random *random, uint64_t index, oracle_input *input)
+static void generate_turned(oracle_random *random, oracle_input *input)
 {
     const double scale = oracle_below(random, 4) == 0
                              ? 1
                              : oracle_spread(random, FXL_SCALE_MIN, FXL_SCALE_MAX) / 65536;
     const double reach = oracle_spread(random, 1, 4000);
     const double size = oracle_spread(random, 1.0 / 256, 2300) / (scale > 1 ? scale : 1);
-    input->kind = (int)(index % 2);
-    for (int i = 0; i < ANGLES; i++) {
-        oracle_put(input, oracle_any_angle(random));
-    }
+    input->kind = (int)(input->index % 2);
+    oracle_put_angles(random, ANGLES, input);
     for (int i = EYE; i < ROWS; i++) {
         oracle_put(input, (int64_t)(oracle_uniform(random, -reach, reach) * 65536));
     }
@@ -316,11 +306,9 @@ static oracle_outcome judge_turned(const oracle_input *input, FILE *words, oracl
     static fxl_turned_view turned;
     fxl_cached_vertex entry = {.tag = 0};
     const int64_t *n = input->numbers;
-    for (int i = 0; i < NUMBERS; i++) {
-        if (input->count != NUMBERS ||
-            (i < ANGLES ? !oracle_is_angle(n[i]) : n[i] < INT32_MIN || n[i] > INT32_MAX)) {
-            return ORACLE_UNUSABLE;
-        }
+    if (input->count != NUMBERS || !oracle_are_angles(n, ANGLES) ||
+        !oracle_are_words(n + ANGLES, NUMBERS - ANGLES)) {
+        return ORACLE_UNUSABLE;
     }
     if (!read_sample(n, &sample)) {
         return ORACLE_SKIPPED;

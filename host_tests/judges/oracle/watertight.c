@@ -45,9 +45,8 @@ typedef struct {
 /* How often each pixel was drawn, and how many exact outlines hold its centre. */
 static uint8_t drawn[FXL_SCREEN_MAX][FXL_SCREEN_MAX], exact[FXL_SCREEN_MAX][FXL_SCREEN_MAX];
 
-static void generate(oracle_random *random, uint64_t index, oracle_input *input)
+static void generate(oracle_random *random, oracle_input *input)
 {
-    (void)index;
     do {
         input->count = 0;
         oracle_polygon_generate(random, SIDE_MAX, VERTICES_MAX, input);

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "frames/input.h"
 #include "frames/session.h"
 #include "path.h"
 #include "predict/counts.h"
@@ -25,12 +26,6 @@ enum {
     FRAMES,
     SETTINGS
 };
-
-static int fail(const char *what, const char *why)
-{
-    fprintf(stderr, "error: %s: %s\n", what, why);
-    return 2;
-}
 
 /* place pixel-format: what is counted */
 /* What a board with these settings has no room for; or null. */
@@ -55,10 +50,7 @@ static bool parse(int count, char **words, uint32_t settings[SETTINGS])
         return false;
     }
     for (int i = 0; i < SETTINGS; i++) {
-        char *end;
-        const unsigned long value = strtoul(words[i + 2], &end, 10);
-        settings[i] = (uint32_t)value;
-        if (*words[i + 2] < '0' || *words[i + 2] > '9' || *end != '\0' || value > UINT32_MAX) {
+        if (!take_number(words[i + 2], &settings[i])) {
             return false;
         }
     }

@@ -24,12 +24,13 @@ static const struct {
     {"left", DEPTHS | 1u << REF_PLANE_LEFT, false},
 };
 
-bool ref_clipper_cuts(const char *name, unsigned *planes, bool *by_points)
+bool ref_take_clipper(const char *name, void *method)
 {
+    ref_method *of = method;
     for (size_t i = 0; i < sizeof clippers / sizeof *clippers; i++) {
         if (strcmp(name, clippers[i].name) == 0) {
-            *planes = clippers[i].planes;
-            *by_points = clippers[i].by_points;
+            of->cuts = clippers[i].planes;
+            of->by_points = clippers[i].by_points;
             return true;
         }
     }
@@ -45,13 +46,15 @@ static const struct {
     {"spans-box", false, true, 0}, {"tree", true, true, 0},     {"tree-spans", true, true, 0},
     {"surfaces", false, false, 0}, {"depth", false, false, 16}, {"depth-32", false, false, 32}};
 
-bool ref_visibility_draws(const char *name, bool *by_bsp, bool *flat, int *depth_bits)
+bool ref_take_visibility(const char *name, void *method)
 {
+    ref_method *of = method;
+    of->is_asked = true;
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
         if (strcmp(methods[i].name, name) == 0) {
-            *by_bsp = methods[i].by_bsp;
-            *flat = methods[i].flat;
-            *depth_bits = methods[i].depth_bits;
+            of->by_bsp = methods[i].by_bsp;
+            of->flat = methods[i].flat;
+            of->depth_bits = methods[i].depth_bits;
             return true;
         }
     }

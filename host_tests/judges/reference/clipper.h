@@ -15,13 +15,22 @@
 /* How far the guard band reaches from the centre of the screen, in pixels. */
 #define REF_GUARD_PIXELS 3500
 
-/* Looks a clipper up by its name. Returns false where no clipper has that name. */
-bool ref_clipper_cuts(const char *name, unsigned *planes, bool *by_points);
+/* How frames are drawn. */
+typedef struct {
+    unsigned cuts;  /* bits of the planes that cut */
+    bool by_points; /* the clipper works from rounded points */
+    bool by_bsp;    /* by the BSP, if the scene has one */
+    bool flat;      /* faces in their own colours, whatever surfaces they have */
+    int depth_bits; /* 16 or 32: by a depth buffer; else 0 */
+    bool is_asked;  /* a visibility method was named; else the scene's image chooses */
+} ref_method;
 
-/* How a visibility method of this name draws: by_bsp: a scene that has a BSP tree by the tree;
- * flat: faces in their own colours, whatever surfaces they have; depth_bits: of a depth buffer, or
- * 0. Returns false where no method has that name. A span buffer gives the same picture as drawing
- * over. */
-bool ref_visibility_draws(const char *name, bool *by_bsp, bool *flat, int *depth_bits);
+/* By a clipper that cuts by all planes, and by the BSP. */
+#define REF_METHOD_OF_SCENE ((ref_method){.cuts = REF_CUT_ALL, .by_bsp = true})
+
+/* Sets what a clipper or a visibility method of this name sets of a ref_method. Returns false where
+ * none has that name. A span buffer gives the same picture as drawing over. */
+bool ref_take_clipper(const char *name, void *method);
+bool ref_take_visibility(const char *name, void *method);
 
 #endif

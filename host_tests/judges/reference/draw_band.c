@@ -109,7 +109,7 @@ static void draw_polygon(const ref_renderer *renderer, const ref_drawn *drawn, c
     ref_span span;
     ref_scan_begin(&drawn->polygon, band, &scan);
     while (ref_scan_next(&scan, &span)) {
-        if (renderer->depth_bits != 0) {
+        if (renderer->method.depth_bits != 0) {
             draw_near_span(renderer, drawn, band, &span, !ref_is_blended(drawn));
         } else {
             draw_span(renderer, drawn, band, &span);
@@ -131,7 +131,7 @@ static void clear_depth(const ref_renderer *renderer, ref_rows rows)
 void ref_frame_draw(const ref_renderer *renderer, const ref_band *band)
 {
     const ref_rows rows = {band->first_row, band->first_row + band->rows};
-    const bool by_depth = renderer->depth_bits != 0;
+    const bool by_depth = renderer->method.depth_bits != 0;
     if (by_depth) {
         clear_depth(renderer, rows);
     }

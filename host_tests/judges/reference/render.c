@@ -24,7 +24,7 @@ bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref
     memset(renderer, 0, sizeof *renderer);
     renderer->scene = scene;
     renderer->lens = *lens;
-    renderer->cuts = REF_CUT_ALL;
+    renderer->method.cuts = REF_CUT_ALL;
     renderer->order = calloc(scene->instance_count, sizeof *renderer->order);
     renderer->faces = calloc((size_t)faces + 1, sizeof *renderer->faces);
     renderer->nearness =
@@ -70,7 +70,7 @@ static ref_clip_result clip_and_project(const ref_renderer *renderer, const ref_
     ref_depth_move_frustum(&frustum, moved);
     ref_depth_move_view_frustum(&view_frustum, moved);
     *screen = (ref_screen_polygon){.colour = whole->colour};
-    if (renderer->cuts != REF_CUT_ALL && is_outside(&renderer->camera, &view_frustum, whole)) {
+    if (renderer->method.cuts != REF_CUT_ALL && is_outside(&renderer->camera, &view_frustum, whole)) {
         return REF_CLIP_OUTSIDE;
     }
     ref_clip_result result = ref_clip_world_to_frustum(whole, &frustum, &clipped);
@@ -120,7 +120,7 @@ static void note_doubt(const ref_renderer *renderer, const ref_polygon *whole, r
 static bool shows_surface(const ref_renderer *renderer, const ref_instance *instance, uint32_t face)
 {
     const ref_scene *scene = renderer->scene;
-    return scene->surfaces && !renderer->draws_flat &&
+    return scene->surfaces && !renderer->method.flat &&
            scene->surfaces->face_map[scene->models[instance->model].first_face + face] != 0;
 }
 
@@ -158,9 +158,9 @@ static bool submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uin
         ref_surface_look(renderer->scene, &renderer->camera, &renderer->lens, renderer->rgb565, of,
                          face, &drawn.look);
         drawn.look.in_beam = is_in_beam ? renderer->scene->lit : NULL;
-        drawn.look.is_light_coarse = renderer->depth_bits == 16;
+        drawn.look.is_light_coarse = renderer->method.depth_bits == 16;
     }
-    if (renderer->depth_bits != 0) {
+    if (renderer->method.depth_bits != 0) {
         ref_depth_plane_find(renderer->scene, &renderer->camera, of, shown, &drawn.depth);
     }
     drawn.rows = ref_scan_rows(&drawn.polygon, renderer->lens.height);
@@ -262,7 +262,7 @@ bool ref_submit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t 
     }
     ref_polygon whole;
     const ref_face *face = &renderer->scene->faces[model->first_face + face_number];
-    ref_face_to_polygon(renderer->scene, instance, face, renderer->by_points, &whole);
+    ref_face_to_polygon(renderer->scene, instance, face, renderer->method.by_points, &whole);
     whole.colour = shows_surface(renderer, instance, face_number)
                        ? face->material
                        : ref_face_colour(renderer, instance, face);
@@ -350,7 +350,7 @@ static void set_frusta(ref_renderer *renderer)
     screen.inset = 0;
     ref_view_frustum view_sides = ref_view_frustum_from_lens(&screen);
     ref_frustum sides =
-        ref_frustum_with_guard(&renderer->camera, &screen, renderer->cuts, REF_GUARD_PIXELS);
+        ref_frustum_with_guard(&renderer->camera, &screen, renderer->method.cuts, REF_GUARD_PIXELS);
     renderer->view_frustum = ref_view_frustum_from_lens(&renderer->lens);
     renderer->frustum = ref_frustum_from_camera(&renderer->camera, &renderer->lens);
     for (int plane = REF_PLANE_LEFT; plane <= REF_PLANE_TOP; plane++) {
@@ -368,7 +368,7 @@ bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose)
     renderer->display_list.count = 0;
     uint32_t count = ref_order_instances(renderer->scene, &renderer->eye, &renderer->camera,
                                          &renderer->view_frustum, renderer->order);
-    const bool by_bsp = renderer->by_bsp && renderer->scene->bsp_nodes;
+    const bool by_bsp = renderer->method.by_bsp && renderer->scene->bsp_nodes;
     if (!(by_bsp ? ref_submit_by_bsp(renderer, renderer->order, count)
                  : submit_by_distance(renderer, count))) {
         return false;

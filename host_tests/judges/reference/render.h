@@ -16,19 +16,15 @@ typedef struct {
     ref_view_frustum view_frustum;
     ref_lattice_point eye;
     ref_order_entry *order, *faces;
-    unsigned cuts; /* bits of the planes that cut: REF_CUT_ALL unless set between frames */
+    ref_method method; /* set before a frame */
     ref_counters counters;
     ref_display_list display_list; /* the frame's polygons */
     bool keeps_doubt;              /* set before a frame: the list says what depends on rounding */
-    bool by_bsp;                   /* set before a frame: draw by the BSP, if the scene has one */
-    int depth_bits;                /* set before a frame: 16 or 32: by a depth buffer; else 0 */
     double *nearness;              /* of each pixel, while it draws by one */
     uint32_t *shown; /* set before drawing, or null: receives for each pixel 1 + the number in the
                         display list of the polygon that changed it last; the caller clears it */
     const ref_rgb565 *rgb565;      /* set before a frame of 16 bits a pixel; else null */
-    bool draws_flat;               /* set before a frame: faces have their own colours */
     bool draws_names;              /* set before drawing: a pixel shows the name of its face */
-    bool by_points;                /* set before a frame: the clipper works from rounded points */
     uint32_t unsplit;              /* instances of the frame that were not cut to the BSP */
 } ref_renderer;
 

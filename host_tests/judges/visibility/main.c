@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "counted_spans.h"
+#include "frames/input.h"
 #include "frames/session.h"
 #include "path.h"
 #include "study/clippers.h"
@@ -50,12 +51,6 @@ typedef struct {
     uint64_t seed;
     bool bsp;
 } comparison;
-
-static int fail(const char *what, const char *why)
-{
-    fprintf(stderr, "error: %s: %s\n", what, why);
-    return 2;
-}
 
 /* splitmix64, public domain: below `end`. */
 static uint32_t any(comparison *with, uint32_t end)
@@ -246,33 +241,14 @@ static int run(const char *path, uint32_t frames, uint64_t seed, bool bsp)
     return fflush(stdout) == 0 && !ferror(stdout) ? 0 : fail("stdout", strerror(errno));
 }
 
-static bool parse_number(const char *text, uint32_t *number)
-{
-    char *end;
-    errno = 0;
-    unsigned long value = strtoul(text, &end, 10);
-    *number = (uint32_t)value;
-    return *text >= '0' && *text <= '9' && *end == '\0' && errno == 0 && value <= UINT32_MAX;
-}
-
 int main(int count, char **arguments)
 {
-    const char *scene = NULL;
+    const char *scene;
     uint32_t frames = 20, seed = 1, tree = 0;
-    bool sound = true;
-    for (int i = 1; i < count && sound; i++) {
-        uint32_t *number = strcmp(arguments[i], "--frames") == 0 ? &frames
-                           : strcmp(arguments[i], "--seed") == 0 ? &seed
-                           : strcmp(arguments[i], "--tree") == 0 ? &tree
-                                                                 : NULL;
-        if (number != NULL) {
-            sound = ++i < count && parse_number(arguments[i], number);
-        } else {
-            sound = scene == NULL && arguments[i][0] != '-';
-            scene = arguments[i];
-        }
-    }
-    if (!sound || scene == NULL) {
+    const argument known[] = {{"--frames", take_number, &frames},
+                              {"--seed", take_number, &seed},
+                              {"--tree", take_number, &tree}};
+    if (!read_arguments(count, arguments, known, sizeof known / sizeof *known, &scene, 1)) {
         return fail("usage", "hidden SCENE.fxls [--frames N] [--seed S] [--tree 1]");
     }
     return run(scene, frames, seed, tree != 0);

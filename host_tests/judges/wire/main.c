@@ -13,7 +13,7 @@
 #include "fixel/all.h"
 #include "frames/dump.h"
 #include "frames/moving_reference.h"
-#include "frames/read_file.h"
+#include "frames/input.h"
 #include "frames/session.h"
 #include "path.h"
 #include "reference/wire.h"
@@ -27,12 +27,6 @@ typedef struct {
     uint64_t lines, clipped, lit, differing, unexplained, disagreeing;
     uint64_t intersections[2]; /* plane by plane, by outcodes */
 } findings;
-
-static int fail(const char *where, const char *what)
-{
-    fprintf(stderr, "error: %s: %s\n", where, what);
-    return 2;
-}
 
 static fxl_status draw_band(void *wire, const fxl_band *band)
 {
@@ -128,30 +122,31 @@ static int save(const char *out, const session *run, const ref_lens *lens, movin
 
 int main(int count, char **arguments)
 {
-    const int asked = count == 5 && strcmp(arguments[3], "--frames") == 0;
-    if (count != 3 && !asked) {
+    const char *files[2];
+    uint32_t frames = 0;
+    const argument known[] = {{"--frames", take_number, &frames}};
+    if (!read_arguments(count, arguments, known, 1, files, 2)) {
         return fail("usage", "wire SCENE.fxls OUT.fxld [--frames N]");
     }
     size_t size;
-    uint8_t *bytes = read_file(arguments[1], &size);
+    uint8_t *bytes = read_file(files[0], &size);
     if (!bytes) {
-        return fail(arguments[1], "it cannot be read");
+        return fail(files[0], "it cannot be read");
     }
     static session run;
     ref_scene_image reference;
     moving_reference moving;
-    const char *wrong = session_open(&run, arguments[1]);
+    const char *wrong = session_open(&run, files[0]);
     wrong = wrong ? wrong : ref_scene_open(bytes, size, &reference);
     if (wrong) {
-        return fail(arguments[1], wrong);
+        return fail(files[0], wrong);
     }
     if (!moving_reference_open(&moving, &reference, bytes, size)) {
-        return fail(arguments[1], "no memory for what moves");
+        return fail(files[0], "no memory for what moves");
     }
-    uint32_t frames = asked ? (uint32_t)strtoul(arguments[4], NULL, 10) : 0;
     frames = frames > 0 && frames < run.image.frame_count ? frames : run.image.frame_count;
     findings found = {0};
-    const int code = save(arguments[2], &run, &reference.lens, &moving, frames, &found);
+    const int code = save(files[1], &run, &reference.lens, &moving, frames, &found);
     moving_reference_close(&moving);
     ref_scene_close(&reference);
     free(bytes);

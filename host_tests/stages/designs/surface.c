@@ -106,7 +106,7 @@ static bool put_surface(enum designs_stage stage, const designs_plan *plan, orac
     oracle_triangle_point(face, &face->numbers[ORACLE_SETUP_NUMBERS], z, point);
     oracle_triangle_about(random, point, plan->face, view);
     for (int i = 0; i < 3; i++) {
-        inside = oracle_triangle_put_corner(face, view[i]) && inside;
+        inside = oracle_put_point(face, view[i]) && inside;
         oracle_put(face, (int64_t)oracle_uniform(random, -size, size));
         oracle_put(face, 0);
         oracle_put(face, 0);
