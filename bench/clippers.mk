@@ -71,7 +71,7 @@ $(if $(BUILT_GOALS),$(foreach core,$(CLIPPERS_CORES),$(foreach clipper,$(CLIPPER
 
 COMPARISON_OUT := $(BUILD)/host/comparison
 COMPARISON_OBJECTS := $(patsubst host_tests/stages/comparison/%.c,$(COMPARISON_OUT)/%.o,$(wildcard host_tests/stages/comparison/*.c)) \
-    $(addprefix $(BUILD)/host/objects/,stages/clippers/case.o stages/clippers/outline.o stages/bridge.o \
+    $(addprefix $(BUILD)/host/objects/,stages/clippers/case.o stages/bridge.o \
         judges/frames/dump.o judges/frames/path.o judges/frames/input.o judges/frames/session.o)
 COMPARISON_CC := $(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Ilib -Iboards -Ibench/firmware \
     -Ifirmware/walk -MMD -MP

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "stages/tally.h"
+#include "stages/measure.h"
 
 #include <inttypes.h>
 #include <math.h>

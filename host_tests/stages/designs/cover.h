@@ -4,6 +4,8 @@
 #ifndef DESIGNS_COVER_H
 #define DESIGNS_COVER_H
 
+#include <string.h>
+
 #include "designs/design.h"
 
 /* place fill-rule: definition: the exact design */
@@ -14,11 +16,41 @@ typedef struct {
     int winding;
 } designs_edge;
 
-designs_edge designs_edge_of(const fxl_screen_polygon *outline, int number);
+static int8_t windings[FXL_SCREEN_MAX * FXL_SCREEN_MAX];
+
+static inline designs_edge designs_edge_of(const fxl_screen_polygon *outline, int number)
+{
+    const fxl_screen_point *from = &outline->points[number];
+    const fxl_screen_point *to = &outline->points[(number + 1) % outline->count];
+    if (from->y < to->y) {
+        return (designs_edge){*from, *to, 1};
+    }
+    return (designs_edge){*to, *from, -1};
+}
 
 /* Between begin and end: pixels of the row from column on wind once more. */
-void designs_cover_begin(const designs_bitmap *bitmap);
-void designs_cover_add(const designs_bitmap *bitmap, int row, int64_t column, int winding);
-void designs_cover_end(const designs_bitmap *bitmap);
+static inline void designs_cover_begin(const designs_bitmap *bitmap)
+{
+    memset(windings, 0, (size_t)(bitmap->width * bitmap->height));
+}
+
+static inline void designs_cover_add(const designs_bitmap *bitmap, int row, int64_t column, int winding)
+{
+    if (column < bitmap->width) {
+        int8_t *at = &windings[row * bitmap->width + (column < 0 ? 0 : column)];
+        *at = (int8_t)(*at + winding);
+    }
+}
+
+static inline void designs_cover_end(const designs_bitmap *bitmap)
+{
+    for (int row = 0; row < bitmap->height; row++) {
+        int winding = 0;
+        for (int i = row * bitmap->width; i < (row + 1) * bitmap->width; i++) {
+            winding += windings[i];
+            bitmap->pixels[i] = winding != 0;
+        }
+    }
+}
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The library, by its public functions. A call that it refuses counts as the
  * end of 16.16, so that it cannot pass for precise. */
-#include "designs/surface.h"
+#include "designs/stage.h"
 
 static const designs_screen refused = {0x1p31, 0x1p31};
 

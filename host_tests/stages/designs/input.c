@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "designs/surface.h"
+#include "designs/stage.h"
 
 #include <inttypes.h>
 #include <stdio.h>

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-#include "designs/stage.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "designs/exact.h"
-#include "designs/surface.h"
+#include "designs/stage.h"
 
 const designs_design *const designs_all[DESIGNS_COUNT] = {&designs_naive, &designs_fixel,
                                                           &designs_float32};

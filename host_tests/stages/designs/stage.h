@@ -39,4 +39,18 @@ enum {
 
 extern const designs_sweep designs_sweeps[DESIGNS_SWEEPS];
 
+/* --- surfaces and depth ------------------------------------------------------- */
+
+/* Makes a sample of a stage from DESIGNS_TEXEL on. All corners are in front of the near plane, so
+ * no design needs to clip; without perspective they are on the screen. */
+void designs_sample_surface(enum designs_stage stage, const designs_plan *plan,
+                            oracle_random *random, designs_input *input);
+
+/* Each design's error for one input of such a stage. Requires one that designs_is_surface takes. */
+void designs_surface_errors(enum designs_stage stage, const designs_input *input,
+                            double errors[DESIGNS_COUNT]);
+
+/* Whether the numbers are an input of such a stage. */
+bool designs_is_surface(enum designs_stage stage, const oracle_input *face);
+
 #endif
