@@ -235,10 +235,10 @@ def harness_file(folder, text, name="arith.c"):
 
 @pytest.mark.parametrize("text, words", [
     (ROW + HARNESS, "arith.c:1: 'property' is missing"),
-    (ROW + PROPERTY + HARNESS, "'file' is missing"),
-    (ROW + PROPERTY + ' * file = "f"\n * unwnd = 3\n' + HARNESS, "unknown 'unwnd'"),
-    (ROW + PROPERTY + ' * file = "f"\n * unwind = true\n' + HARNESS, "'unwind' is no int"),
-    (ROW + PROPERTY + ' * file = "f"\n */\nint a;\n', "no harness"),
+    (ROW + PROPERTY + HARNESS, "arith.c:1: .* where is a"),
+    (ROW + PROPERTY + " * unwnd = 3\n" + HARNESS, "unknown 'unwnd'"),
+    (ROW + PROPERTY + " * unwind = true\n" + HARNESS, "'unwind' is no int"),
+    (ROW.replace('"a', '"f:a') + PROPERTY + " */\nint a;\n", "no harness"),
     (ROW + " * property = p\n" + HARNESS, "cannot be read"),
     ("/*[[row]]\n" + PROPERTY + HARNESS, "a row is a comment of its own"),
 ])
@@ -249,24 +249,25 @@ def test_a_wrong_row_is_refused(tmp_path, text, words):
 
 
 def test_a_row_is_of_the_harness_below_and_of_the_source_above(tmp_path):
-    path = harness_file(tmp_path, '#include "math/a.c"\n#include "math/b.h"\n' + ROW + PROPERTY + ' */\n/* [[row]]\n * id = "again"\n * function = "a"\n * file = "f"\n'
+    path = harness_file(tmp_path, '#include "math/a.c"\n#include "math/b.h"\n' + ROW + PROPERTY + ' */\n/* [[row]]\n * id = "again"\n * function = "f:a"\n'
                         + PROPERTY + HARNESS + '#include "math/c.c"\n/* [[row]]\n * function = "c"\n' + PROPERTY + HARNESS.replace("_a", "_c"))
     assert [(row.id, row.function, row.harness, row.tool) for row in rows.rows_of(path)] == [
         ("a", "lib/math/a.c:a", "prove_a", "cbmc"), ("again", "f:a", "prove_a", "cbmc"), ("c", "lib/math/c.c:c", "prove_c", "cbmc")]
 
 
 def test_rows_of_a_prover_have_the_text_below_them(tmp_path):
-    one = '; [[row]]\n; function = "a"\n; file = "f"\n; property = "p"\n\n'
-    path = harness_file(tmp_path, "; head\n" + one + one.replace('"a"', '"b"') + "(one)\n" + one.replace('"a"', '"c"') + "(two)\n", "equations.smt2")
+    one = '; [[row]]\n; function = "f:a"\n; property = "p"\n\n'
+    path = harness_file(tmp_path, "; head\n" + one + one.replace(":a", ":b") + "(one)\n" + one.replace(":a", ":c") + "(two)\n", "equations.smt2")
     assert [(row.name, row.tool, row.program) for row in rows.rows_of(path)] == [
         ("a", "z3", "; head\n\n(one)\n"), ("b", "z3", "; head\n\n(one)\n"), ("c", "z3", "; head\n\n(two)\n")]
 
 
 def test_tidy_takes_out_what_is_proved_and_writes_checks(tmp_path):
-    path = harness_file(tmp_path, '# c\nmost = 3\n\n[[measured]]\nfile = "f"\nby = ["fuzz"]\nwhy = "w"\nfunctions = [\n    "a",\n]\n\n'
-                        '[[measured]]\nfile = "g"\nby = ["fuzz"]\nwhy = "w"\nfunctions = [\n    "a",\n    "b",\n]\n', "measured.toml")
-    rows.tidy(tmp_path, {"f:a", "g:b"})
+    path = harness_file(tmp_path, '# c\nmost = 4\n\n[[measured]]\nby = ["fuzz"]\nwhy = "v"\n[measured.functions]\n"f" = [\n    "c",\n]\n\n'
+                        '[[measured]]\nby = ["fuzz"]\nwhy = "w"\n[measured.functions]\n"f" = [\n    "a",\n]\n"g" = [\n    "a",\n    "b",\n]\n', "measured.toml")
+    rows.tidy(tmp_path, {"f:a", "f:c", "g:b"})
     assert rows.measured(tmp_path) == ({"g:a": ("fuzz", "w")}, [])
+    assert path.read_text(encoding="utf-8").count("[[measured]]") == 1
     path = harness_file(tmp_path, '#include "math/a.c"\n' + ROW + PROPERTY + HARNESS)
     for checks in (7, 8):
         rows.record_checks(tmp_path, {"a": checks})

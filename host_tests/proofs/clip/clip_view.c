@@ -49,8 +49,7 @@ static void any_cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, uin
 }
 
 /* [[row]]
- * function = "fxl_cut_edge"
- * file = "lib/clip/cut_polygon.h"
+ * function = "lib/clip/cut_polygon.h:fxl_cut_edge"
  * property = "one step in any state at capacity 32: never more vertices than the capacity, never out of bounds, each crossing from inside to outside"
  * checks = 418
  */
@@ -74,8 +73,7 @@ void prove_cut_edge(void)
 }
 
 /* [[row]]
- * function = "fxl_cut_bit"
- * file = "lib/clip/cut_polygon.h"
+ * function = "lib/clip/cut_polygon.h:fxl_cut_bit"
  * property = "the bit of each vertex, exactly"
  * checks = 3
  */
@@ -287,8 +285,7 @@ void prove_clip_view_to_planes(void)
 }
 
 /* [[row]]
- * function = "fxl_clip_stats_add"
- * file = "lib/clip/clip_view.h"
+ * function = "lib/clip/clip_view.h:fxl_clip_stats_add"
  * property = "any distances of up to 32 vertices, or no counts: nothing is out of bounds"
  * checks = 26
  * unwind = 33

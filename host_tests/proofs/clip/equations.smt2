@@ -2,8 +2,7 @@
 
 ; [[row]]
 ; id = "fxl_half_space_distance exact"
-; function = "fxl_half_space_distance"
-; file = "lib/clip/volume.c"
+; function = "lib/clip/volume.c:fxl_half_space_distance"
 ; property = "the floor of the sum, below 2^62 without the offset; of two points the distances differ by less than 2^63"
 ; checks = 7
 ; text = ["high += fxl_multiply_s32(plane->normal.x, (int32_t)(point->x >> 32));", "low += fxl_multiply_su32(plane->normal.x, (uint32_t)point->x);", "FXL_LEMMA(FXL_BELOW(high * 4 + (low >> 30), ((int64_t)1 << 62) - 1));", "return high * 4 + (low >> 30) + plane->offset;"]
@@ -47,8 +46,7 @@
 
 ; [[row]]
 ; id = "fxl_intersection_screen exact"
-; function = "fxl_intersection_screen"
-; file = "lib/clip/intersection.h"
+; function = "lib/clip/intersection.h:fxl_intersection_screen"
 ; property = "the quotient is at most the extent, so that the division takes it"
 ; checks = 4
 ; text = ["int64_t product = ((int64_t)to - from) * inside;", "return from + fxl_divide_round(product, (uint32_t)(inside - outside));"]
@@ -70,8 +68,7 @@
 
 ; [[row]]
 ; id = "project_onto exact"
-; function = "project_onto"
-; file = "lib/clip/clip_view.c"
+; function = "lib/clip/clip_view.c:project_onto"
 ; property = "at most 3 2^60, and exactly the floor"
 ; checks = 5
 ; text = [

@@ -86,8 +86,7 @@ void prove_intersect_edge(void)
 }
 
 /* [[row]]
- * function = "fxl_intersection_screen"
- * file = "lib/clip/intersection.h"
+ * function = "lib/clip/intersection.h:fxl_intersection_screen"
  * property = "any edge and border of the screen: nothing overflows"
  * checks = 7
  * stands_in = { fxl_divide_round = "any_part" }

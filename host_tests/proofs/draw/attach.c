@@ -10,8 +10,7 @@ void fxl_renderer_set_shader(fxl_renderer *renderer, uint32_t rank, fxl_shader *
 }
 
 /* [[row]]
- * function = "fxl_renderer_attach"
- * file = "lib/draw/combination.c"
+ * function = "lib/draw/combination.c:fxl_renderer_attach"
  * property = "any renderer and shader: all that it has is looked at before the next frame"
  * checks = 13
  * stubs = { fxl_renderer_set_shader = "its own row", fxl_choose_with_memory = "not called", fxl_refuse = "not called" }

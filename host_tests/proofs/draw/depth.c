@@ -40,8 +40,7 @@ static bool is_range(const fxl_band *band)
 }
 
 /* [[row]]
- * function = "fxl_depth_clear"
- * file = "lib/draw/depth.c"
+ * function = "lib/draw/depth.c:fxl_depth_clear"
  * property = "any rows: nothing but cells of the band is cleared, and the rows that are clear stay rows of the band; bands of up to 4 rows of 4 cells"
  * checks = 159
  * stubs = { fxl_fill_band = "asserts that all lies within the cells of the band" }
@@ -61,8 +60,7 @@ void prove_depth_clear(void)
 }
 
 /* [[row]]
- * function = "fxl_depth_clear_all"
- * file = "lib/draw/depth.c"
+ * function = "lib/draw/depth.c:fxl_depth_clear_all"
  * property = "from any state: nothing but cells of the band is cleared, and all are clear; bands of up to 4 rows of 4 cells"
  * checks = 172
  * stubs = { fxl_fill_band = "asserts that all lies within the cells of the band" }

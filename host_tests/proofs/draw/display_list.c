@@ -76,8 +76,7 @@ const fxl_conflict *fxl_find_conflict(const fxl_renderer *renderer)
 }
 
 /* [[row]]
- * function = "fxl_renderer_conflict"
- * file = "lib/draw/conflict.c"
+ * function = "lib/draw/conflict.c:fxl_renderer_conflict"
  * property = "any conflict, and null pointers: both parts have a name"
  * checks = 45
  * stubs = { fxl_find_conflict = "any conflict of the table, or none" }
@@ -93,8 +92,7 @@ void prove_renderer_conflict(void)
 }
 
 /* [[row]]
- * function = "fxl_conflict_sentence"
- * file = "lib/draw/conflict.c"
+ * function = "lib/draw/conflict.c:fxl_conflict_sentence"
  * property = "any two parts, and null pointers: nothing is read beyond the table"
  * checks = 28
  * unwind = 12
@@ -109,8 +107,7 @@ void prove_conflict_sentence(void)
 }
 
 /* [[row]]
- * function = "fxl_renderer_set_shader"
- * file = "lib/draw/shader.c"
+ * function = "lib/draw/shader.c:fxl_renderer_set_shader"
  * property = "shaders stay in the order of their ranks, one of each; up to two before"
  * checks = 94
  * stubs = { fxl_find_conflict = "not called" }
@@ -141,8 +138,7 @@ void prove_renderer_set_shader(void)
 }
 
 /* [[row]]
- * function = "fxl_pieces_begin"
- * file = "lib/draw/pieces.c"
+ * function = "lib/draw/pieces.c:fxl_pieces_begin"
  * property = "nothing is undefined, and no outcome is left from before"
  * checks = 43
  * stubs = { fxl_find_conflict = "not called" }

@@ -28,8 +28,7 @@ void prove_count_outcome(void)
 }
 
 /* [[row]]
- * function = "fxl_cache_entries"
- * file = "lib/draw/workspace.c"
+ * function = "lib/draw/workspace.c:fxl_cache_entries"
  * property = "up to 2 models of any size: it ends, with a power of two that fits the memory"
  * checks = 30
  * unwind = 19
@@ -48,8 +47,7 @@ void prove_cache_entries(void)
 }
 
 /* [[row]]
- * function = "fxl_pieces_end"
- * file = "lib/draw/pieces.c"
+ * function = "lib/draw/pieces.c:fxl_pieces_end"
  * property = "any outcome of pieces: a face is counted once"
  * checks = 55
  */
@@ -118,8 +116,7 @@ static void make_any(fxl_renderer *renderer)
 }
 
 /* [[row]]
- * function = "fxl_workspace_begin"
- * file = "lib/draw/renderer.h"
+ * function = "lib/draw/renderer.h:fxl_workspace_begin"
  * property = "any workspace: no shade and no order of faces is left"
  * checks = 20
  */
@@ -134,8 +131,7 @@ void prove_workspace_begin(void)
 }
 
 /* [[row]]
- * function = "are_equal"
- * file = "lib/draw/workspace.c"
+ * function = "lib/draw/workspace.c:are_equal"
  * property = "any two records up to a camera's size: whether all bytes are the same, and none beyond is read"
  * checks = 31
  * unwind = 50
@@ -157,8 +153,7 @@ void prove_are_equal(void)
 }
 
 /* [[row]]
- * function = "has_room"
- * file = "lib/draw/workspace.c"
+ * function = "lib/draw/workspace.c:has_room"
  * property = "up to 2 models, any room: whether the tables are the same ones and each sorted model fits"
  * checks = 129
  */
@@ -177,8 +172,7 @@ void prove_has_room(void)
 }
 
 /* [[row]]
- * function = "note_settings"
- * file = "lib/draw/workspace.c"
+ * function = "lib/draw/workspace.c:note_settings"
  * property = "any renderer of up to 2 shaders: what is noted is current as long as nothing changes"
  * checks = 503
  * unwind = 50
@@ -210,8 +204,7 @@ bool any_are_equal(const void *a, const void *b, size_t size)
 }
 
 /* [[row]]
- * function = "is_current"
- * file = "lib/draw/workspace.c"
+ * function = "lib/draw/workspace.c:is_current"
  * property = "any renderer of up to 2 shaders, any workspace: current only with the same number, parts, shaders, sizes, lens and camera"
  * checks = 482
  * unwind = 8
@@ -298,8 +291,7 @@ fxl_status any_refuse(fxl_workspace *workspace, fxl_status status)
 #endif
 
 /* [[row]]
- * function = "fxl_frame_draw_with"
- * file = "lib/draw/workspace.c"
+ * function = "lib/draw/workspace.c:fxl_frame_draw_with"
  * property = "any renderer and workspace, and null pointers: draws in the renderer's own or a current one alone, else refuses; a workspace's room stays"
  * checks = 192
  * cases = [1, 2, 3]

@@ -49,8 +49,7 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
 
 /* [[row]]
  * id = "fxl_renderer_init_with"
- * function = "fxl_renderer_init_with_for_polygons_of_32"
- * file = "lib/draw/renderer_init_with.c"
+ * function = "lib/draw/renderer_init_with.c:fxl_renderer_init_with_for_polygons_of_32"
  * property = "a renderer that is set up has a clipper, an order and a target"
  * checks = 19
  * stubs = { fxl_renderer_init_bare = "any status" }
@@ -85,8 +84,7 @@ uint32_t fxl_lit_corners_needed(const fxl_beam *beams, uint32_t beam_count)
 }
 
 /* [[row]]
- * function = "fxl_beam_light_workspace_size"
- * file = "lib/draw/beam_light.c"
+ * function = "lib/draw/beam_light.c:fxl_beam_light_workspace_size"
  * property = "any beams, or null: a multiple of 8 that does not overflow, with room for the corners"
  * checks = 2
  * stubs = { fxl_beams_fit = "its own row", fxl_lit_pieces_needed = "at most 9^4, as its row says", fxl_lit_corners_needed = "up to six for each piece" }

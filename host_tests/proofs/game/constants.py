@@ -8,8 +8,7 @@ TURNS = 36
 
 # [[row]]
 # id = "angles of halved tangents"
-# function = "halved_tangents"
-# file = "lib/game/player.c"
+# function = "lib/game/player.c:halved_tangents"
 # property = "each is the nearest integer"
 # checks = 36
 # text = ["static const int64_t halved_tangents[] = {{*}}"]
@@ -20,8 +19,7 @@ def halved_tangents():
 
 # [[row]]
 # id = "growth of a turned vector"
-# function = "direction_of"
-# file = "lib/game/player.c"
+# function = "lib/game/player.c:direction_of"
 # property = "the stated factor is above that of all turns"
 # checks = 1
 # text = ["of {} in all, so components"]

@@ -3,8 +3,7 @@
 #include "proof.h"
 
 /* [[row]]
- * function = "fxl_leading_zeros"
- * file = "lib/math/core.h"
+ * function = "lib/math/core.h:fxl_leading_zeros"
  * property = "the number of zeros above the highest 1, exactly"
  * checks = 5
  */
@@ -19,8 +18,7 @@ void prove_leading_zeros(void)
 }
 
 /* [[row]]
- * function = "fxl_bit_length"
- * file = "lib/math/arith.h"
+ * function = "lib/math/arith.h:fxl_bit_length"
  * property = "the number of bits, exactly"
  * checks = 4
  */
@@ -34,8 +32,7 @@ void prove_bit_length(void)
 }
 
 /* [[row]]
- * function = "fxl_round_shift"
- * file = "lib/math/arith.h"
+ * function = "lib/math/arith.h:fxl_round_shift"
  * property = "floor(value / 2^shift + 1/2) for |value| <= 2^62, for each shift"
  * checks = 40
  * cases = [1, 2, 3, 61, 62]
@@ -79,8 +76,7 @@ void prove_fraction(void)
 }
 
 /* [[row]]
- * function = "fxl_divide_down"
- * file = "lib/math/arith.h"
+ * function = "lib/math/arith.h:fxl_divide_down"
  * property = "nothing overflows; a quotient of a coordinate of the screen is below 2^28"
  * checks = 55
  * contract = true
@@ -93,8 +89,7 @@ void prove_divide_down(void)
 }
 
 /* [[row]]
- * function = "fxl_divide_round"
- * file = "lib/math/arith.h"
+ * function = "lib/math/arith.h:fxl_divide_round"
  * property = "nothing overflows; a quotient of a coordinate of the screen is below 2^28"
  * checks = 30
  * contract = true
@@ -107,8 +102,7 @@ void prove_divide_round(void)
 }
 
 /* [[row]]
- * function = "fxl_divide_floor"
- * file = "lib/math/arith.h"
+ * function = "lib/math/arith.h:fxl_divide_floor"
  * property = "nothing overflows, and the remainder is below the denominator"
  * checks = 81
  * contract = true
@@ -137,8 +131,7 @@ void prove_ratio(void)
 }
 
 /* [[row]]
- * function = "fxl_dot"
- * file = "lib/math/arith.h"
+ * function = "lib/math/arith.h:fxl_dot"
  * property = "nothing overflows; below 7 2^59, and below 7 2^58 for coordinates below 2^29"
  * checks = 81
  * contract = true
@@ -151,8 +144,7 @@ void prove_dot(void)
 }
 
 /* [[row]]
- * function = "fxl_subtract"
- * file = "lib/math/arith.h"
+ * function = "lib/math/arith.h:fxl_subtract"
  * property = "differences of points of the world are below 2^30"
  * checks = 173
  * contract = true
@@ -166,8 +158,7 @@ void prove_subtract(void)
 }
 
 /* [[row]]
- * function = "fxl_point_in_range"
- * file = "lib/math/arith.h"
+ * function = "lib/math/arith.h:fxl_point_in_range"
  * property = "what it says, for every point"
  * checks = 78
  * contract = true
@@ -180,8 +171,7 @@ void prove_point_in_range(void)
 }
 
 /* [[row]]
- * function = "fxl_real_of"
- * file = "lib/math/arith.h"
+ * function = "lib/math/arith.h:fxl_real_of"
  * property = "the mantissa's highest bit is 1"
  * checks = 10
  */
@@ -197,8 +187,7 @@ void prove_real_of(void)
 }
 
 /* [[row]]
- * function = "fxl_mantissa_ratio"
- * file = "lib/math/arith.h"
+ * function = "lib/math/arith.h:fxl_mantissa_ratio"
  * property = "the quotient fits, and nothing overflows"
  * checks = 61
  * uses = ["fxl_divide_u64"]
@@ -212,8 +201,7 @@ void prove_mantissa_ratio(void)
 }
 
 /* [[row]]
- * function = "fxl_magnitude"
- * file = "lib/math/arith.h"
+ * function = "lib/math/arith.h:fxl_magnitude"
  * property = "the magnitude of every value, exactly"
  * checks = 1
  */
@@ -226,8 +214,7 @@ void prove_magnitude(void)
 }
 
 /* [[row]]
- * function = "fxl_divide_u32"
- * file = "lib/math/core.h"
+ * function = "lib/math/core.h:fxl_divide_u32"
  * property = "nothing overflows"
  * checks = 37
  * contract = true
@@ -241,8 +228,7 @@ void prove_divide_u32(void)
 }
 
 /* [[row]]
- * function = "fxl_multiply_high"
- * file = "lib/math/core.h"
+ * function = "lib/math/core.h:fxl_multiply_high"
  * property = "nothing is undefined"
  * checks = 7
  * contract = true

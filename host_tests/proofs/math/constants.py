@@ -6,8 +6,7 @@ from fixel.prove.exact import Real, ceil, floor, nearest, pi, power_below, root
 
 # [[row]]
 # id = "2 pi"
-# function = "TWO_PI_Q61"
-# file = "lib/math/angle.c"
+# function = "lib/math/angle.c:TWO_PI_Q61"
 # property = "it is the nearest integer"
 # checks = 1
 # text = ["#define TWO_PI_Q61 {}u"]
@@ -18,8 +17,7 @@ def two_pi():
 
 # [[row]]
 # id = "divisors of the series"
-# function = "factors"
-# file = "lib/math/angle.c"
+# function = "lib/math/angle.c:factors"
 # property = "they are 2k (2k + 1) and 2k (2k - 1)"
 # checks = 11
 # text = ["static const uint64_t factors[] = {BY({}), BY({}), BY({}), BY({}), BY({}), BY({}), BY({}), BY({}), BY({}), BY({}), BY({})};"]
@@ -38,8 +36,7 @@ def _omitted(power):
 
 # [[row]]
 # id = "omitted terms of the sine"
-# function = "factors"
-# file = "lib/math/angle.c"
+# function = "lib/math/angle.c:factors"
 # property = "they are below the stated power of 2"
 # checks = 1
 # text = ["x^13/13! < 2^-{} for x <= pi/4."]
@@ -49,8 +46,7 @@ def sine_omitted():
 
 # [[row]]
 # id = "omitted terms of the cosine"
-# function = "factors"
-# file = "lib/math/angle.c"
+# function = "lib/math/angle.c:factors"
 # property = "they are below the stated power of 2"
 # checks = 1
 # text = ["x^14/14! < 2^-{} for x <= pi/4."]
@@ -60,8 +56,7 @@ def cosine_omitted():
 
 # [[row]]
 # id = "table of reciprocals, Armv6-M"
-# function = "fxl_reciprocals"
-# file = "lib/math/core.h"
+# function = "lib/math/core.h:fxl_reciprocals"
 # property = "each entry is 2^23 / (2^15 + 2^9 i + 2^8), rounded"
 # checks = 65
 # text = ["static const uint8_t fxl_reciprocals[65] = {{*}}"]
@@ -72,8 +67,7 @@ def reciprocals():
 
 # [[row]]
 # id = "zeros of four bits"
-# function = "fxl_leading_zeros"
-# file = "lib/math/core.h"
+# function = "lib/math/core.h:fxl_leading_zeros"
 # property = "the word has the count of zeros of each four bits"
 # checks = 1
 # text = ["({}u >> (value >> 28) * 4u & 15u)"]
@@ -84,8 +78,7 @@ def zeros_of_nibbles():
 
 # [[row]]
 # id = "least and largest field of view"
-# function = "FXL_FOV_MIN"
-# file = "lib/include/fixel/types.h"
+# function = "lib/include/fixel/types.h:FXL_FOV_MIN"
 # property = "they are 10 and 150 degrees, to the nearest unit"
 # checks = 2
 # text = ["#define FXL_FOV_MIN FXL_CAST(fxl_angle, {}u)", "#define FXL_FOV_MAX FXL_CAST(fxl_angle, {}u)"]
@@ -96,8 +89,7 @@ def fields_of_view():
 
 # [[row]]
 # id = "largest radius"
-# function = "FXL_RADIUS_MAX"
-# file = "lib/include/fixel/types.h"
+# function = "lib/include/fixel/types.h:FXL_RADIUS_MAX"
 # property = "it is the diagonal of twice the largest coordinate, rounded up to a unit"
 # checks = 2
 # text = ["#define FXL_RADIUS_MAX FXL_CAST(fxl_q16_16, {} * {})"]

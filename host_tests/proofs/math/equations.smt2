@@ -2,8 +2,7 @@
 
 ; [[row]]
 ; id = "divide_digit exact"
-; function = "divide_digit"
-; file = "lib/math/arith.c"
+; function = "lib/math/arith.c:divide_digit"
 ; property = "a digit of 16 bits is the floor, its remainder is below the divisor, and no product of it loses a bit"
 ; checks = 7
 ; text = [
@@ -59,8 +58,7 @@
 
 ; [[row]]
 ; id = "fxl_divide_u32 exact"
-; function = "fxl_divide_u32"
-; file = "lib/math/core.h"
+; function = "lib/math/core.h:fxl_divide_u32"
 ; property = "the remainder is below the denominator, and neither it nor the quotient is above the numerator"
 ; checks = 2
 ; text = ["uint32_t quotient = numerator / denominator;", "*remainder = numerator - quotient * denominator;"]
@@ -77,8 +75,7 @@
 
 ; [[row]]
 ; id = "fxl_divide_u64 exact"
-; function = "fxl_divide_u64"
-; file = "lib/math/arith.c"
+; function = "lib/math/arith.c:fxl_divide_u64"
 ; property = "the quotient is the floor, and the remainder is below the denominator"
 ; checks = 7
 ; text = [
@@ -133,8 +130,7 @@
 
 ; [[row]]
 ; id = "fraction_digit exact"
-; function = "fraction_digit"
-; file = "lib/math/arith.c"
+; function = "lib/math/arith.c:fraction_digit"
 ; property = "a digit of a fraction is the floor, and its remainder is below the divisor, where the estimate is right or one too small"
 ; checks = 6
 ; text = [
@@ -176,24 +172,21 @@
 
 ; [[row]]
 ; id = "fxl_multiply_su32 bound"
-; function = "fxl_multiply_su32"
-; file = "lib/math/core.h"
+; function = "lib/math/core.h:fxl_multiply_su32"
 ; property = "at most 2^32 of the first factor"
 ; checks = 6
 ; text = ["static inline int64_t fxl_multiply_su32(int32_t a, uint32_t b)", "return (int64_t)a * b;"]
 
 ; [[row]]
 ; id = "fxl_multiply_s32 bound"
-; function = "fxl_multiply_s32"
-; file = "lib/math/core.h"
+; function = "lib/math/core.h:fxl_multiply_s32"
 ; property = "at most as many times the first factor as the second is large: 2^29 and 2^31"
 ; checks = 6
 ; text = ["static inline int64_t fxl_multiply_s32(int32_t a, int32_t b)", "return (int64_t)a * b;"]
 
 ; [[row]]
 ; id = "fxl_multiply_s64 bound"
-; function = "fxl_multiply_s64"
-; file = "lib/math/core.h"
+; function = "lib/math/core.h:fxl_multiply_s64"
 ; property = "factors from 0 to 2^24 and 2^31, or 2^25 and 2^32: at most 2^55 and 2^57"
 ; checks = 6
 ; text = ["static inline int64_t fxl_multiply_s64(int64_t a, int64_t b)", "return (int64_t)((uint64_t)a * (uint64_t)b);"]
@@ -220,8 +213,7 @@
 
 ; [[row]]
 ; id = "fxl_multiply_high exact"
-; function = "fxl_multiply_high"
-; file = "lib/math/core.h"
+; function = "lib/math/core.h:fxl_multiply_high"
 ; property = "the upper 64 bits of the product, exactly; no sum of it overflows"
 ; checks = 5
 ; text = [
@@ -260,8 +252,7 @@
 
 ; [[row]]
 ; id = "normalise exact"
-; function = "normalise"
-; file = "lib/math/plane.c"
+; function = "lib/math/plane.c:normalise"
 ; property = "each component is at most 1, because the root is at least each component"
 ; checks = 6
 ; text = [
@@ -273,8 +264,7 @@
 
 ; [[row]]
 ; id = "fxl_square_root exact"
-; function = "fxl_square_root"
-; file = "lib/math/plane.h"
+; function = "lib/math/plane.h:fxl_square_root"
 ; property = "at least the floor of the root"
 ; checks = 6
 ; text = [

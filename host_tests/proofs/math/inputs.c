@@ -39,8 +39,7 @@ static int64_t wave(uint32_t angle)
 
 /* [[row]]
  * id = "every angle, folded"
- * function = "magnitude_q62"
- * file = "lib/math/angle.c"
+ * function = "lib/math/angle.c:magnitude_q62"
  * property = "sine and cosine are those of the first quarter, folded and with their sign, and rounded, for every angle"
  * checks = 4294967296
  * flags = ["-DFOLDED"]
@@ -61,8 +60,7 @@ void enumerate_folded(void)
 
 /* [[row]]
  * id = "leading zeros, Armv6-M"
- * function = "fxl_leading_zeros"
- * file = "lib/math/core.h"
+ * function = "lib/math/core.h:fxl_leading_zeros"
  * property = "the text for Armv6-M counts what the compiler counts, for every value above 0"
  * checks = 4294967295
  * flags = ["-DFXL_CORE_ARMV6M=1"]
@@ -77,8 +75,7 @@ void enumerate_leading_zeros(void)
 
 /* [[row]]
  * id = "reciprocal of 16 bits, Armv6-M"
- * function = "fxl_reciprocal_half"
- * file = "lib/math/core.h"
+ * function = "lib/math/core.h:fxl_reciprocal_half"
  * property = "it is within 3 units of 2^31 / value"
  * checks = 32769
  * flags = ["-DFXL_CORE_ARMV6M=1"]
@@ -97,8 +94,7 @@ void enumerate_reciprocal_half(void)
 
 /* [[row]]
  * id = "sine of every angle"
- * function = "quarter_sine_q62"
- * file = "lib/math/angle.c"
+ * function = "lib/math/angle.c:quarter_sine_q62"
  * property = "it is within 0.02 unit of 2^-31 of the sine, for every angle of the first quarter of a turn"
  * checks = 1073741825
  * cases = [1, 2, 3, 4]
@@ -129,8 +125,7 @@ void enumerate_quarter_sine(void)
 
 /* [[row]]
  * id = "every reciprocal of a fraction"
- * function = "reciprocal_below"
- * file = "lib/math/arith.c"
+ * function = "lib/math/arith.c:reciprocal_below"
  * property = "it is at most 2^60 / value, and too small by at most 2^-27 of itself"
  * checks = 1073741824
  * every = true
@@ -146,8 +141,7 @@ void enumerate_reciprocal_below(void)
 
 /* [[row]]
  * id = "every first centre"
- * function = "fxl_first_centre_from"
- * file = "lib/math/pixel_centre.h"
+ * function = "lib/math/pixel_centre.h:fxl_first_centre_from"
  * property = "its centre is at or past the coordinate, and the one before is not, for every coordinate"
  * checks = 2147483647
  * every = true
@@ -163,8 +157,7 @@ void enumerate_first_centre_from(void)
 
 /* [[row]]
  * id = "every centre"
- * function = "fxl_centre_of"
- * file = "lib/math/pixel_centre.h"
+ * function = "lib/math/pixel_centre.h:fxl_centre_of"
  * property = "it is half a pixel past the row's coordinate, and the first centre from itself"
  * checks = 32767
  * every = true

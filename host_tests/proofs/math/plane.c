@@ -36,8 +36,7 @@ void prove_plane_distance(void)
 }
 
 /* [[row]]
- * function = "fxl_is_unit"
- * file = "lib/math/plane.h"
+ * function = "lib/math/plane.h:fxl_is_unit"
  * property = "nothing overflows for any direction"
  * checks = 102
  * contract = true
@@ -50,8 +49,7 @@ void prove_is_unit(void)
 }
 
 /* [[row]]
- * function = "fxl_square_root"
- * file = "lib/math/plane.h"
+ * function = "lib/math/plane.h:fxl_square_root"
  * property = "it ends after 32 rounds"
  * checks = 7
  * contract = true
@@ -141,8 +139,7 @@ void prove_unit_cross(void)
 /* --- what is inline beside it ---------------------------------------------------------------- */
 
 /* [[row]]
- * function = "fxl_first_centre_from"
- * file = "lib/math/pixel_centre.h"
+ * function = "lib/math/pixel_centre.h:fxl_first_centre_from"
  * property = "it is at most a row if and only if the coordinate is at most that row's centre"
  * checks = 5
  */
@@ -155,8 +152,7 @@ void prove_first_centre_from(void)
 }
 
 /* [[row]]
- * function = "fxl_is_aligned"
- * file = "lib/math/memory.h"
+ * function = "lib/math/memory.h:fxl_is_aligned"
  * property = "nothing is undefined"
  * checks = 2
  */
@@ -167,8 +163,7 @@ void prove_is_aligned(void)
 }
 
 /* [[row]]
- * function = "fxl_upper_product"
- * file = "lib/math/product.h"
+ * function = "lib/math/product.h:fxl_upper_product"
  * property = "none of these products overflows or shifts wrongly"
  * checks = 3
  */

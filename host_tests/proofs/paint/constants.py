@@ -6,8 +6,7 @@ from fixel.prove.exact import Real, ceil, nearest, root
 
 # [[row]]
 # id = "table of roots"
-# function = "root_reciprocal"
-# file = "lib/paint/light_level.c"
+# function = "lib/paint/light_level.c:root_reciprocal"
 # property = "each entry is the mean of 2^23 / value^(1/2) at both ends of its 2^25, rounded"
 # checks = 96
 # text = ["static const uint8_t roots[96] = {{*}}"]
@@ -19,8 +18,7 @@ def roots():
 
 # [[row]]
 # id = "parts of the largest weight"
-# function = "find_least"
-# file = "lib/paint/corner_gradients.c"
+# function = "lib/paint/corner_gradients.c:find_least"
 # property = "they are 9 2^11 2^(k/3), rounded up"
 # checks = 7
 # text = ["static const uint32_t parts[7] = {{*}}"]
@@ -31,8 +29,7 @@ def weight_parts():
 
 # [[row]]
 # id = "ratio of the twist"
-# function = "find_least"
-# file = "lib/paint/corner_gradients.c"
+# function = "lib/paint/corner_gradients.c:find_least"
 # property = "it is (16/15) (64/27) in 2^-30, rounded up, and a unit more"
 # checks = 1
 # text = ["{}u) + /* (16/15) (64/27) in 2^-30, and a unit */"]
@@ -43,8 +40,7 @@ def product_of_ratio():
 
 # [[row]]
 # id = "tangent of the cube root"
-# function = "find_least"
-# file = "lib/paint/corner_gradients.c"
+# function = "lib/paint/corner_gradients.c:find_least"
 # property = "they are its slope and its value at 0, rounded up"
 # checks = 2
 # text = ["(x * {}u >> 15) + {}u;"]
@@ -56,8 +52,7 @@ def tangent_of_cube_root():
 
 # [[row]]
 # id = "least weight of 4"
-# function = "find_least_weights"
-# file = "lib/paint/gradients.c"
+# function = "lib/paint/gradients.c:find_least_weights"
 # property = "it is 64 16^(-1/3), rounded up"
 # checks = 1
 # text = ["power_up(times_part(root, {}u), root_exponent - 6);"]
@@ -68,8 +63,7 @@ def bend_of_4():
 
 # [[row]]
 # id = "least weights of 8"
-# function = "fxl_find_least_weights"
-# file = "lib/paint/gradients.c"
+# function = "lib/paint/gradients.c:fxl_find_least_weights"
 # property = "they are at least 4^(-1/3), 2^(1/2) and 2^(2/3)"
 # checks = 3
 # text = [
@@ -86,8 +80,7 @@ def weights_of_8():
 
 # [[row]]
 # id = "pattern of opacities"
-# function = "fxl_is_stippled_away"
-# file = "lib/paint/texel_place.h"
+# function = "lib/paint/texel_place.h:fxl_is_stippled_away"
 # property = "it is the ordered square of 4 x 4"
 # checks = 16
 # text = ["static const uint8_t stipple[16] = {{*}}"]
@@ -98,8 +91,7 @@ def stipple():
 
 # [[row]]
 # id = "channels of RGB565"
-# function = "fxl_spread_565"
-# file = "lib/paint/rgb565_colour.h"
+# function = "lib/paint/rgb565_colour.h:fxl_spread_565"
 # property = "they are 5, 6 and 5 bits, and green is above in a word"
 # checks = 4
 # text = [

@@ -54,8 +54,7 @@ static fxl_depth_scale any_scale(void)
 }
 
 /* [[row]]
- * function = "fxl_depth_scale_of"
- * file = "lib/paint/depth_code.h"
+ * function = "lib/paint/depth_code.h:fxl_depth_scale_of"
  * property = "for every lens: 1 to 24 octaves, 11 to 15 bits, at most 65,536 codes"
  * checks = 19
  */
@@ -71,8 +70,7 @@ void prove_depth_scale_of(void)
 }
 
 /* [[row]]
- * function = "fxl_depth_octave_of"
- * file = "lib/paint/depth_code.h"
+ * function = "lib/paint/depth_code.h:fxl_depth_octave_of"
  * property = "nothing overflows, and every shift is in its range"
  * checks = 133
  */
@@ -87,8 +85,7 @@ void prove_depth_octave_of(void)
 }
 
 /* [[row]]
- * function = "fxl_depth_octave_of_word"
- * file = "lib/paint/depth_code.h"
+ * function = "lib/paint/depth_code.h:fxl_depth_octave_of_word"
  * property = "every shift is in its range, and the octave holds the word"
  * checks = 68
  */
@@ -105,8 +102,7 @@ void prove_depth_octave_of_word(void)
 }
 
 /* [[row]]
- * function = "fxl_depth_shifted"
- * file = "lib/paint/depth_code.h"
+ * function = "lib/paint/depth_code.h:fxl_depth_shifted"
  * property = "the lowest 32 bits of the floor, exactly"
  * checks = 17
  */

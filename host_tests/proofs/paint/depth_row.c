@@ -68,8 +68,7 @@ uint32_t fxl_depth_skip_hidden(const uint16_t *cells, uint32_t count, uint32_t c
 }
 
 /* [[row]]
- * function = "fxl_depth_visible_end"
- * file = "lib/paint/depth_cells.h"
+ * function = "lib/paint/depth_cells.h:fxl_depth_visible_end"
  * property = "runs of up to 4 cells of 16 or 32 bits, by either rule: nothing is out of bounds, and it ends at a hidden one"
  * checks = 310
  * unwind = 6
@@ -91,8 +90,7 @@ void prove_depth_visible_end(void)
 }
 
 /* [[row]]
- * function = "fxl_depth_hidden_end"
- * file = "lib/paint/depth_cells.h"
+ * function = "lib/paint/depth_cells.h:fxl_depth_hidden_end"
  * property = "runs of up to 4 cells of 16 or 32 bits, by either rule: nothing is out of bounds, and it ends at a visible one"
  * checks = 246
  * unwind = 6
@@ -113,8 +111,7 @@ void prove_depth_hidden_end(void)
 }
 
 /* [[row]]
- * function = "fxl_depth_keep"
- * file = "lib/paint/depth_cells.h"
+ * function = "lib/paint/depth_cells.h:fxl_depth_keep"
  * property = "any cell: no other changes, and the pixel passes again only where equal ones do"
  * checks = 146
  * cases = [16, 32]
@@ -209,8 +206,7 @@ bool any_holds(const fxl_depth_octave *octave, int64_t value)
 }
 
 /* [[row]]
- * function = "fxl_depth_octave_holds"
- * file = "lib/paint/depth_code.h"
+ * function = "lib/paint/depth_code.h:fxl_depth_octave_holds"
  * property = "any octave and value: low <= value < high"
  * checks = 13
  * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
@@ -329,8 +325,7 @@ void prove_depth_begin(void)
 }
 
 /* [[row]]
- * function = "fxl_depth_rows_go"
- * file = "lib/paint/depth_rows.h"
+ * function = "lib/paint/depth_rows.h:fxl_depth_rows_go"
  * property = "any plane and row: nothing overflows, and the cells are those of the row"
  * checks = 211
  * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
@@ -350,8 +345,7 @@ void prove_depth_rows(void)
 }
 
 /* [[row]]
- * function = "fxl_depth_outline_begin"
- * file = "lib/paint/depth_outline.h"
+ * function = "lib/paint/depth_outline.h:fxl_depth_outline_begin"
  * property = "any plane and band: what is taken is front to back, has all columns, and the cells of the band"
  * checks = 160
  * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }

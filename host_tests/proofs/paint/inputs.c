@@ -42,8 +42,7 @@ void enumerate_root_reciprocal(void)
 
 /* [[row]]
  * id = "every cube root"
- * function = "cube_root_up"
- * file = "lib/paint/gradients.c"
+ * function = "lib/paint/gradients.c:cube_root_up"
  * property = "it is the least integer whose cube is not below the value, for every value from 1 to 2^30"
  * checks = 1073741824
  * flags = ["-DCASE_OF_GRADIENTS"]
@@ -61,8 +60,7 @@ void enumerate_cube_root_up(void)
 
 /* [[row]]
  * id = "every third"
- * function = "third"
- * file = "lib/paint/gradients.c"
+ * function = "lib/paint/gradients.c:third"
  * property = "it is floor(number / 3), from -599 to 2^20"
  * checks = 1049175
  * flags = ["-DCASE_OF_GRADIENTS"]
@@ -88,8 +86,7 @@ static uint64_t least_above(uint64_t number, int exponent)
 
 /* [[row]]
  * id = "every power"
- * function = "power_up"
- * file = "lib/paint/gradients.c"
+ * function = "lib/paint/gradients.c:power_up"
  * property = "it is number 2^exponent, rounded up and held to 1 and 2^31, for every number and exponents from -400 to 400"
  * checks = 52493535
  * flags = ["-DCASE_OF_GRADIENTS"]
@@ -116,8 +113,7 @@ static uint32_t lowest(uint32_t channel)
 
 /* [[row]]
  * id = "every colour, spread"
- * function = "fxl_spread_565"
- * file = "lib/paint/rgb565_colour.h"
+ * function = "lib/paint/rgb565_colour.h:fxl_spread_565"
  * property = "each channel has its place, for every colour"
  * checks = 65536
  * every = true
@@ -132,8 +128,7 @@ void enumerate_spread(void)
 
 /* [[row]]
  * id = "every blend"
- * function = "fxl_blend_565"
- * file = "lib/paint/rgb565_colour.h"
+ * function = "lib/paint/rgb565_colour.h:fxl_blend_565"
  * property = "each channel is the mean by sixteenths, rounded down, for every two levels of it and every part"
  * checks = 208896
  */
@@ -157,8 +152,7 @@ void enumerate_blend(void)
 
 /* [[row]]
  * id = "every sum of colours"
- * function = "fxl_add_channel_565"
- * file = "lib/paint/rgb565_colour.h"
+ * function = "lib/paint/rgb565_colour.h:fxl_add_channel_565"
  * property = "it is the sum, or the channel's largest level, for every two levels"
  * checks = 6144
  * every = true
@@ -179,8 +173,7 @@ void enumerate_add_channel(void)
 
 /* [[row]]
  * id = "every mixture"
- * function = "fxl_mix_channel_565"
- * file = "lib/paint/rgb565_colour.h"
+ * function = "lib/paint/rgb565_colour.h:fxl_mix_channel_565"
  * property = "it is the mean by 256ths, rounded to nearest, for every two levels and every part"
  * checks = 1579008
  * every = true
@@ -204,8 +197,7 @@ void enumerate_mix_channel(void)
 
 /* [[row]]
  * id = "every opacity"
- * function = "fxl_is_stippled_away"
- * file = "lib/paint/texel_place.h"
+ * function = "lib/paint/texel_place.h:fxl_is_stippled_away"
  * property = "of a square of 16 pixels as many are drawn as the opacity says"
  * checks = 17
  */
@@ -222,8 +214,7 @@ void enumerate_stipple(void)
 
 /* [[row]]
  * id = "every level's side"
- * function = "fxl_level_log"
- * file = "lib/paint/texture_level.h"
+ * function = "lib/paint/texture_level.h:fxl_level_log"
  * property = "a level's side is half of the one before, and at least the least"
  * checks = 496
  * every = true

@@ -26,8 +26,7 @@ void prove_light_corners_of(void)
 }
 
 /* [[row]]
- * function = "fxl_light_corner_level"
- * file = "lib/paint/light_level.h"
+ * function = "lib/paint/light_level.h:fxl_light_corner_level"
  * property = "any brightness from 0 to 1: a level of the ramp"
  * checks = 1
  */
@@ -42,8 +41,7 @@ void prove_light_corner_level(void)
 }
 
 /* [[row]]
- * function = "fxl_light_level"
- * file = "lib/paint/light_level.h"
+ * function = "lib/paint/light_level.h:fxl_light_level"
  * property = "any brightness from 0 to 1: a level of the ramp"
  * checks = 1
  */
@@ -57,8 +55,7 @@ void prove_light_level(void)
 }
 
 /* [[row]]
- * function = "fxl_light_shade"
- * file = "lib/paint/light_level.h"
+ * function = "lib/paint/light_level.h:fxl_light_shade"
  * property = "any brightness from 0 to 1: nothing overflows, and 1 leaves all of a colour"
  * checks = 1
  */

@@ -27,8 +27,7 @@ void prove_reciprocal_of(void)
 }
 
 /* [[row]]
- * function = "fxl_attribute_of"
- * file = "lib/paint/segments.h"
+ * function = "lib/paint/segments.h:fxl_attribute_of"
  * property = "any value, reciprocal and shift: nothing overflows, and no shift is undefined"
  * checks = 16
  */

@@ -266,8 +266,7 @@ void prove_active_edges_fill(void)
 }
 
 /* [[row]]
- * function = "fxl_band_begin_at_column_0"
- * file = "lib/raster/columns.h"
+ * function = "lib/raster/columns.h:fxl_band_begin_at_column_0"
  * property = "any column: so many bytes before"
  * checks = 21
  */

@@ -142,8 +142,7 @@ const fxl_trapezoid *any_trapezoid(fxl_scan *scan)
 }
 
 /* [[row]]
- * function = "next_row_of_chains"
- * file = "lib/raster/scan.c"
+ * function = "lib/raster/scan.c:next_row_of_chains"
  * property = "any state with up to 3 rows to come: it ends, with a row of the scan or none"
  * checks = 256
  * stands_in = { fxl_scan_next_trapezoid = "any_trapezoid" }
@@ -169,8 +168,7 @@ bool any_row(fxl_scan *scan, fxl_span *span)
 }
 
 /* [[row]]
- * function = "fxl_scan_next"
- * file = "lib/raster/scan.c"
+ * function = "lib/raster/scan.c:fxl_scan_next"
  * property = "either kind of scan: rows come from its own"
  * checks = 19
  * stands_in = { next_row_of_chains = "any_row" }

@@ -6,16 +6,14 @@ from fixel.prove.exact import Real, nearest
 
 # [[row]]
 # id = "table of an edge, Armv6-M"
-# function = "fxl_edge_reciprocals"
-# file = "lib/raster/edge_divide.h"
+# function = "lib/raster/edge_divide.h:fxl_edge_reciprocals"
 # property = "each entry is 2^15 / (i + 1/2), rounded"
 # checks = 128
 # text = ["static const uint8_t fxl_edge_reciprocals[128] = {{*}}"]
 
 # [[row]]
 # id = "table of an edge, assembly of Armv6-M"
-# function = "reciprocals"
-# file = "lib/raster/edge_near_armv6m.S"
+# function = "lib/raster/edge_near_armv6m.S:reciprocals"
 # property = "it is the same table"
 # checks = 128
 # text = ["reciprocals:{.byte}"]

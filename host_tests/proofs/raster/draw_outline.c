@@ -124,8 +124,7 @@ static bool draw(unsigned kind, const fxl_band *band)
 }
 
 /* [[row]]
- * function = "fxl_draw_outline"
- * file = "lib/raster/draw_outline_text.h"
+ * function = "lib/raster/draw_outline_text.h:fxl_draw_outline"
  * property = "any polygon, and up to 3 trapezoids or spans of the band, in bytes and RGB565: what is filled are pixels of the band"
  * checks = 1102
  * cases = [0, 1, 2, 3]

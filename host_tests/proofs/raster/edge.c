@@ -60,8 +60,7 @@ void prove_edge_advance(void)
 }
 
 /* [[row]]
- * function = "fxl_edge_divide"
- * file = "lib/raster/edge_divide.h"
+ * function = "lib/raster/edge_divide.h:fxl_edge_divide"
  * property = "nothing overflows"
  * checks = 24
  */
@@ -78,8 +77,7 @@ void prove_edge_divide(void)
 }
 
 /* [[row]]
- * function = "fxl_edge_divider_shift"
- * file = "lib/raster/edge_divide.h"
+ * function = "lib/raster/edge_divide.h:fxl_edge_divider_shift"
  * property = "the largest shift, exactly; the loop ends"
  * checks = 11
  * unwind = 33
@@ -96,8 +94,7 @@ void prove_edge_divider_shift(void)
 }
 
 /* [[row]]
- * function = "fxl_edge_first_dividend"
- * file = "lib/raster/edge_divide.h"
+ * function = "lib/raster/edge_divide.h:fxl_edge_first_dividend"
  * property = "nothing overflows, and the dividend is in the range that the division takes"
  * checks = 8
  */

@@ -2,24 +2,21 @@
 
 ; [[row]]
 ; id = "fxl_edge_dividend exact"
-; function = "fxl_edge_dividend"
-; file = "lib/raster/edge.h"
+; function = "lib/raster/edge.h:fxl_edge_dividend"
 ; property = "at most 2^14 heights"
 ; checks = 6
 ; text = ["uint32_t part = (uint32_t)start & 65535;", "int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);", "return (sum - 1) >> 16;"]
 
 ; [[row]]
 ; id = "fxl_edge_first_pixel exact"
-; function = "fxl_edge_first_pixel"
-; file = "lib/raster/edge.h"
+; function = "lib/raster/edge.h:fxl_edge_first_pixel"
 ; property = "the remainder is below the height"
 ; checks = 6
 ; text = ["int32_t quotient = fxl_divide_down(dividend, (uint32_t)height);", "*error = (uint32_t)dividend - (uint32_t)quotient * (uint32_t)height;", "FXL_LEMMA(*error < (uint32_t)height);"]
 
 ; [[row]]
 ; id = "fxl_edge_divide exact"
-; function = "fxl_edge_divide"
-; file = "lib/raster/edge_divide.h"
+; function = "lib/raster/edge_divide.h:fxl_edge_divide"
 ; property = "a quotient is not larger than its dividend"
 ; checks = 6
 ; text = ["int64_t numerator = (int64_t)dividend * ((int64_t)1 << 32);", "int64_t quotient = numerator / height;", "FXL_LEMMA(FXL_BELOW(quotient, (int64_t)1 << 60));"]

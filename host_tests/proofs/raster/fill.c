@@ -52,8 +52,7 @@ static fxl_trapezoid any_trapezoid(const fxl_band *band)
 }
 
 /* [[row]]
- * function = "fxl_fill_trapezoid"
- * file = "lib/raster/fill.c"
+ * function = "lib/raster/fill.c:fxl_fill_trapezoid"
  * property = "any edges that lie within the band on each row: nothing but the band is filled; bands of up to 3 rows of up to 16 pixels at any address"
  * checks = 232
  * unwind = 4
@@ -68,8 +67,7 @@ void prove_fill_trapezoid(void)
 }
 
 /* [[row]]
- * function = "fxl_fill_trapezoid_rgb565"
- * file = "lib/raster/fill_rgb565.c"
+ * function = "lib/raster/fill_rgb565.c:fxl_fill_trapezoid_rgb565"
  * property = "any edges that lie within the band on each row: nothing but the band is filled; bands of up to 3 rows of up to 16 pixels at any even address"
  * checks = 277
  * unwind = 4
@@ -84,8 +82,7 @@ void prove_fill_trapezoid_rgb565(void)
 }
 
 /* [[row]]
- * function = "fxl_fill_span"
- * file = "lib/raster/fill.c"
+ * function = "lib/raster/fill.c:fxl_fill_span"
  * property = "any span of the band: nothing else is filled; bands of up to 3 rows of up to 16 pixels at any address"
  * checks = 304
  * unwind = 4
@@ -102,8 +99,7 @@ void prove_fill_span(void)
 }
 
 /* [[row]]
- * function = "fxl_fill_band"
- * file = "lib/raster/fill.c"
+ * function = "lib/raster/fill.c:fxl_fill_band"
  * property = "nothing but the band is filled; bands of up to 3 rows of up to 16 pixels at any address"
  * checks = 258
  * unwind = 4

@@ -30,8 +30,7 @@ void prove_fill_row_rgb565(void)
 }
 
 /* [[row]]
- * function = "fxl_draw_line_pixels"
- * file = "lib/raster/line_pixels.c"
+ * function = "lib/raster/line_pixels.c:fxl_draw_line_pixels"
  * property = "a step in any state: the line stays within its pixel, and nothing is written out of bounds; bands of up to 3 rows of 12 pixels"
  * checks = 191
  */

@@ -77,8 +77,7 @@ void prove_active_edges_begin(void)
 }
 
 /* [[row]]
- * function = "fxl_rows_of_points"
- * file = "lib/raster/scan.c"
+ * function = "lib/raster/scan.c:fxl_rows_of_points"
  * property = "for up to 32 points: rows of the screen, the first not past the end"
  * checks = 33
  * unwind = 33
@@ -93,8 +92,7 @@ void prove_rows_of_points(void)
 }
 
 /* [[row]]
- * function = "fxl_scan_rows"
- * file = "lib/raster/scan.c"
+ * function = "lib/raster/scan.c:fxl_scan_rows"
  * property = "the same of a polygon of up to 32 points"
  * checks = 39
  * unwind = 33
@@ -113,8 +111,7 @@ void prove_scan_rows(void)
 }
 
 /* [[row]]
- * function = "fxl_outline_has_rows"
- * file = "lib/raster/scan.c"
+ * function = "lib/raster/scan.c:fxl_outline_has_rows"
  * property = "for up to 32 points: nothing is undefined"
  * checks = 38
  * unwind = 33
@@ -131,8 +128,7 @@ void prove_outline_has_rows(void)
 }
 
 /* [[row]]
- * function = "survey"
- * file = "lib/raster/scan.c"
+ * function = "lib/raster/scan.c:survey"
  * property = "for up to 32 points: a vertex and rows of the outline; nothing overflows"
  * checks = 104
  * unwind = 33
@@ -150,8 +146,7 @@ void prove_survey(void)
 }
 
 /* [[row]]
- * function = "fxl_scan_begin"
- * file = "lib/raster/scan.c"
+ * function = "lib/raster/scan.c:fxl_scan_begin"
  * property = "for every polygon, band and null pointer: nothing is undefined"
  * checks = 473
  * unwind = 33
@@ -169,8 +164,7 @@ void prove_scan_begin(void)
 }
 
 /* [[row]]
- * function = "fxl_scan_outline"
- * file = "lib/raster/scan.c"
+ * function = "lib/raster/scan.c:fxl_scan_outline"
  * property = "for up to 32 points and any band: nothing is undefined"
  * checks = 427
  * unwind = 33
@@ -186,8 +180,7 @@ void prove_scan_outline(void)
 }
 
 /* [[row]]
- * function = "fxl_band_is_within"
- * file = "lib/raster/columns.h"
+ * function = "lib/raster/columns.h:fxl_band_is_within"
  * property = "columns fit the stride"
  * checks = 51
  */

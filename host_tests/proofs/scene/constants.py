@@ -8,8 +8,7 @@ POLYNOMIAL = 0xEDB88320     # of CRC-32 (IEEE 802.3), its bits reversed
 
 # [[row]]
 # id = "least and largest focal length"
-# function = "focal_in_range"
-# file = "lib/scene/lens.c"
+# function = "lib/scene/lens.c:focal_in_range"
 # property = "of the widest and the narrowest view, moved outward to 8 bits"
 # checks = 2
 # text = ["#define FOCAL_LEAST {}", "#define FOCAL_MOST {}"]
@@ -22,8 +21,7 @@ def focal_lengths():
 
 # [[row]]
 # id = "magic of an image"
-# function = "MAGIC"
-# file = "lib/scene/scene_sections.c"
+# function = "lib/scene/scene_sections.c:MAGIC"
 # property = "it is the four letters"
 # checks = 1
 # text = ["#define MAGIC {}u"]
@@ -33,8 +31,7 @@ def magic():
 
 # [[row]]
 # id = "table of the CRC"
-# function = "remainders"
-# file = "lib/scene/crc.c"
+# function = "lib/scene/crc.c:remainders"
 # property = "each entry is the remainder of four bits"
 # checks = 17
 # text = ["for the reflected polynomial {}.", "static const uint32_t remainders[16] = {{*}}"]

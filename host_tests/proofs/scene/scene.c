@@ -16,8 +16,7 @@ void prove_status_text(void)
 }
 
 /* [[row]]
- * function = "fxl_explain"
- * file = "lib/scene/reasons.c"
+ * function = "lib/scene/reasons.c:fxl_explain"
  * property = "any list of up to 12 bytes that ends, and any status: nothing is read beyond it, and a sentence is one of the list"
  * checks = 55
  * unwind = 13
@@ -32,8 +31,7 @@ void prove_explain(void)
 }
 
 /* [[row]]
- * function = "fxl_crc"
- * file = "lib/scene/crc.c"
+ * function = "lib/scene/crc.c:fxl_crc"
  * property = "for up to 8 bytes: nothing is read out of bounds, and every remainder is in its table"
  * checks = 15
  * unwind = 9

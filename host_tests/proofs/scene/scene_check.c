@@ -333,8 +333,7 @@ void prove_scene_check(void)
 }
 
 /* [[row]]
- * function = "fxl_placement_code_of"
- * file = "lib/scene/placement_code.h"
+ * function = "lib/scene/placement_code.h:fxl_placement_code_of"
  * property = "any instance, turned or not: its number and its placement, in their tables"
  * checks = 1403
  */

@@ -6,8 +6,7 @@ from fixel.prove.exact import Real, nearest
 
 # [[row]]
 # id = "weights of luma"
-# function = "fxl_luma"
-# file = "lib/screen/grey.c"
+# function = "lib/screen/grey.c:fxl_luma"
 # property = "they are those of Rec. 709"
 # checks = 3
 # text = ["#define WEIGHT_RED {}u", "#define WEIGHT_GREEN {}u", "#define WEIGHT_BLUE {}u"]
@@ -19,8 +18,7 @@ def weights():
 
 # [[row]]
 # id = "pattern of dither"
-# function = "offsets"
-# file = "lib/screen/grey.c"
+# function = "lib/screen/grey.c:offsets"
 # property = "it is the ordered square of 8 x 8"
 # checks = 64
 # text = ["static const uint8_t offsets[8][8] = {{*}}"]
@@ -33,8 +31,7 @@ def dither():
 
 # [[row]]
 # id = "channels as bytes"
-# function = "fxl_grey_of_rgb565"
-# file = "lib/screen/grey.c"
+# function = "lib/screen/grey.c:fxl_grey_of_rgb565"
 # property = "their factors and offsets are the least that give 255 c / 31 and 255 c / 63, rounded, by a shift of 6"
 # checks = 6
 # text = ["(red * {}u + {}u) >> 6", "(green * {}u + {}u) >> 6", "(blue * {}u + {}u) >> 6"]

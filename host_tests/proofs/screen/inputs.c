@@ -70,8 +70,7 @@ void fxl_row_to_16(const uint8_t *pixels, uint32_t count, const uint16_t *table,
 
 /* [[row]]
  * id = "every colour as RGB565"
- * function = "prepare"
- * file = "lib/screen/rgb565.c"
+ * function = "lib/screen/rgb565.c:prepare"
  * property = "it has the upper bits of each channel in the order of the bytes, for every colour of 24 bits"
  * checks = 16777216
  * flags = ["-DOF_RGB565"]
@@ -99,8 +98,7 @@ void enumerate_rgb565(void)
 
 /* [[row]]
  * id = "every luma"
- * function = "fxl_luma"
- * file = "lib/screen/grey.c"
+ * function = "lib/screen/grey.c:fxl_luma"
  * property = "it is the weighted mean, rounded to nearest, for every colour of 24 bits"
  * checks = 16777216
  */
@@ -115,8 +113,7 @@ void enumerate_luma(void)
 
 /* [[row]]
  * id = "every grey of RGB565"
- * function = "fxl_grey_of_rgb565"
- * file = "lib/screen/grey.c"
+ * function = "lib/screen/grey.c:fxl_grey_of_rgb565"
  * property = "channels are rounded to nearest bytes, and no level is lost by rounding down, for every colour and highest level"
  * checks = 16711680
  */

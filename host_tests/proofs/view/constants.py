@@ -6,8 +6,7 @@ from fixel.prove.exact import Real, floor, root
 
 # [[row]]
 # id = "half of a root"
-# function = "ROOT_HALF"
-# file = "lib/view/off_centre.c"
+# function = "lib/view/off_centre.c:ROOT_HALF"
 # property = "it is 2^30 / 2^(1/2), less 1"
 # checks = 1
 # text = ["#define ROOT_HALF {}"]
@@ -18,8 +17,7 @@ def root_half():
 
 # [[row]]
 # id = "gaps of the sort"
-# function = "fxl_sort_instances"
-# file = "lib/view/order.c"
+# function = "lib/view/order.c:fxl_sort_instances"
 # property = "they are Sedgewick's"
 # checks = 8
 # text = ["static const uint16_t gaps[] = {{*}}"]

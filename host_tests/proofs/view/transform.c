@@ -3,8 +3,7 @@
 #include "proof.h"
 
 /* [[row]]
- * function = "fxl_rotate"
- * file = "lib/view/model_view.h"
+ * function = "lib/view/model_view.h:fxl_rotate"
  * property = "no sum overflows, for an origin below 2^62"
  * checks = 329
  * contract = true

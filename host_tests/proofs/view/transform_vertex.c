@@ -73,8 +73,7 @@ void any_vertex(const fxl_model_view *model_view, uint32_t number, fxl_cached_ve
 }
 
 /* [[row]]
- * function = "fxl_fetch_vertex"
- * file = "lib/view/model_view.h"
+ * function = "lib/view/model_view.h:fxl_fetch_vertex"
  * property = "caches of up to 4 entries, any state: the entry of the vertex, in the cache"
  * checks = 224
  * stands_in = { fxl_transform_vertex = "any_vertex" }
@@ -100,8 +99,7 @@ fxl_q18_46 any_distance(const fxl_view_frustum *frustum, int plane, const fxl_vi
 }
 
 /* [[row]]
- * function = "fxl_outside_of_pair"
- * file = "lib/view/outcode.c"
+ * function = "lib/view/outcode.c:fxl_outside_of_pair"
  * property = "any point of the view: bits of the pair alone"
  * checks = 49
  * stands_in = { fxl_view_distance = "any_distance" }
@@ -124,8 +122,7 @@ unsigned any_pair(const fxl_view_frustum *frustum, int plane, const fxl_view_poi
 }
 
 /* [[row]]
- * function = "fxl_outside"
- * file = "lib/view/outcode.h"
+ * function = "lib/view/outcode.h:fxl_outside"
  * property = "any frustum and point of the view: no sum overflows, and bits of the given planes alone"
  * checks = 163
  * stands_in = { fxl_outside_of_pair = "any_pair" }

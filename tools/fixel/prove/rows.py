@@ -22,7 +22,7 @@ PARTS = re.compile(r'^(?:(?:/\*|[;#]) \[\[row\]\]\n(?P<row>(?:(?: \*|[;#]) .*\n)
 LEADER = re.compile(r"^(?: \*|[;#]) ", re.MULTILINE)
 HARNESS = re.compile(r"^(?:void|def) (\w+)\(", re.MULTILINE)
 FIELDS = {"function": str, "property": str}
-OPTIONAL = {"id": str, "file": str, "contract": bool, "uses": list, "stubs": dict, "unwind": int, "cases": list, "checks": int, "flags": list,
+OPTIONAL = {"id": str, "contract": bool, "uses": list, "stubs": dict, "unwind": int, "cases": list, "checks": int, "flags": list,
             "links": list, "loops": bool, "equations": bool, "text": list, "induction": str, "unwindset": dict, "stands_in": dict, "every": bool}
 CAMPAIGNS = ("equality", "fuzz", "report", "unit tests", "frames", "seeded bugs", "stages")
 
@@ -84,15 +84,17 @@ def _check(where, entry):
 
 
 def _entry(path, text, place, file):
-    """The fields of a row, whose function stands in `file` unless the row says otherwise."""
+    """The fields of a row, whose function stands in `file` unless the row says FILE:NAME."""
     where = f"{path}:{text.count(chr(10), 0, place.start()) + 1}"
     try:
-        entry = {**({"file": file} if file else {}), **tomllib.loads(LEADER.sub("", place["row"]))}
+        entry = tomllib.loads(LEADER.sub("", place["row"]))
     except tomllib.TOMLDecodeError as error:
         raise ToolError(f"{where}: cannot be read: {error}") from error
     _check(where, entry)
-    if "file" not in entry:
-        raise ToolError(f"{where}: 'file' is missing, and no include of the library stands above: where is {entry['function']}?")
+    if ":" not in entry["function"]:
+        if not file:
+            raise ToolError(f"{where}: no include of the library stands above: where is {entry['function']}? Write FILE:{entry['function']}")
+        entry["function"] = f"{file}:{entry['function']}"
     return where, entry
 
 
@@ -127,9 +129,7 @@ def rows_of(path):
             continue
         group = None
         where, entry = _entry(path, text, part, file)
-        name = entry.pop("function")
-        entry["function"] = f"{entry.pop('file')}:{name}"
-        found.append(Row(place=path, id=entry.pop("id", name), **entry, **_harness(path, where, text, places, len(found))))
+        found.append(Row(place=path, id=entry.pop("id", entry["function"].rpartition(":")[2]), **entry, **_harness(path, where, text, places, len(found))))
     return found
 
 
@@ -161,8 +161,7 @@ def measured(root):
         before = len(found)
         for number, entry in enumerate(table.get("measured", []), 1):
             _check_measured(path, number, entry)
-            for name in entry["functions"]:
-                key = f"{entry['file']}:{name}"
+            for key in [f"{file}:{name}" for file, names in entry["functions"].items() for name in names]:
                 if key in found:
                     raise ToolError(f"{path}: {key} is named twice")
                 found[key] = (", ".join(entry["by"]), entry["why"])
@@ -174,9 +173,8 @@ def measured(root):
 
 
 def _check_measured(path, number, entry):
-    if not all(isinstance(entry.get(field), kind) for field, kind in
-               (("file", str), ("by", list), ("why", str), ("functions", list))):
-        raise ToolError(f"{path}: entry {number}: it needs file, by, why and functions")
+    if not all(isinstance(entry.get(field), kind) for field, kind in (("by", list), ("why", str), ("functions", dict))):
+        raise ToolError(f"{path}: entry {number}: it needs by, why, and functions by their files")
     unknown = [each for each in entry["by"] if each not in CAMPAIGNS] or (not entry["by"] and ["nothing"])
     if unknown:
         raise ToolError(f"{path}: entry {number}: no campaign '{unknown[0]}'; there are: {', '.join(CAMPAIGNS)}")
@@ -187,14 +185,15 @@ def tidy(root, gone):
     for path in sorted((pathlib.Path(root) / PROOFS).glob("*/measured.toml")):
         out, file, count = [], "", 0
         for line in path.read_text(encoding="utf-8").splitlines():
-            file = line.split('"')[1] if line.startswith("file = ") else file
+            file = line.split('"')[1] if line.startswith('"') else file
             name = line.strip().strip('",') if line.startswith('    "') else ""
             if f"{file}:{name}" not in gone:
                 out.append(line)
                 count += bool(name)
         text = "\n".join(f"most = {count}" if line.startswith("most = ") else line for line in out) + "\n"
-        # an entry without functions
-        text = re.sub(r'\n\[\[measured\]\]\n(?:\w+ = [^\n]*\n)*functions = \[\n\]\n', "\n", text)
+        # a file without functions, then an entry without files
+        text = re.sub(r'(?m)^"[^\n]*" = \[\n\]\n', "", text)
+        text = re.sub(r"\n\[\[measured\]\]\n(?:\w+ = [^\n]*\n)*\[measured\.functions\]\n(?=\n|\Z)", "\n", text)
         path.write_text(re.sub(r"\n{3,}", "\n\n", text).rstrip("\n") + "\n", encoding="utf-8")
 
 
@@ -202,10 +201,11 @@ def record_checks(root, counts):
     """Writes how many checks rows have, {id: count}, into the rows."""
     def with_count(part):
         row = part["row"] and tomllib.loads(LEADER.sub("", part["row"]))
-        if not row or row.get("id", row["function"]) not in counts:
+        name = row and row.get("id", row["function"].rpartition(":")[2])
+        if name not in counts:
             return part[0]
         without = re.sub(r"(?m)^(?: \*|[;#]) checks = .*\n", "", part[0])
-        return re.sub(r"(?m)^((?: \*|[;#]) )(property = .*\n)", rf"\1\2\1checks = {counts[row.get('id', row['function'])]}\n", without)
+        return re.sub(r"(?m)^((?: \*|[;#]) )(property = .*\n)", rf"\1\2\1checks = {counts[name]}\n", without)
 
     for path in files(root):
         before = path.read_text(encoding="utf-8")
