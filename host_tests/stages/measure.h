@@ -37,18 +37,18 @@ void stages_extra(stages_tally *tally, int which, double difference);
 /* Prints the tally as one JSON object on stdout. */
 void stages_print(const stages_tally *tally);
 
-/* Returns the tally of each stage, named and empty. */
-stages_tally stages_sphere_tally(const char *input);
-stages_tally stages_clip_tally(const char *input);
-stages_tally stages_clip_world_tally(const char *input);
-stages_tally stages_transform_tally(const char *input);
-stages_tally stages_project_tally(const char *input);
-stages_tally stages_list_tally(const char *input);
-stages_tally stages_fill_tally(const char *input);
-stages_tally stages_cover_tally(const char *input);
-stages_tally stages_split_tally(const char *input);
-stages_tally stages_light_tally(const char *input);
-stages_tally stages_placement_tally(const char *input);
+/* The tally of each stage, empty and without an input. */
+extern const stages_tally stages_sphere_tally;
+extern const stages_tally stages_clip_tally;
+extern const stages_tally stages_clip_world_tally;
+extern const stages_tally stages_transform_tally;
+extern const stages_tally stages_project_tally;
+extern const stages_tally stages_list_tally;
+extern const stages_tally stages_fill_tally;
+extern const stages_tally stages_cover_tally;
+extern const stages_tally stages_split_tally;
+extern const stages_tally stages_light_tally;
+extern const stages_tally stages_placement_tally;
 
 /* Tests a sphere on both sides. Returns the result of the library. */
 uint32_t stages_measure_sphere(stages_tally *tally, const fxl_camera *camera,

@@ -20,21 +20,17 @@ enum {
 /* How many units of 2^-46 make 1/65536. */
 #define UNITS 0x1p30
 
-stages_tally stages_clip_tally(const char *input)
-{
-    return (stages_tally){
-        .stage = "clip",
-        .input = input,
-        .unit = "1/65536 world unit",
-        .measure =
-            "clipping in the view: largest coordinate difference of a vertex that one plane "
-            "made from the reference's, both given the same polygon and plane; max_from_edge and "
-            "max_from_plane are its distances from the exact edge and plane, all in units "
-            "of 1/65536 as well",
-        .bound = "2^-30 a coordinate from the edge; 3 * 2^-30 from the plane",
-        .extra_names = {"max_from_edge", "max_from_plane"},
-    };
-}
+const stages_tally stages_clip_tally = {
+    .stage = "clip",
+    .unit = "1/65536 world unit",
+    .measure =
+        "clipping in the view: largest coordinate difference of a vertex that one plane "
+        "made from the reference's, both given the same polygon and plane; max_from_edge and "
+        "max_from_plane are its distances from the exact edge and plane, all in units "
+        "of 1/65536 as well",
+    .bound = "2^-30 a coordinate from the edge; 3 * 2^-30 from the plane",
+    .extra_names = {"max_from_edge", "max_from_plane"},
+};
 
 static long double length_of(ref_wide x, ref_wide y, ref_wide z)
 {
@@ -234,21 +230,17 @@ _Static_assert((int)FXL_CLIP_INSIDE == (int)REF_CLIP_INSIDE &&
                    (int)FXL_CLIP_CAPACITY == (int)REF_CLIP_CAPACITY,
                "outcomes of clipping");
 
-stages_tally stages_clip_world_tally(const char *input)
-{
-    return (stages_tally){
-        .stage = "clip_world",
-        .input = input,
-        .unit = "1/65536 world unit",
-        .measure =
-            "clipping in the world: largest coordinate difference of a vertex that one plane made "
-            "from the reference's, "
-            "both given the same polygon and plane; max_from_edge and max_from_plane are "
-            "its distances from the exact edge and plane",
-        .bound = "0.51 a coordinate from the edge; edge length / 2^29 + 0.9 from the plane",
-        .extra_names = {"max_from_edge", "max_from_plane", "max_texture"},
-    };
-}
+const stages_tally stages_clip_world_tally = {
+    .stage = "clip_world",
+    .unit = "1/65536 world unit",
+    .measure =
+        "clipping in the world: largest coordinate difference of a vertex that one plane made "
+        "from the reference's, "
+        "both given the same polygon and plane; max_from_edge and max_from_plane are "
+        "its distances from the exact edge and plane",
+    .bound = "0.51 a coordinate from the edge; edge length / 2^29 + 0.9 from the plane",
+    .extra_names = {"max_from_edge", "max_from_plane", "max_texture"},
+};
 
 static double distance_from_line_in_world(const ref_point *p, const ref_point *a, const ref_point *b,
                                  double *edge_length)

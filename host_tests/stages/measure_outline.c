@@ -10,17 +10,13 @@
 #include "stages/measure.h"
 #include "study/span_buffer.h"
 
-stages_tally stages_list_tally(const char *input)
-{
-    return (stages_tally){
-        .stage = "list",
-        .input = input,
-        .unit = "rows",
-        .measure = "rows that a polygon is kept for, too many or too few, given the same 16.16 "
-                   "outline; and polygons that a list of any size gives back for a band, in order",
-        .bound = "0",
-    };
-}
+const stages_tally stages_list_tally = {
+    .stage = "list",
+    .unit = "rows",
+    .measure = "rows that a polygon is kept for, too many or too few, given the same 16.16 "
+               "outline; and polygons that a list of any size gives back for a band, in order",
+    .bound = "0",
+};
 
 /* Compares one polygon's rows on both sides. */
 static fxl_rows measure_rows(stages_tally *tally, const fxl_screen_polygon *polygon,
@@ -88,17 +84,13 @@ void stages_measure_list(stages_tally *tally, const fxl_screen_polygon *polygons
 /* --- fill ---------------------------------------------------------------------------------------- */
 
 /* place fill-rule: the pixels that a design has wrong */
-stages_tally stages_fill_tally(const char *input)
-{
-    return (stages_tally){
-        .stage = "fill",
-        .input = input,
-        .unit = "pixels",
-        .measure = "pixels of a polygon that differ from the winding rule tested exactly at every "
-                   "pixel centre, given the same 16.16 outline; a pixel drawn twice counts too",
-        .bound = "0",
-    };
-}
+const stages_tally stages_fill_tally = {
+    .stage = "fill",
+    .unit = "pixels",
+    .measure = "pixels of a polygon that differ from the winding rule tested exactly at every "
+               "pixel centre, given the same 16.16 outline; a pixel drawn twice counts too",
+    .bound = "0",
+};
 
 /* Marks the library's pixels. Returns how many it drew twice or outside. */
 static uint32_t draw_fixed(const fxl_screen_polygon *polygon, const fxl_band *band, uint32_t *drawn)
@@ -156,17 +148,13 @@ void stages_measure_fill(stages_tally *tally, const fxl_screen_polygon *polygon,
 
 /* --- cover --------------------------------------------------------------------------------------- */
 
-stages_tally stages_cover_tally(const char *input)
-{
-    return (stages_tally){
-        .stage = "cover",
-        .input = input,
-        .unit = "pixels",
-        .measure = "pixels of a polygon, and runs of covered ones, that differ from a mark for "
-                   "each pixel, given the same spans front to back and a pool of any size",
-        .bound = "0",
-    };
-}
+const stages_tally stages_cover_tally = {
+    .stage = "cover",
+    .unit = "pixels",
+    .measure = "pixels of a polygon, and runs of covered ones, that differ from a mark for "
+               "each pixel, given the same spans front to back and a pool of any size",
+    .bound = "0",
+};
 
 /* Both sides, and a band for each. */
 typedef struct {

@@ -9,19 +9,15 @@
 
 _Static_assert(sizeof(fxl_orientation) == sizeof(int32_t[3][3]), "nine entries");
 
-stages_tally stages_placement_tally(const char *input)
-{
-    return (stages_tally){
-        .stage = "placement",
-        .input = input,
-        .unit = "1/65536 world unit",
-        .measure = "largest coordinate difference of a view point of a turned instance from the "
-                   "reference's, both given the same camera matrix, placement and vertex; facing, "
-                   "the eye in "
-                   "the model's space, rounded points and normals and the radius must be equal",
-        .bound = "2^(shift - 31) (|x| + |y| + |z|) of the vertex, in 1/65536 unit",
-    };
-}
+const stages_tally stages_placement_tally = {
+    .stage = "placement",
+    .unit = "1/65536 world unit",
+    .measure = "largest coordinate difference of a view point of a turned instance from the "
+               "reference's, both given the same camera matrix, placement and vertex; facing, "
+               "the eye in "
+               "the model's space, rounded points and normals and the radius must be equal",
+    .bound = "2^(shift - 31) (|x| + |y| + |z|) of the vertex, in 1/65536 unit",
+};
 
 static double uniform(stages_random *random)
 {

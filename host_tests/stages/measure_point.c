@@ -7,19 +7,15 @@
 #include "stages/bridge.h"
 #include "stages/measure.h"
 
-stages_tally stages_transform_tally(const char *input)
-{
-    return (stages_tally){
-        .stage = "transform",
-        .input = input,
-        .unit = "1/65536 world unit",
-        .measure =
-            "largest coordinate difference of a view point from the reference's, both given the "
-            "same camera matrix and point; the reference sums in 64 bits, which hold every "
-            "such sum",
-        .bound = "0",
-    };
-}
+const stages_tally stages_transform_tally = {
+    .stage = "transform",
+    .unit = "1/65536 world unit",
+    .measure =
+        "largest coordinate difference of a view point from the reference's, both given the "
+        "same camera matrix and point; the reference sums in 64 bits, which hold every "
+        "such sum",
+    .bound = "0",
+};
 
 void stages_measure_transform(stages_tally *tally, const fxl_camera *camera, const fxl_point *point,
                               fxl_view_point *view)
@@ -34,18 +30,14 @@ void stages_measure_transform(stages_tally *tally, const fxl_camera *camera, con
     stages_count(tally, REF_ONE * difference, difference == 0);
 }
 
-stages_tally stages_project_tally(const char *input)
-{
-    return (stages_tally){
-        .stage = "project",
-        .input = input,
-        .unit = "1/65536 pixel",
-        .measure =
-            "larger coordinate difference of a screen point from the reference's, both given the "
-            "same view point and focal length",
-        .bound = "0.5 + 2^-31 |x - width/2| + 2^-30, likewise y, in 1/65536 pixel",
-    };
-}
+const stages_tally stages_project_tally = {
+    .stage = "project",
+    .unit = "1/65536 pixel",
+    .measure =
+        "larger coordinate difference of a screen point from the reference's, both given the "
+        "same view point and focal length",
+    .bound = "0.5 + 2^-31 |x - width/2| + 2^-30, likewise y, in 1/65536 pixel",
+};
 
 int stages_measure_project(stages_tally *tally, const fxl_lens *lens, const fxl_view_point *view,
                            fxl_screen_point *screen)
@@ -78,18 +70,14 @@ int stages_measure_project(stages_tally *tally, const fxl_lens *lens, const fxl_
 
 _Static_assert(FXL_SPHERE_OUTSIDE == REF_SPHERE_OUTSIDE, "the same answers");
 
-stages_tally stages_sphere_tally(const char *input)
-{
-    return (stages_tally){
-        .stage = "sphere",
-        .input = input,
-        .unit = "1/65536 world unit",
-        .measure =
-            "how far from the reference's reach, radius + 2^-9, a plane lies about which the two "
-            "disagree, both given the same camera matrix, planes, centre and radius",
-        .bound = "64",
-    };
-}
+const stages_tally stages_sphere_tally = {
+    .stage = "sphere",
+    .unit = "1/65536 world unit",
+    .measure =
+        "how far from the reference's reach, radius + 2^-9, a plane lies about which the two "
+        "disagree, both given the same camera matrix, planes, centre and radius",
+    .bound = "64",
+};
 
 /* Returns how far the reach that explains the library's result for a plane must be from that of
  * the reference renderer. */

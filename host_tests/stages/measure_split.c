@@ -18,20 +18,16 @@ _Static_assert((int)FXL_SPLIT_FRONT == (int)REF_SPLIT_FRONT &&
                    (int)FXL_SPLIT_CAPACITY == (int)REF_SPLIT_CAPACITY,
                "outcomes of splitting");
 
-stages_tally stages_split_tally(const char *input)
-{
-    return (stages_tally){
-        .stage = "split",
-        .input = input,
-        .unit = "1/65536 world unit",
-        .measure =
-            "splitting in the world: largest coordinate difference of a point of either "
-            "part from the reference's, both given the same piece and plane; max_from_plane is "
-            "the largest distance of a new point from the exact plane",
-        .bound = "0; 0.87 from the plane",
-        .extra_names = {"max_from_plane"},
-    };
-}
+const stages_tally stages_split_tally = {
+    .stage = "split",
+    .unit = "1/65536 world unit",
+    .measure =
+        "splitting in the world: largest coordinate difference of a point of either "
+        "part from the reference's, both given the same piece and plane; max_from_plane is "
+        "the largest distance of a new point from the exact plane",
+    .bound = "0; 0.87 from the plane",
+    .extra_names = {"max_from_plane"},
+};
 
 static ref_piece piece_of(const fxl_piece *piece)
 {
@@ -111,18 +107,14 @@ enum {
     BEAMS = 2
 };
 
-stages_tally stages_light_tally(const char *input)
-{
-    return (stages_tally){
-        .stage = "light",
-        .input = input,
-        .unit = "1/65536 world unit",
-        .measure = "faces split by beams: largest coordinate difference of a vertex of a piece "
-                   "from the reference's, both given the same face and beams; another number of "
-                   "pieces or vertices, or one that is lit in one of both alone, is a mismatch",
-        .bound = "0",
-    };
-}
+const stages_tally stages_light_tally = {
+    .stage = "light",
+    .unit = "1/65536 world unit",
+    .measure = "faces split by beams: largest coordinate difference of a vertex of a piece "
+               "from the reference's, both given the same face and beams; another number of "
+               "pieces or vertices, or one that is lit in one of both alone, is a mismatch",
+    .bound = "0",
+};
 
 static ref_beam beam_of(const fxl_beam *beam)
 {

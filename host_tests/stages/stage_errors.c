@@ -12,6 +12,7 @@
 
 #include "draw/stages.h"
 #include "fixel/all.h"
+#include "frames/input.h"
 #include "stages/measure.h"
 #include "stages/random.h"
 
@@ -39,19 +40,29 @@ static uint8_t pixels[RANDOM_SCREEN_MAX]; /* all 0 between two polygons */
 static fxl_screen_polygon listed[LISTED_MAX];
 static uint32_t listed_count;
 
-static int fail(const char *where, const char *what)
+enum {
+    TALLIES = 11
+};
+
+static void list_tallies(tallies *of, stages_tally *all[TALLIES])
 {
-    fprintf(stderr, "error: %s: %s\n", where, what);
-    return 2;
+    stages_tally *const in_order[TALLIES] = {&of->sphere,  &of->clip,  &of->clip_world, &of->transform,
+                                             &of->project, &of->list,  &of->fill,       &of->cover,
+                                             &of->split,   &of->light, &of->placement};
+    memcpy(all, in_order, sizeof in_order);
 }
 
 static tallies tallies_for(const char *input)
 {
-    return (tallies){
-        stages_sphere_tally(input),    stages_clip_tally(input),     stages_clip_world_tally(input),
-        stages_transform_tally(input), stages_project_tally(input),  stages_list_tally(input),
-        stages_fill_tally(input),      stages_cover_tally(input),    stages_split_tally(input),
-        stages_light_tally(input),     stages_placement_tally(input)};
+    tallies made = {stages_sphere_tally,  stages_clip_tally, stages_clip_world_tally, stages_transform_tally,
+                    stages_project_tally, stages_list_tally, stages_fill_tally,       stages_cover_tally,
+                    stages_split_tally,   stages_light_tally, stages_placement_tally};
+    stages_tally *all[TALLIES];
+    list_tallies(&made, all);
+    for (int i = 0; i < TALLIES; i++) {
+        all[i]->input = input;
+    }
+    return made;
 }
 
 static void progress(const char *what, uint64_t done, uint64_t all)
@@ -212,17 +223,9 @@ static void take_path(tallies *to, const fxl_scene_image *image)
 /* Returns 0, or 2 after it said why. */
 static int take_scene(tallies *to, const char *path)
 {
-    FILE *file = fopen(path, "rb");
-    if (!file) {
-        return fail(path, strerror(errno));
-    }
-    size_t room = (16u << 20) + 4, size;
-    uint32_t *memory = malloc(room); /* aligned for the image */
-    size = memory ? fread(memory, 1, room, file) : 0;
-    int unread = !memory || ferror(file) != 0;
-    fclose(file);
-    if (unread) {
-        free(memory);
+    size_t size;
+    uint8_t *memory = read_file(path, &size);
+    if (!memory) {
         return fail(path, "it cannot be read");
     }
     fxl_scene_image image;
@@ -350,50 +353,22 @@ static void take_random(tallies *to, const options *wanted)
     }
 }
 
-static void print_tallies(const tallies *of, const char *end)
+static void print_tallies(tallies *of, const char *end)
 {
-    const stages_tally *all[] = {&of->sphere,  &of->clip,  &of->clip_world, &of->transform,
-                                 &of->project, &of->list,  &of->fill,       &of->cover,
-                                 &of->split,   &of->light, &of->placement};
-    const int count = (int)(sizeof all / sizeof *all);
-    for (int i = 0; i < count; i++) {
+    stages_tally *all[TALLIES];
+    list_tallies(of, all);
+    for (int i = 0; i < TALLIES; i++) {
         stages_print(all[i]);
-        puts(i < count - 1 ? "," : end);
+        puts(i < TALLIES - 1 ? "," : end);
     }
-}
-
-static int parse_number(const char *text, uint64_t *number)
-{
-    char *end;
-    errno = 0;
-    unsigned long long value = strtoull(text, &end, 10);
-    *number = value;
-    return *text >= '0' && *text <= '9' && *end == '\0' && errno == 0;
-}
-
-static int parse_options(int count, char **arguments, options *wanted)
-{
-    *wanted = (options){.samples = 200000, .seed = 1};
-    for (int i = 1; i < count; i++) {
-        int samples = strcmp(arguments[i], "--samples") == 0;
-        if (samples || strcmp(arguments[i], "--seed") == 0) {
-            uint64_t *number = samples ? &wanted->samples : &wanted->seed;
-            if (++i == count || !parse_number(arguments[i], number)) {
-                return 0;
-            }
-        } else if (wanted->scene || arguments[i][0] == '-') {
-            return 0;
-        } else {
-            wanted->scene = arguments[i];
-        }
-    }
-    return 1;
 }
 
 int main(int count, char **arguments)
 {
-    options wanted;
-    if (!parse_options(count, arguments, &wanted)) {
+    options wanted = {.samples = 200000, .seed = 1};
+    const argument known[] = {{"--samples", take_count, &wanted.samples}, {"--seed", take_count, &wanted.seed}};
+    if (!read_arguments(count, arguments, known, 2, &wanted.scene, 1) &&
+        !read_arguments(count, arguments, known, 2, NULL, 0)) {
         return fail("usage", "stage_errors [SCENE.fxls] [--samples N] [--seed S]");
     }
     tallies scene = tallies_for("scene"), random = tallies_for("random");

@@ -4,7 +4,8 @@
 
 STAGES_OBJECTS = $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard host_tests/stages/$(1)*.c))
 STAGES_SHARED := $(addprefix $(BUILD)/host/objects/stages/,bridge.o random.o tally.o)
-HOST_TOOLS += $(BUILD)/host/stage_errors $(BUILD)/host/clipper_errors $(BUILD)/host/designs
+STAGES_PROGRAMS := $(addprefix $(BUILD)/host/,stage_errors clipper_errors designs)
+HOST_TOOLS += $(STAGES_PROGRAMS)
 
 # Contraction and excess precision would make float32 what it is not.
 $(BUILD)/host/objects/stages/%.o: host_tests/stages/%.c
@@ -21,6 +22,6 @@ $(BUILD)/host/stage_errors: $(call STAGES_OBJECTS) $(call LIB_HOST_NEEDED,$(wild
 $(BUILD)/host/clipper_errors: $(call STAGES_OBJECTS,clippers/) $(STAGES_SHARED) $(HOST_LIBRARIES)
 $(BUILD)/host/designs: $(call STAGES_OBJECTS,designs/) $(DESIGNS_ORACLE) \
     $(call LIB_HOST_NEEDED,$(wildcard host_tests/stages/designs/*.c) $(DESIGNS_ORACLE:$(BUILD)/host/objects/%.o=host_tests/%.c))
-$(BUILD)/host/stage_errors $(BUILD)/host/clipper_errors $(BUILD)/host/designs: $(BUILD)/host/libreference.a
+$(STAGES_PROGRAMS): $(BUILD)/host/objects/judges/frames/input.o $(BUILD)/host/libreference.a
 	$(SAY)
 	$(HOSTCC) $(filter %.o,$^) $(filter %.a,$^) -lgmp -lm -o $@

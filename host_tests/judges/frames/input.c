@@ -41,13 +41,20 @@ bool take_text(const char *value, void *to)
     return true;
 }
 
-bool take_number(const char *value, void *to)
+bool take_count(const char *value, void *to)
 {
     char *end;
     errno = 0;
-    const unsigned long number = strtoul(value, &end, 10);
+    *(uint64_t *)to = strtoull(value, &end, 10);
+    return *value >= '0' && *value <= '9' && *end == '\0' && errno == 0;
+}
+
+bool take_number(const char *value, void *to)
+{
+    uint64_t number;
+    const bool is_number = take_count(value, &number);
     *(uint32_t *)to = (uint32_t)number;
-    return *value >= '0' && *value <= '9' && *end == '\0' && errno == 0 && number <= UINT32_MAX;
+    return is_number && number <= UINT32_MAX;
 }
 
 bool read_arguments(int count, char **arguments, const argument *options, size_t option_count,

@@ -21,9 +21,10 @@ typedef struct {
     void *to;
 } argument;
 
-/* Takes a text into a const char *, and a whole number into a uint32_t. */
+/* Takes a text into a const char *, and a whole number into a uint32_t or a uint64_t. */
 bool take_text(const char *value, void *to);
 bool take_number(const char *value, void *to);
+bool take_count(const char *value, void *to);
 
 /* Reads options in any order between exactly so many words. Returns false where an option is
  * unknown or lacks its value, or where a word lacks or is one too many. */

@@ -3,7 +3,6 @@
  *
  * Gives every clipper of the family and the twin the same polygons and prints how
  * far their outlines are apart, as JSON. Exit code 0: it ran; 2: it could not. */
-#include <errno.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -11,6 +10,7 @@
 #include <string.h>
 
 #include "clippers/measure.h"
+#include "frames/input.h"
 
 typedef struct {
     clipper_tally tally;
@@ -117,35 +117,13 @@ static void print(const clipper_tally *of, const char *end)
            of->crossings, of->made, of->plain_crossings, of->plain_made, end);
 }
 
-static int parse(int count, char **arguments, uint64_t *samples, uint64_t *seed, const char **only)
-{
-    for (int i = 1; i + 1 < count; i += 2) {
-        if (strcmp(arguments[i], "--only") == 0) {
-            *only = arguments[i + 1];
-            continue;
-        }
-        uint64_t *number = strcmp(arguments[i], "--samples") == 0 ? samples
-                           : strcmp(arguments[i], "--seed") == 0  ? seed
-                                                                  : NULL;
-        char *end = arguments[i + 1];
-        errno = 0;
-        if (number) {
-            *number = strtoull(arguments[i + 1], &end, 10);
-        }
-        if (!number || end == arguments[i + 1] || *end != '\0' || errno != 0) {
-            return 0;
-        }
-    }
-    return count % 2;
-}
-
 int main(int count, char **arguments)
 {
     uint64_t samples = 100000, seed = 1;
     const char *only = NULL;
-    if (!parse(count, arguments, &samples, &seed, &only)) {
-        fprintf(stderr, "error: usage: clipper_errors [--samples N] [--seed S] [--only CLIPPER]\n");
-        return 2;
+    const argument options[] = {{"--samples", take_count, &samples}, {"--seed", take_count, &seed}, {"--only", take_text, &only}};
+    if (!read_arguments(count, arguments, options, 3, NULL, 0)) {
+        return fail("usage", "clipper_errors [--samples N] [--seed S] [--only CLIPPER]");
     }
     stages_random random = stages_random_start(seed, 0);
     for (uint64_t i = 0; i < samples; i++) {

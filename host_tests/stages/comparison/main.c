@@ -12,6 +12,7 @@
 #include "combination.h"
 #include "comparison/spy.h"
 #include "frames/dump.h"
+#include "frames/input.h"
 #include "frames/session.h"
 #include "path.h"
 
@@ -21,12 +22,6 @@ enum {
 };
 
 static const char *const names[] = {"lens", "border", "left", "guard"};
-
-static int fail(const char *what, const char *why)
-{
-    fprintf(stderr, "error: %s: %s\n", what, why);
-    return 2;
-}
 
 /* Bytes for the target: what was chosen, or what it wants at the least. */
 static uint32_t raster_bytes(const fxl_lens *lens)
@@ -131,10 +126,9 @@ int main(int count, char **arguments)
     for (int i = 0; count > 1 && i < (int)(sizeof names / sizeof *names); i++) {
         sides = strcmp(arguments[1], names[i]) == 0 ? i : sides;
     }
-    char *end = "";
-    const unsigned long frames = count == 5 ? strtoul(arguments[4], &end, 10) : 0;
-    if (sides < 0 || count < 4 || count > 5 || *end != '\0' || frames > UINT32_MAX) {
+    uint32_t frames = 0;
+    if (sides < 0 || count < 4 || count > 5 || (count == 5 && !take_number(arguments[4], &frames))) {
         return fail("usage", "CLIPPER-HIDDEN lens|border|left|guard SCENE.fxls OUT.fxld [FRAMES]");
     }
-    return run((spy_sides)sides, arguments[2], arguments[3], (uint32_t)frames);
+    return run((spy_sides)sides, arguments[2], arguments[3], frames);
 }

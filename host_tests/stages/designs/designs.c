@@ -15,6 +15,7 @@
 #include "designs/exact.h"
 #include "designs/input.h"
 #include "designs/stage.h"
+#include "frames/input.h"
 
 #define SWEEP_PREFIX "sweep:"
 
@@ -86,14 +87,7 @@ typedef struct {
 typedef struct {
     const char *what, *input;
     uint64_t samples, seed, shard;
-    bool list;
 } options;
-
-static int fail(const char *text, const char *which)
-{
-    fprintf(stderr, "error: designs: %s%s\n", text, which);
-    return 2;
-}
 
 static void count_depth(depth_bins *depths, const designs_input *input, const double *errors)
 {
@@ -210,48 +204,6 @@ static int list(void)
     return 0;
 }
 
-static bool parse_number(const char *text, uint64_t *number)
-{
-    char *end;
-    if (!text || text[0] < '0' || text[0] > '9') {
-        return false;
-    }
-    *number = strtoull(text, &end, 10);
-    return *end == '\0';
-}
-
-static bool parse_options(int count, char **arguments, options *wanted)
-{
-    *wanted = (options){.samples = 10000, .seed = 1};
-    for (int i = 1; i < count; i++) {
-        const char *name = arguments[i], *value = i + 1 < count ? arguments[i + 1] : NULL;
-        if (strcmp(name, "--list") == 0) {
-            wanted->list = true;
-            continue;
-        }
-        if (name[0] != '-') {
-            if (wanted->what) {
-                return false;
-            }
-            wanted->what = name;
-            continue;
-        }
-        i++;
-        if (strcmp(name, "--input") == 0 && value) {
-            wanted->input = value;
-            continue;
-        }
-        uint64_t *number = strcmp(name, "--samples") == 0 ? &wanted->samples
-                           : strcmp(name, "--seed") == 0  ? &wanted->seed
-                           : strcmp(name, "--shard") == 0 ? &wanted->shard
-                                                          : NULL;
-        if (!number || !parse_number(value, number)) {
-            return false;
-        }
-    }
-    return wanted->list || wanted->what;
-}
-
 static int run(const options *wanted)
 {
     for (int i = 0; i < DESIGNS_STAGES; i++) {
@@ -263,7 +215,7 @@ static int run(const options *wanted)
             return run_stage(wanted, (enum designs_stage)i);
         }
         if (!designs_read_input((enum designs_stage)i, wanted->input, &input)) {
-            return fail("this is no input of stage ", wanted->what);
+            return fail("this is no input of stage", wanted->what);
         }
         designs_explain((enum designs_stage)i, &input);
         return 0;
@@ -274,16 +226,22 @@ static int run(const options *wanted)
             return run_sweep(wanted, &designs_sweeps[i]);
         }
     }
-    return fail("there is no such stage or sweep: ", wanted->what);
+    return fail("there is no such stage or sweep", wanted->what);
 }
 
 int main(int count, char **arguments)
 {
-    options wanted;
-    if (!parse_options(count, arguments, &wanted)) {
-        return fail("usage: designs STAGE|sweep:NAME [--samples N] [--seed S] [--shard I], "
-                    "designs STAGE --input NUMBERS, designs --list",
-                    "");
+    options wanted = {.samples = 10000, .seed = 1};
+    const argument known[] = {{"--samples", take_count, &wanted.samples},
+                                {"--seed", take_count, &wanted.seed},
+                                {"--shard", take_count, &wanted.shard},
+                                {"--input", take_text, &wanted.input}};
+    if (count == 2 && strcmp(arguments[1], "--list") == 0) {
+        return list();
     }
-    return wanted.list ? list() : run(&wanted);
+    if (!read_arguments(count, arguments, known, 4, &wanted.what, 1)) {
+        return fail("usage", "designs STAGE|sweep:NAME [--samples N] [--seed S] [--shard I], "
+                             "designs STAGE --input NUMBERS, designs --list");
+    }
+    return run(&wanted);
 }
