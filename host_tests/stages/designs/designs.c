@@ -215,7 +215,7 @@ static int run(const options *wanted)
             return run_stage(wanted, (enum designs_stage)i);
         }
         if (!designs_read_input((enum designs_stage)i, wanted->input, &input)) {
-            return fail("this is no input of stage", wanted->what);
+            return fail("designs: this is no input of stage", wanted->what);
         }
         designs_explain((enum designs_stage)i, &input);
         return 0;
@@ -226,7 +226,7 @@ static int run(const options *wanted)
             return run_sweep(wanted, &designs_sweeps[i]);
         }
     }
-    return fail("there is no such stage or sweep", wanted->what);
+    return fail("designs: there is no such stage or sweep", wanted->what);
 }
 
 int main(int count, char **arguments)
@@ -240,7 +240,7 @@ int main(int count, char **arguments)
         return list();
     }
     if (!read_arguments(count, arguments, known, 4, &wanted.what, 1)) {
-        return fail("usage", "designs STAGE|sweep:NAME [--samples N] [--seed S] [--shard I], "
+        return fail("designs: usage", "designs STAGE|sweep:NAME [--samples N] [--seed S] [--shard I], "
                              "designs STAGE --input NUMBERS, designs --list");
     }
     return run(&wanted);
