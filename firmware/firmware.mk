@@ -76,7 +76,7 @@ CORE_NAME = $(or $(call CORE_NAME_OF_FLAGS,$(CORE_CHOICE)),host)
 CORE_NAME_OF_FLAGS = $(subst =,-,$(subst $(space),_,$(strip $(patsubst -%,%,$(patsubst -m%,%,\
     $(filter-out -ffreestanding -mthumb,$(1)))))))
 # A Cortex-M7 has the instructions of a Cortex-M4, and LIB_TUNE has both scheduled as one core, so
-# the library's objects are equal byte for byte (host_tests/build/test_cores.py). They are compiled
+# the library's objects are equal byte for byte (host_tests/build/test_unit_tests.py). They are compiled
 # once, for the M4. $(1): flags or a name of them.
 CORE_SHARED = $(subst cortex-m7,cortex-m4,$(1))
 # Where a board's objects of its core are.

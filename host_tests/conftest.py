@@ -9,6 +9,7 @@ import subprocess
 import sys
 import zlib
 
+import named_programs
 import numpy
 import pytest
 import warm_start
@@ -27,6 +28,15 @@ os.environ["FIXEL_KEPT"] = "no"     # the tests compute everything (kept.py)
 
 from fixel.base import bounded
 bounded.start = warm_start.job_start(bounded.start)
+
+named_programs.heed()
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item):
+    """Each file of tests runs the programs that it names."""
+    named_programs.of(item.module)
+
 
 COUNTERS_OF_A_FRAME = (10, 3, 2, 1, 0, 4, 2, 0, 1)     # in == 3 + 2 + 1 + 0 + 4
 

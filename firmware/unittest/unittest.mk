@@ -40,7 +40,7 @@ $(BOARD_TESTS:%=$(UNIT_RUNNERS)/%_runner.c): $(UNIT_RUNNERS)/made ;
 # others have the library that ships.
 UNIT_ASSERT_CORE := $(firstword $(filter cpu-cortex-m4%,$(CORES_SHARED)))
 # A Cortex-M4 and a Cortex-M55 execute a Cortex-M3's code, and the library's headers ask nothing in which they differ
-# (host_tests/build/test_cores.py): their boards link the tests as compiled for the M3, with the library of their own core. $(1): a core's name.
+# (host_tests/build/test_unit_tests.py): their boards link the tests as compiled for the M3, with the library of their own core. $(1): a core's name.
 UNIT_CORE = $(subst cortex-m55,cortex-m3,$(subst cortex-m4,cortex-m3,$(1)))
 BOARD_UNIT_OUT = $(CORE_OUT)/$(call UNIT_CORE,$(notdir $(BOARD_CORE_OUT)))/unit
 # $(1): a core's name.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Boards' programs for the tests of flashing and booting."""
+"""Boards' programs for the tests of flashing, booting and screens."""
 
+import dataclasses
 import fcntl
 import functools
 import os
@@ -11,6 +12,8 @@ import struct
 import subprocess
 import zlib
 
+import named_programs
+from fixel.board import dump, emulator, firmware, flash_memory, session
 from fixel.scene import making
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -24,6 +27,7 @@ EVERY_BOARD = sorted(path.parent.name for path in (ROOT / "boards").glob("*/boar
 def made(target, *settings):
     """A file of this make, made if it is not new enough: once in a process, which sees no sources change. What
     make test has built just now is new; to ask make takes a second."""
+    named_programs.add(ROOT / target)
     if str(target) in os.environ.get("FIXEL_BUILT", "").split():
         return ROOT / target
     (ROOT / "build").mkdir(exist_ok=True)
@@ -76,3 +80,33 @@ def read_uf2(data):
         assert data[start + 508:start + 512] == bytes.fromhex("306fb10a") and not any(data[start + 288:start + 508])
         pages[words[3]] = data[start + 32:start + 288]
     return pages
+
+
+# --- screens ------------------------------------------------------------------------
+
+@dataclasses.dataclass(frozen=True)
+class Flashed:
+    """A scene in a board's flash, and the host's frames of its path."""
+    program: firmware.Program
+    image: pathlib.Path     # the flash image
+    scene: pathlib.Path     # the scene image
+    host: dump.Dump
+
+
+def flashed(board, scene, folder, screen=None):
+    """scenes/<scene>.toml in the flash of a board, at a screen of its own where one is given."""
+    folder = pathlib.Path(folder)
+    image, bin_file, frames = folder / "scene.fxls", folder / "board.bin", folder / "host.fxld"
+    making.build(str(ROOT / "scenes" / f"{scene}.toml"), str(image), screen=screen)
+    elf = built(f"{board}/walk.elf")
+    flash_memory.flash(board, elf, image, bin_file)
+    emulator.run(firmware.HOST, image, built("host/walk"), frames)
+    return Flashed(firmware.load(elf, board), bin_file, image, dump.read_dump(frames))
+
+
+def screen_after(flashed_scene, frames, folder, device=None, options=()):
+    """What a screen shows when so many frames were drawn, and the board's own dump of them."""
+    with session.Session(flashed_scene.program, flashed_scene.image, folder, [f"frames={frames}", "hold"],
+                         options) as board:
+        board.wait_for_text(f"walk: done {frames} frames\n")
+        return board.screen(device), dump.read_dump(pathlib.Path(folder) / emulator.DUMP_NAME)

@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""make boards: every board draws what the host draws, and one that does not is seen."""
+"""make boards: every board draws what the host draws, and one that does not is seen; and boards whose tools make test does not install."""
 
 import json
+import os
 import re
+import shutil
 import subprocess
 import types
 
 import pytest
-from board_programs import BOARD, EVERY_BOARD, ROOT, built, fake_qemu
-from conftest import dry_run, dump_bytes, random_frames, run_cli
 
-from fixel.board import dump, fleet
+from board_programs import BOARD, built, EVERY_BOARD, fake_qemu, made, read_uf2, ROOT
+from conftest import dry_run, dump_bytes, random_frames, run_cli
+from fixel.base.errors import ToolError
+from fixel.board import dump, fleet, uf2
 
 KEYS = {"name": str, "core": str, "flash_bytes": int, "ram_bytes": int, "stack_bytes": int,
         "instructions_per_frame": int, "frames": int, "hash_equal": bool, "unit_tests_passed": int,
@@ -201,3 +204,49 @@ def test_dumps_of_another_size_palette_or_length_differ():
     for number, other in others.items():
         assert fleet.first_difference(dump.parse_dump(other, "x"), whole) == number
     assert fleet.first_difference(dump.parse_dump(dump_bytes(frames, palette=bytes(768)), "x"), whole) == 0
+
+
+# --- boards whose tools make test does not install ----------------------------------
+
+def test_what_is_missing_is_said(tmp_path):
+    """A machine with sh and Python alone."""
+    for name in ("sh", "dirname", "python3"):
+        (tmp_path / name).symlink_to(shutil.which(name))
+    done = subprocess.run([ROOT / "tools/setup.sh", "--missing", "riscv"], env={"PATH": str(tmp_path)}, capture_output=True, text=True,
+                          check=True)
+    needed = "gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc"
+    assert done.stdout.split() == needed.split()
+    made("build/boards/microbit/walk.elf", "BOARD=microbit")
+    made("build/boards/host/walk", "BOARD=host")
+    done = run_cli("boards", "--boards", "microbit", "--scene", "scenes/tiny.toml", "--out", tmp_path / "boards.json", "--not-run", "rv32",
+                   *needed.split())
+    assert done.returncode == 0 and f"rv32: not run: needs {needed}\n" in done.stdout
+    assert json.loads((tmp_path / "boards.json").read_text())["not_run"] == {"rv32": needed.split()}
+
+
+@pytest.mark.parametrize("board", ["rv32", "boards/pico"])
+def test_make_test_leaves_the_board_out(board):
+    """So a machine needs none of its tools for make test."""
+    environment = {key: value for key, value in os.environ.items() if not key.startswith(("MAKE", "MFLAGS", "FIXEL_EXTRA"))}
+    said = subprocess.run(["make", "--dry-run", "test"], cwd=ROOT, env=environment, capture_output=True, text=True, check=True).stdout
+    assert "boards/microbit" in said and board not in said
+
+
+def test_what_is_missing_for_a_pico_is_said(tmp_path):
+    """A machine with sh, Python and no node."""
+    for name in ("sh", "dirname", "python3"):
+        (tmp_path / name).symlink_to(shutil.which(name))
+    done = subprocess.run([ROOT / "tools/setup.sh", "--missing", "pico"], env={"PATH": str(tmp_path)}, capture_output=True, text=True,
+                          check=True)
+    assert {"nodejs", "npm", "gcc-arm-none-eabi"} <= set(done.stdout.split())
+
+
+@pytest.mark.parametrize("at, value, sentence", [
+    (0, 0, "no marks"), (508, 0, "no marks"), (28, 0, "another chip"), (20, 9, "out of order"), (12, 1, "cannot be for")])
+def test_damaged_uf2_blocks_are_refused(at, value, sentence):
+    good = uf2.encode([(0x10000000, bytes(range(256)) * 2)], 0xE48BFF56)
+    assert uf2.decode(good, 0xE48BFF56) == {0x10000000: bytes(range(256)), 0x10000100: bytes(range(256))} == read_uf2(good)
+    with pytest.raises(ToolError, match=sentence):
+        uf2.decode(good[:at] + bytes([value]) + good[at + 1:], 0xE48BFF56)
+    with pytest.raises(ToolError, match="does not end"):
+        uf2.decode(good[:-1], 0xE48BFF56)

@@ -1,17 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""docs/examples.md: each of its programs draws its picture, and compiles for a small core; the walker finds out of the maze."""
+"""docs/examples.md and docs/looks.md: each program draws its picture, compiles for a small core and is as short as it says; each pair of
+pictures is what its two commands draw, and the two halves differ."""
 
 import re
 import subprocess
 
 import numpy
 import pytest
-from conftest import CHECKOUT
 from PIL import Image
 
+from conftest import CHECKOUT
 from fixel.base import picture
-from fixel.report import examples
+from fixel.image import image_surface
+from fixel.report import examples, looks
+from fixel.scene import compiler, look
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "host/judge", "host/libfixel.a", "host/frames")
 PAGE = (CHECKOUT / "docs" / "examples.md").read_text(encoding="utf-8")
 ROWS = re.findall(r"^\| !\[(\w+)\]\(([\w./]+)\) \| \[(\w+)\]\(\.\./examples/(\w+)/(\w+\.c)\) \| (\d+) \| ", PAGE, re.MULTILINE)
 NAMES = [row[0] for row in ROWS]
@@ -58,19 +62,31 @@ def test_a_row_names_its_files(name, picture, same, folder, source, lines):
     assert set(re.findall(r"(\d+) lines", text.partition("#include")[0])) <= {lines}    # what its own comment says
 
 
-@pytest.mark.parametrize("name", list(examples.PICTURES))
+# More colours than this: of many cubes, of grain and light, of texels and smooth light, and more than a palette has.
+COLOURS = {"crowd": 100, "crate": 20, "model": 100, "neon": 256}
+
+
+@pytest.mark.parametrize("name", [*examples.PICTURES, *examples.WIDE_PICTURES])
 def test_an_example_draws_its_picture(build, name):
-    pixels, palette = examples.draw_example(build / "host" / "libfixel.a", name)
-    shown = numpy.array(Image.open(examples.picture_of(name)).convert("RGB"))
-    assert len(numpy.unique(pixels)) > 1
-    assert numpy.array_equal(palette[pixels], shown)
+    if name in examples.WIDE_PICTURES:
+        pixels = examples.draw_wide(build / "host" / "libfixel.a", name)
+        drawn = picture.as_rgb(pixels, picture.rgb565_colours())
+    else:
+        pixels, palette = examples.draw_example(build / "host" / "libfixel.a", name)
+        drawn = palette[pixels]
+    assert len(numpy.unique(pixels)) > COLOURS.get(name, 1)
+    assert numpy.array_equal(drawn, numpy.array(Image.open(examples.picture_of(name)).convert("RGB")))
 
 
-def test_the_model_draws_its_picture(build):
-    pixels = examples.draw_wide(build / "host" / "libfixel.a", "model")
-    shown = numpy.array(Image.open(examples.picture_of("model")).convert("RGB"))
-    assert len(numpy.unique(pixels)) > 100      # texels and smooth light
-    assert numpy.array_equal(picture.as_rgb(pixels, picture.rgb565_colours()), shown)
+def test_a_channel_of_a_picture_is_rounded_to_nearest():
+    image = picture.as_rgb(numpy.array([[0xFFFF, 0, 1 << 11 | 1 << 5 | 1, 16 << 11 | 32 << 5 | 16]], "<u2"), picture.rgb565_colours())
+    assert image.tolist() == [[[255, 255, 255], [0, 0, 0], [8, 4, 8], [132, 130, 132]]]
+
+
+@pytest.mark.parametrize("name, least, most", [("crate", 50, 50), ("neon", 68, 68), ("turn", 1, 25)])
+def test_it_is_as_short_as_a_document_says(name, least, most):
+    lines = (CHECKOUT / "examples" / name / "main.c").read_text(encoding="utf-8").splitlines()
+    assert least <= len([line for line in lines if line.strip() and not line.startswith("/*")]) <= most
 
 
 def test_the_model_is_the_one_that_the_tool_makes(tmp_path):
@@ -82,12 +98,38 @@ def test_the_model_is_the_one_that_the_tool_makes(tmp_path):
     assert (tmp_path / "model_scene.h").read_text(encoding="utf-8") == stored
 
 
-@pytest.mark.parametrize("name", [*examples.PICTURES, "model"])
+@pytest.mark.parametrize("name", [*examples.PICTURES, *examples.WIDE_PICTURES])
 def test_an_example_compiles_for_a_small_core(tmp_path, name):
     examples.write_scene(tmp_path)
     examples.write_own_scene(tmp_path)
     subprocess.run(["arm-none-eabi-gcc", "-mcpu=cortex-m0", "-mthumb", *FLAGS, "-c", f"-I{tmp_path}",
                     str(CHECKOUT / "examples" / name / "main.c")], cwd=tmp_path, check=True)
+
+
+# A whole turn, and the first frame of the next.
+TURN_FRAMES = 121
+TURN_SHOW = f"""
+#include <stdint.h>
+#include <stdio.h>
+int show(const uint8_t *pixels);
+int show(const uint8_t *pixels)
+{{
+    static int calls;
+    if (calls > 0) {{ fwrite(pixels, 1, 320 * 240, stdout); }}
+    return calls++ == {TURN_FRAMES};
+}}
+"""
+
+
+def test_the_cube_turns(build, tmp_path):
+    examples.write_scene(tmp_path)
+    (tmp_path / "show.c").write_text(TURN_SHOW, encoding="utf-8")
+    subprocess.run(["gcc", *FLAGS, f"-I{tmp_path}", str(CHECKOUT / "examples/turn/main.c"), "show.c", str(build / "host/libfixel.a"),
+                    "-o", "turn"], cwd=tmp_path, check=True)
+    done = subprocess.run([tmp_path / "turn"], capture_output=True, check=True)
+    frames = numpy.frombuffer(done.stdout, numpy.uint8).reshape(TURN_FRAMES, 240, 320)
+    assert (frames[0] == frames[120]).all() and len({frame.tobytes() for frame in frames[:120]}) == 120
+    assert all((frame != frame[0, 0]).sum() > 3000 for frame in frames)
 
 
 def test_the_walker_finds_out_of_the_maze(build, tmp_path):
@@ -107,3 +149,53 @@ def test_show_of_the_page_writes_a_frame(build, tmp_path):
     subprocess.run(["./turn"], cwd=tmp_path, check=True)
     assert (tmp_path / "frame.pgm").read_bytes().startswith(b"P5 320 240 255\n")
     assert (tmp_path / "frame.pgm").stat().st_size == 15 + 320 * 240
+
+
+# --- docs/looks.md ------------------------------------------------------------------
+
+LOOKS_PAGE = (CHECKOUT / "docs" / "looks.md").read_text(encoding="utf-8")
+LOOKS = re.findall(r"^\| !\[(\w+)\]\(looks/(\w+)\.png\) \| .* \| `([^`]+)`; `([^`]+)` \|$", LOOKS_PAGE, re.MULTILINE)
+
+
+def test_the_page_has_every_pair_with_its_commands():
+    assert [(name, wrong, right) for name, _, wrong, right in LOOKS] == [(name, wrong, right) for name, (wrong, right, _) in looks.LOOKS.items()]
+    assert all(name == file for name, file, *_ in LOOKS) and len(LOOKS) > 5
+    assert sorted(file.stem for file in (CHECKOUT / "docs" / "looks").glob("*.png")) == sorted(looks.LOOKS)
+
+
+def test_the_page_shows_the_commands_of_a_half():
+    assert f".venv/bin/fixel build docs/looks/open.toml --screen {looks.SCREEN} --frames {looks.FRAMES} -o open.fxls" in LOOKS_PAGE
+    assert "--look backs" in LOOKS_PAGE and list(looks.LOOKS).index("backs") == 2
+
+
+@pytest.mark.parametrize("name", list(looks.LOOKS))
+def test_a_pair_is_what_the_page_shows(build, name):
+    drawn = numpy.array(looks.pair(build / "host" / "frames", name))
+    assert numpy.array_equal(drawn, numpy.array(Image.open(CHECKOUT / "docs" / "looks" / f"{name}.png").convert("RGB")))
+    width = (drawn.shape[1] - looks.GAP) // 2
+    differs = (drawn[:, :width] != drawn[:, -width:]).any(axis=2)
+    assert differs.mean() > 0.01
+
+
+CONE = "v 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nv 0 0 3\ng cone\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 4 3 2 1\n"    # z points upward
+STRAY = CONE + "v 90 0 0\nv 91 0 0\nv 90 1 0\nv 90 0 1\ng stray\nf 6 8 7\nf 6 7 9\nf 7 8 9\nf 8 6 9\n"
+
+
+def cured(folder, text, cure="", key="[[objects]]\n"):
+    """A SceneImage of the scene file that --write writes of a model, with a line of the table in it."""
+    (folder / "m.obj").write_text(text, encoding="utf-8")
+    written, _ = compiler.compile_scene(str(folder / "m.obj"), 4, look=look.Look(), write=str(folder / "s.toml"))
+    assert key in written.text and cure.partition(" = ")[0] in LOOKS_PAGE
+    made = written.text.replace(key, key + cure + "\n", 1) if key == "[[objects]]\n" else written.text.replace(key, cure, 1)
+    (folder / "s.toml").write_text(made, encoding="utf-8")
+    return compiler.compile_scene(str(folder / "s.toml"))[0]
+
+
+def test_cures_without_a_picture(tmp_path):
+    lying, standing = (max(cured(tmp_path, CONE, *cure).models[0].vertices, key=lambda vertex: vertex[1]) for cure in ((), ("rotation = [0, -90, 0]",)))
+    assert standing[1] > 1.4 * lying[1] and abs(standing[0]) + abs(standing[2]) < 100     # the tip
+    before, after = (cured(tmp_path, CONE, *cure).path[0] for cure in ((), ("start = 210", "start = 30")))
+    assert all(abs(one + other) < 100 for one, other in zip((before[0], before[2]), (after[0], after[2])))
+    assert [len(cured(tmp_path, STRAY, *cure).models[0].faces) for cure in ((), ('without = ["stray"]',))] == [9, 5]
+    assert not cured(tmp_path, CONE).surfaces
+    assert [kind.flags & image_surface.BLENDED for kind in cured(tmp_path, CONE, "blend = true").surfaces.surfaces] == [image_surface.BLENDED]

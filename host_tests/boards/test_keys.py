@@ -16,13 +16,12 @@ import time
 
 import pytest
 
-from board_programs import built
+from board_programs import built, flashed
 from fixel.base import output
 from fixel.board import dump, dump_file, emulator, firmware
 from fixel.image import image
 from fixel.board.programs import HostPrograms
 from fixel.board.session import Session, touch_keys
-from screens import flashed
 
 BOARD = "lm3s6965evb"
 FRAMES = 800

@@ -13,6 +13,7 @@ from fixel.base.errors import ToolError
 from fixel.check import break_commands, breaks, clauses, planting, trace_break
 from fixel.check.break_commands import NAMED, PASSED, UNNAMED
 
+BUILT_PROGRAMS = ()
 BREAK = """["lib/a.c".sum.%s]
 kind = "%s"
 line = "%s"

@@ -84,7 +84,7 @@ def compiled(folder, compiler, options, sources):
 @functools.cache
 def small_parts(folder, *options):
     """What runs the program on a Cortex-M, and the functions that a compiler demands of any program."""
-    sources = [PROGRAM / "cortexm.c", PROGRAM / "aeabi.c", MEMORY]
+    sources = [PROGRAM / "cortexm.c", MEMORY]
     return compiled(folder, "arm-none-eabi-gcc", ["-O1", "-fno-tree-loop-distribute-patterns", *options], sources)
 
 

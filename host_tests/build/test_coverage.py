@@ -9,6 +9,7 @@ from conftest import CHECKOUT
 from fixel.base.errors import ToolError
 from fixel.check import clang_coverage, coverage, gaps
 
+BUILT_PROGRAMS = ()
 SOURCE = """/* A file. */
 static int of_room(int a, int b)
 {

@@ -12,6 +12,7 @@ import pytest
 
 from conftest import CHECKOUT
 
+BUILT_PROGRAMS = ()
 HOLDER = "2026 The Fixel authors"
 TAG = "SPDX-License-Identifier" ":"      # in two parts, since this file has another licence than it speaks of
 LINE = re.compile(TAG.encode() + b" ?([^\n]*)")

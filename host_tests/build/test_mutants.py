@@ -1,13 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""What fixel mutants takes for a mistake, and what it leaves alone."""
+"""What fixel mutants takes for a mistake, and what it leaves alone; and the mutants of a small project, of its library and its tools: the same
+bytes on one process and on eight, and what is done is kept."""
 
+import json
+import shutil
+import subprocess
+import sys
 import types
 
 import pytest
-from conftest import CHECKOUT
 
+from conftest import CHECKOUT, environment, LAUNCHER, write_files
 from fixel.check import library_mutants, mutate
 
+BUILT_PROGRAMS = ()
 CODE = """#include "a.h"
 #define ONE (1 + 1)
 static const int table[2] = {1, 2};
@@ -84,3 +90,130 @@ def test_only_tests_that_include_a_mutated_header_are_built_anew(tmp_path):
 def test_the_tests_that_are_left_out_or_come_last_are_there():
     names = library_mutants.SLOW + library_mutants.LAST
     assert names and all((CHECKOUT / library_mutants.UNITS / f"{name}.c").is_file() for name in names)
+
+
+# --- a small project ----------------------------------------------------------------
+
+ROOM = """#include "attic.h"
+int positive(int value)
+{
+    if (value > 0) {
+        return value;
+    }
+    return 0;
+}
+
+int forgotten(int value)
+{
+    return value + HALF(value);
+}
+"""
+HEADER = """static inline int half(int value)
+{
+    return value / 2;
+}
+#define HALF(value) half(value)
+int positive(int value);
+int forgotten(int value);
+"""
+UNIT = """#include "attic/attic.h"
+int main(void)
+{
+    return positive(2) != 2 || positive(-2) != 0 || positive(1) != 1;
+}
+"""
+TOOL = """
+def positive(value):
+    if value > 0:
+        return value
+    return 0
+
+
+def forgotten(value):
+    return value or 3
+"""
+TESTS = """
+from fixel import attic
+
+
+def test_positive():
+    assert attic.positive(1) == 1 and attic.positive(-2) == 0
+
+
+def test_forgotten_runs():
+    attic.forgotten(1)
+"""
+CONFTEST = """
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tools"))
+"""
+COMPILER = "gcc -std=c11 -g -MMD -MP -Ilib"
+MUTANTS = 10        # of each part, or all that there are
+ALLOWED = {"FIXEL_KEPT": "", "CI": ""}      # to keep what is done
+
+
+class Project:
+    """A checkout with a build folder, in which make has built a unit test."""
+
+    def __init__(self, root):
+        self.root, self.units = root, root / "build/host/unit"
+        shutil.copytree(CHECKOUT / "tools", root / "tools", ignore=shutil.ignore_patterns("__pycache__"))
+        write_files(root, {"lib/attic/attic.c": ROOM, "lib/attic/attic.h": HEADER, "boards/none": "", "host_tests/unit/test_attic.c": UNIT,
+                           "tools/fixel/attic.py": TOOL, "host_tests/tools/test_attic.py": TESTS, "host_tests/conftest.py": CONFTEST,
+                           "host_tests/pytest.ini": "[pytest]\n", "host_tests/build/survivors.toml": "", "empty.c": ""})
+        (root / ".venv").symlink_to(sys.prefix)
+        (root / "Makefile").symlink_to(CHECKOUT / "Makefile")
+        self.units.mkdir(parents=True)
+        self.compile("host_tests/unit/test_attic.c", "test_attic.o")
+        for name in ("test_attic_main.o", "unity.o", "assert.o"):
+            self.compile("empty.c", name)
+        for name in ("libhelpers.a", "libparts.a"):
+            subprocess.run(["ar", "rc", self.units / name], check=True)
+        self.compile("lib/attic/attic.c", "attic.o")
+        subprocess.run(["gcc", self.units / "test_attic.o", self.units / "attic.o", "-o", self.units / "test_attic"], check=True)
+
+    def compile(self, source, to):
+        subprocess.run([*COMPILER.split(), "-c", source, "-o", self.units / to], cwd=self.root, check=True)
+
+    def __call__(self, *options, **changes):
+        """(the bytes of both reports, what the command said)."""
+        words = ["--seed", "1", "--count", MUTANTS, "--only", "attic", "--build", "build", "--cc", COMPILER, "--units", "build/host/unit"]
+        done = subprocess.run([sys.executable, self.root / LAUNCHER.relative_to(CHECKOUT), "mutants", *map(str, [*words, *options])],
+                              cwd=self.root, env=environment(**changes), capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stdout + done.stderr
+        return [(self.root / f"build/mutants/{part}-seed-1.json").read_bytes() for part in ("lib", "tools")], done.stderr
+
+
+@pytest.fixture(name="project", scope="module")
+def fixture_project(tmp_path_factory):
+    return Project(tmp_path_factory.mktemp("project") / "checkout")
+
+
+def test_one_process_and_eight_give_the_same_bytes_and_shards_that_are_done_are_kept(project):
+    one, said = project("--jobs", 1, **ALLOWED)
+    assert "0 of them by earlier commands" in said
+    assert project("--jobs", 8, FIXEL_KEPT="no")[0] == one
+    again, said = project(**ALLOWED)
+    assert again == one
+    for part, report in zip(("library", "tools"), map(json.loads, one), strict=True):
+        shards = len(report["mutants"])
+        assert f"mutants of the {part}: {shards} of {shards} shards done, {shards} of them by earlier commands" in said
+        results = [each["result"] for each in report["mutants"]]
+        assert results.count("killed") == report["killed"] > 2, report
+        assert results.count("survived") == report["count"] - report["killed"] > 0, report
+        (row,) = json.loads((project.root / f"build/campaigns/{part}-mutants.json").read_text())["kinds"]
+        assert row["shard_seconds"] > 0.03, "the time of the process that runs the tests is in it"
+
+
+def test_other_tests_are_other_shards(project):
+    before, _ = project(**ALLOWED)
+    unit, tests = project.root / "host_tests/unit/test_attic.c", project.root / "host_tests/tools/test_attic.py"
+    unit.write_text(UNIT.replace("positive(1) != 1", "forgotten(6) != 9 || forgotten(0) != 0"))
+    tests.write_text(TESTS + "    assert attic.forgotten(0) == 3\n")
+    project.compile("host_tests/unit/test_attic.c", "test_attic.o")
+    subprocess.run(["gcc", project.units / "test_attic.o", project.units / "attic.o", "-o", project.units / "test_attic"], check=True)
+    after, said = project(**ALLOWED)
+    assert said.count(", 0 of them by earlier commands") == 2
+    assert [json.loads(new)["percent"] > json.loads(old)["percent"] for old, new in zip(before, after, strict=True)] == [True, True]

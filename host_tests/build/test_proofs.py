@@ -12,6 +12,7 @@ from fixel.base.errors import ToolError
 from fixel.check import planting
 from fixel.prove import cbmc, exact, functions, others, proving, recomputed, rows
 
+BUILT_PROGRAMS = ()
 ARITH = """/* lib/math/arith.h:40:NC */ extern uint32_t fxl_divide_u64 (uint64_t, uint32_t, uint32_t *);
 /* lib/draw/../math/arith.h:80:NF */ static int64_t fxl_round_shift (int64_t, unsigned int);
 /* lib/math/arith.c:35:NF */ extern uint32_t fxl_divide_u64 (uint64_t, uint32_t, uint32_t *);

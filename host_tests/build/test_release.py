@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""make release: what it refuses, that the same commit gives the same bytes, and the list of what is in them. The Python package is
-built in host_tests/anywhere/release."""
+"""make release: what it refuses, that the same commit gives the same bytes, and the list of what is in them; the files that a release and its
+readers need; and make api-check without abidiff. host_tests/anywhere/release builds the Python package and compares libraries."""
 
 import hashlib
 import io
@@ -13,12 +13,13 @@ import zipfile
 
 import pytest
 
-from conftest import CHECKOUT
+from conftest import CHECKOUT, dry_run
 from fixel.base.errors import ToolError
 from fixel.base.version import version
-from fixel.package import artefacts, bill
+from fixel.package import api, artefacts, bill, repository
 from fixel.package.packages import table
 
+BUILT_PROGRAMS = ()
 SECONDS = 1_900_000_000
 COMMIT = "0123456789abcdef0123456789abcdef01234567"
 PIP = {f"fixel-{version()}.tar.gz": b"sdist", f"fixel-{version()}-py3-none-linux_x86_64.whl": b"wheel"}
@@ -163,3 +164,136 @@ def test_a_fault_of_the_list_is_seen(packages):
     del document["name"]
     document["relationships"][0]["relatedSpdxElement"] = "SPDXRef-none"
     assert faults(document, packages) == ["name is missing", "SPDXRef-none is not there"]
+
+
+# --- the files of a release: the changelog, the citation, the issue templates, the way to report a defect 
+
+TEMPLATES = sorted((CHECKOUT / ".github" / "ISSUE_TEMPLATE").glob("*.md"))
+KINDS = {"Added", "Changed", "Deprecated", "Removed", "Fixed", "Security"}
+FIRST = "0.9.0"     # its changes stand by subject
+
+
+def page(name):
+    return (CHECKOUT / name).read_text(encoding="utf-8")
+
+
+def complaints(changelog, current):
+    """What is wrong with the headings of a changelog, as sentences."""
+    found = re.findall(r"^## (.*)$", changelog, re.MULTILINE)
+    wrong = [] if found[:1] == ["[Unreleased]"] else ["[Unreleased] is not the first heading"]
+    numbers = []
+    for heading in found[1:]:
+        parts = re.fullmatch(r"\[(\d+)\.(\d+)\.(\d+)\] - (\d{4}-\d\d-\d\d|not released)", heading)
+        if not parts:
+            wrong.append(f"{heading} is no version with a date")
+            continue
+        numbers.append(tuple(map(int, parts.groups()[:3])))
+        if parts[4] == "not released" and len(numbers) > 1:
+            wrong.append(f"{heading}: a later version has been released")
+    if not numbers or ".".join(map(str, numbers[0])) != current:
+        wrong.append(f"{current} is not the newest version")
+    if numbers != sorted(set(numbers), reverse=True):
+        wrong.append("the versions do not go down")
+    later = changelog.split(f"\n## [{FIRST}]", 1)[0]
+    wrong += [f"{name} is no kind of change" for name in re.findall(r"^### (.*)$", later, re.MULTILINE) if name not in KINDS]
+    return wrong
+
+
+def test_the_changelog_has_the_headings_of_keep_a_changelog():
+    assert complaints(page("CHANGELOG.md"), version()) == []
+
+
+@pytest.mark.parametrize("text, wrong", [
+    ("## [0.9.0] - 2030-01-02\n", "[Unreleased] is not the first heading"),
+    ("## [Unreleased]\n\n## 0.9.0\n", "0.9.0 is no version with a date"),
+    ("## [Unreleased]\n\n## [0.8.0] - 2030-01-02\n", "0.9.0 is not the newest version"),
+    ("## [Unreleased]\n\n## [0.9.0] - 2030-01-02\n\n## [0.10.0] - 2030-01-02\n", "the versions do not go down"),
+    ("## [Unreleased]\n\n## [0.9.0] - 2030-01-02\n\n## [0.8.0] - not released\n", "[0.8.0] - not released: a later version has been released"),
+    ("## [Unreleased]\n\n### Models\n\n## [0.9.0] - 2030-01-02\n\n### Models\n", "Models is no kind of change"),
+])
+def test_a_wrong_heading_is_seen(text, wrong):
+    assert wrong in complaints(f"# Changelog\n\n{text}", "0.9.0")
+
+
+def test_the_citation_has_what_the_format_demands_and_the_version():
+    found = dict(re.findall(r"^([a-z-]+):(?: +(.*))?$", page("CITATION.cff"), re.MULTILINE))
+    assert {"cff-version", "message", "title", "authors"} <= set(found), "the format's required keys"
+    assert found["cff-version"] == "1.2.0" and found["type"] == "software"
+    assert found["version"] == version() and found["license"] == "MIT"
+    assert re.search(r"^authors:\n  - name: \S", page("CITATION.cff"), re.MULTILINE)
+
+
+@pytest.mark.parametrize("template", TEMPLATES, ids=lambda file: file.stem)
+def test_an_issue_template_begins_with_its_name(template):
+    head, body = re.fullmatch(r"---\n(.*?)\n---\n\n(.*)", template.read_text(encoding="utf-8"), re.DOTALL).groups()
+    fields = dict(line.split(": ", 1) for line in head.splitlines())
+    assert set(fields) == {"name", "about", "labels"} and all(fields.values())
+    assert body.count("**") >= 6, "it asks for three things at least"
+    for name in re.findall(r"\b(?:[\w-]+/)*[\w-]+\.md\b", body + head):
+        assert (CHECKOUT / name).is_file(), name
+
+
+def test_a_defect_that_others_could_attack_by_is_told_in_private():
+    assert [file.stem for file in TEMPLATES] == ["defect", "result", "wish"]
+    assert "SECURITY.md" in TEMPLATES[0].read_text(encoding="utf-8")
+    told = page("SECURITY.md").split("\n## Telling us\n", 1)[1]
+    assert "Report a vulnerability" in told and re.search(r"^2\. ", told, re.MULTILINE)
+
+
+# --- make api-check: what a version may break, and what of abidiff's words is a change 
+
+SAID = "Functions changes summary: {} Removed, {} Changed (7 filtered out), {} Added functions\n"
+
+
+@pytest.fixture(name="empty")
+def fixture_empty(tmp_path):
+    """A repository with one commit."""
+    for words in (["init", "--quiet"], ["commit", "--quiet", "--allow-empty", "-m", "All"]):
+        subprocess.run(["git", "-c", "user.name=a", "-c", "user.email=a@b", *words], cwd=tmp_path, check=True)
+    return tmp_path
+
+
+def test_before_the_first_tag_there_is_nothing_to_compare(empty, capsys):
+    assert api.check(empty) == 0
+    assert capsys.readouterr().out == "api: no tag to compare\n"
+
+
+def test_the_last_tag_is_that_of_a_version(empty):
+    for tag in ("v0.9.0", "vendor", "trial"):
+        subprocess.run(["git", "tag", tag], cwd=empty, check=True)
+    assert repository.last_tag(empty) == "v0.9.0"
+
+
+def test_without_abidiff_it_is_not_run(empty, monkeypatch):
+    monkeypatch.setattr(api.shutil, "which", lambda name: None)
+    with pytest.raises(ToolError, match="not run: needs abidiff"):
+        api.compared(empty, "v0.9.0")
+
+
+def test_api_check_refuses_a_folder_without_git(tmp_path):
+    with pytest.raises(ToolError, match="needs a checkout of git"):
+        api.check(tmp_path)
+
+
+@pytest.mark.parametrize("before, now, allowed", [
+    ("0.9.0", "0.9.1", False), ("0.9.0", "0.10.0", True), ("0.9.3", "1.0.0", True), ("1.2.0", "1.3.0", False), ("1.9.0", "2.0.0", True),
+    ("0.9.0", "0.9.0", False), ("1.0.0", "0.10.0", False)])
+def test_what_a_version_may_break(before, now, allowed):
+    assert api.may_break(before, now) is allowed
+
+
+@pytest.mark.parametrize("said, new", [
+    (SAID.format(0, 0, 3), True), (SAID.format(1, 0, 3), False), (SAID.format(0, 12, 0), False), ("", False),
+    (SAID.format(0, 0, 0) + "Unreachable types summary: 0 removed, 1 changed, 0 added type\n", False),
+    (SAID.format(0, 0, 0) + "Unreachable types summary: 0 removed, 0 changed (1 filtered out), 1 added types\n", True)])
+def test_what_is_new_alone_is_no_change(said, new):
+    assert api.is_all_new(said) is new
+
+
+def test_an_enumeration_without_a_name_gets_that_of_its_first_member():
+    header = "typedef enum { A } a;\nenum { /* of b */\n    FXL_B, FXL_C };\nenum d { FXL_D };\n"
+    assert api.with_names(header) == header.replace("enum { /* of b", "enum of_FXL_B { /* of b")
+
+
+def test_make_installs_nothing_for_it_before_the_first_tag():
+    assert "tools/setup.sh tools" in dry_run("api-check").stdout

@@ -10,6 +10,7 @@ import pytest
 
 from conftest import CHECKOUT
 
+BUILT_PROGRAMS = ()
 LIB = CHECKOUT / "lib"
 PUBLIC = LIB / "include"
 # A room includes itself and the rooms before it. A wing includes all rooms, and the study the wings too.

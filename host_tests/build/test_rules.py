@@ -11,6 +11,7 @@ from conftest import CHECKOUT
 from fixel.base.errors import ToolError
 from fixel.check import misra, rules
 
+BUILT_PROGRAMS = ()
 PAGE = """| rule | what it asks | decision | files | reason |
 | --- | --- | --- | --- | --- |
 | 15.5 | one return | deviated | `lib/clip/*` | refusals come first |

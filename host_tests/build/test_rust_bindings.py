@@ -9,6 +9,7 @@ from fixel.base.errors import ToolError
 from fixel.base.version import version
 from fixel.package import one_text, rust_bindings
 
+BUILT_PROGRAMS = ()
 HEADER = """
 #ifdef __cplusplus
 extern "C" {

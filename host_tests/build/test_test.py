@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""make test's own driver: counts what ran, and no ending passes for a success without being one."""
+"""The drivers of make test and make test-anywhere: they count what ran, and no ending passes for a success without being one."""
 
 import json
 import os
@@ -11,13 +11,14 @@ import subprocess
 import sys
 import types
 
+import named_programs
 import pytest
-from board_programs import EVERY_BOARD, ROOT, built
-from conftest import TOOLS, dry_run, environment, run_cli, run_make, write_files
+import warm_start
 
+from board_programs import built, EVERY_BOARD, ROOT
+from conftest import assert_one_sentence, CHECKOUT, dry_run, environment, run_cli, run_make, TOOLS, write_files
 from fixel.base.errors import ToolError
-from fixel.check import all_tests, pytest_client, pytest_server
-from fixel.check import test as check_test
+from fixel.check import all_tests, anywhere, pytest_client, pytest_server, test as check_test
 
 GOOD = "a.c:1:test_one:PASS\na.c:2:test_two:PASS\n\n-----------------------\n2 Tests 0 Failures 0 Ignored \nOK"
 BAD = "a.c:1:test_one:PASS\na.c:2:test_two:FAIL: Expected 1 Was 2\n\n2 Tests 1 Failures 0 Ignored \nFAIL"
@@ -188,7 +189,7 @@ def command_of(board):
 
 
 def core_of(board):
-    """The flags of a board's core. An M7 has the M4's objects (test_cores.py)."""
+    """The flags of a board's core. An M7 has the M4's objects (test_unit_tests.py)."""
     setting = (ROOT / "boards" / board / "board.mk").read_text(encoding="utf-8")
     return re.search(r"^BOARD_CORE := (.*)$", setting, re.MULTILINE)[1].replace("cortex-m7", "cortex-m4")
 
@@ -313,3 +314,77 @@ def test_a_job_that_cannot_be_done_is_a_failure_of_each_of_its_suites(capsys):
     outcomes, _ = all_tests.run_jobs(jobs, 1)
     assert {name: outcome.failed for name, outcome in outcomes.items()} == {"board/a": 1, "board/b": 1, "c": 0}
     assert capsys.readouterr().out.count("OSError: no more processes") == 2
+
+
+def test_a_test_that_runs_what_its_file_does_not_name_fails(monkeypatch, tmp_path):
+    """A program below build/, and one that is handed to another: a sentence names it. What the test had made may run."""
+    monkeypatch.setattr(named_programs, "BUILD", tmp_path)
+    monkeypatch.setattr(named_programs, "_module", None)
+    monkeypatch.setenv(named_programs.NAMED, "")
+    program, image = tmp_path / "host" / "judge", tmp_path / "board" / "walk.elf"
+    write_files(tmp_path, {"host/judge": "#!/bin/sh\n", "board/walk.elf": ""})
+    program.chmod(0o755)
+    named_programs.of(types.SimpleNamespace(BUILT_PROGRAMS=("host/judge",)))
+    subprocess.run([program], check=True)
+    with pytest.raises(RuntimeError, match=r"build/board/walk\.elf, which the BUILT_PROGRAMS"):
+        subprocess.run(["true", image], check=True)
+    named_programs.add(image)
+    subprocess.run(["true", image], check=True)
+    named_programs.of(types.SimpleNamespace())
+    subprocess.run(["true", image], check=True)
+
+
+def test_a_tool_of_such_a_test_fails_too(build):
+    program = "import subprocess; subprocess.run(['build/host/judge', '--help'])"
+    for named, fails in (("host/judge", False), ("host/walk", True)):
+        done = warm_start.run(["x"], ROOT, environment(**{named_programs.NAMED: named}), program=program)
+        assert ("this test runs build/host/judge" in done.stderr) == fails, done.stderr
+
+
+# --- make test-anywhere -------------------------------------------------------------
+
+def outcome_of(folder, text):
+    """The outcome of a file of tests, run by pytest as the command does."""
+    file = folder / "test_one.py"
+    file.write_text(text, encoding="utf-8")
+    code, said, report = anywhere.run_file(file, folder)
+    return anywhere.outcome(code, report), said
+
+
+@pytest.mark.parametrize("text, line", [
+    ("def test_a(): pass\ndef test_b(): pass\n", "p: passed: 2 tests"),
+    ("import pytest\ndef test_a(): pass\ndef test_b(): pytest.skip('needs conan')\n", "p: passed: 1 tests; not run: needs conan (1 tests)"),
+    ("import pytest\ndef test_b(): pytest.skip('needs conan')\n", "p: not run: needs conan (1 tests)"),
+    ("import pytest\npytest.importorskip('no_such', reason='needs Dask')\n", "p: not run: needs Dask (1 tests)"),
+    ("import pytest\npytest.skip('not today', allow_module_level=True)\n", "p: FAILED: 1 of 1 tests"),
+    ("import pytest\ndef test_a(): pass\ndef test_b(): pytest.skip('not today')\n", "p: FAILED: 1 of 2 tests"),
+    ("def test_a(): assert 1 == 2\n", "p: FAILED: 1 of 1 tests"),
+    ("import no_such_module\n", "p: FAILED: 1 of 1 tests"),
+    ("x = 1\n", "p: not run: needs a test"),
+])
+def test_what_a_line_says(tmp_path, text, line):
+    found, said = outcome_of(tmp_path, text)
+    assert anywhere.line("p", found) == line, said
+
+
+def test_figures_of_tests_are_kept(tmp_path):
+    found, said = outcome_of(tmp_path, "def test_a(record_property): record_property('figure', '3 pixels')\ndef test_b(): pass\n")
+    assert found == {"passed": 2, "failed": 0, "needs": [], "figures": ["3 pixels"]}, said
+
+
+def test_parts_are_folders_and_make_test_has_none_of_them():
+    found = anywhere.files()
+    assert "packages/test_cmake" in found
+    assert not list((CHECKOUT / "host_tests" / "anywhere").glob("test_*.py")), "make test would run it"
+    assert list(anywhere.chosen("packages/test_cmake", found)) == ["packages/test_cmake"]
+    assert set(anywhere.chosen("packages", found)) < set(anywhere.chosen("", found)) or set(found) == set(anywhere.chosen("packages", found))
+    with pytest.raises(ToolError, match="no part 'package'; did you mean packages"):
+        anywhere.chosen("package", found)
+
+
+def test_an_unknown_part_is_one_sentence():
+    assert_one_sentence(run_cli("test-anywhere", "--only", "nowhere"), "nowhere", "packages")
+
+
+def test_make_passes_the_part_on():
+    assert "fixel/launcher.py make test-anywhere" in dry_run("test-anywhere", "ONLY=packages").stdout

@@ -11,6 +11,7 @@ from conftest import CHECKOUT, run_cli, run_make, write_files
 from fixel.base.errors import ToolError
 from fixel.check import clauses, planting, tags, trace, trace_break
 
+BUILT_PROGRAMS = ()
 SAMPLE = 5
 SPEC = """# Page
 

@@ -24,6 +24,9 @@ import tempfile
 import threading
 
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
+sys.path.append(str(TOOLS.parent / "host_tests"))
+
+import named_programs
 PRELOADED = ("numpy", "PIL.Image", "elftools.elf.elffile", "fixel.scene.summary", "fixel.scene.texture",
              "fixel.board.judged_run", "fixel.board.flashing", "fixel.scene.worker",
              "fixel.scene.command")
@@ -74,6 +77,7 @@ def _become(asked, handles):
     os.environ.clear()
     os.environ.update(asked["environment"])
     os.chdir(asked["folder"])
+    named_programs.heed()
     _limit(asked.get("limits", ()))
     if "job" in asked:
         _do_job(asked["job"])

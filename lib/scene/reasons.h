@@ -6,7 +6,7 @@
 #ifndef FXL_REASONS_H
 #define FXL_REASONS_H
 
-/* The statuses as characters: test_statuses.py compares them with fixel/types.h. */
+/* The statuses as characters: test_public.py compares them with fixel/types.h. */
 #define ON_ARGUMENT    "\001"
 #define ON_RANGE       "\002"
 #define ON_CAPACITY    "\003"

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+"""A file of tests for pytest names in BUILT_PROGRAMS what it runs below build/, and make test ONLY= has that built alone. Here a
+process refuses to start a program below build/ that the file does not name: otherwise the name would be missed only where
+nothing else is built."""
+
+import os
+import pathlib
+import sys
+
+BUILD = pathlib.Path(__file__).resolve().parents[1] / "build"
+NAMED = "FIXEL_BUILT_PROGRAMS"    # of the environment, which the tools that a test starts get too
+MADE = {".elf", ".a", ".so", ".json"}
+
+
+_module = None
+
+
+def of(module):
+    """What the tests of a module may run. For one without BUILT_PROGRAMS everything is built."""
+    global _module
+    if module is _module:
+        return      # what its tests have asked make for since then may be run too
+    _module = module
+    programs = getattr(module, "BUILT_PROGRAMS", None)
+    if programs is None:
+        os.environ.pop(NAMED, None)
+    else:
+        os.environ[NAMED] = " ".join(programs)
+
+
+def add(file):
+    """A test has asked make for a file."""
+    if NAMED in os.environ:
+        os.environ[NAMED] += f" {os.path.relpath(file, BUILD)}"
+
+
+def below_build(word, folder):
+    """The path below build/ of a program that make builds there, or None."""
+    path = pathlib.Path(os.path.normpath(os.path.join(folder or os.getcwd(), os.fsdecode(word))))
+    if BUILD not in path.parents or not path.is_file() or path.suffix not in MADE and not os.access(path, os.X_OK):
+        return None
+    return str(path.relative_to(BUILD))
+
+
+def _refuse(event, arguments):
+    if event != "subprocess.Popen" or NAMED not in os.environ:
+        return
+    _, words, folder, _ = arguments
+    for word in [words] if isinstance(words, (str, bytes, os.PathLike)) else words:
+        name = below_build(word, folder)
+        if name and name not in os.environ[NAMED].split():
+            raise RuntimeError(f"this test runs build/{name}, which the BUILT_PROGRAMS of its file do not name")
+
+
+def heed():
+    """From now on this process, and each fork of it, refuses."""
+    sys.addaudithook(_refuse)
