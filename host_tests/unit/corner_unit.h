@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "clip_views.h"
+#include "clip_unit.h"
 #include "paint/corner_planes.h"
 
 /* Seeds of the checks of bounds that few faces come near. */

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "depth_scene.h"
 
-#include <string.h>
-
+#include "frame_bands.h"
 #include "mapped_quad.h"
-#include "unity.h"
 
 static const fxl_point vertices[] = {
     {-8 * 65536, -32768, 16 * 65536},    {8 * 65536, -32768, 16 * 65536},
@@ -70,9 +68,8 @@ static void start(depth_scene *made, const fxl_target *target, uint32_t depth_si
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&made->renderer, &made->scene, &made->config,
                                                 made->memory, sizeof made->memory));
     if (made->is_mapped) {
-        TEST_ASSERT_EQUAL(FXL_OK,
-                          fxl_attach_surfaces(&made->renderer, &made->surfaces, &made->set,
-                                              painters[target->depth_bits / 16u]));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&made->renderer, &made->surfaces, &made->set,
+                                                      painters[target->depth_bits / 16u]));
     }
 }
 
@@ -86,18 +83,17 @@ void depth_scene_start_with(depth_scene *made, const fxl_target *target)
     start(made, target, sizeof made->cells);
 }
 
+void depth_scene_draw(depth_scene *made, uint8_t *frame)
+{
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_render(&made->renderer, &depth_scene_eye, frame, DEPTH_SCENE_WIDTH));
+}
+
 void depth_scene_draw_in_bands(depth_scene *made, uint16_t rows, uint32_t list_words)
 {
     made->renderer.frame.display_list.capacity = list_words;
     memset(made->again, 0, sizeof made->again);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&made->renderer, &depth_scene_eye));
-    for (uint16_t row = 0; row < DEPTH_SCENE_HEIGHT; row = (uint16_t)(row + rows)) {
-        const fxl_band band = {.pixels = made->again + row * DEPTH_SCENE_WIDTH,
-                               .width = DEPTH_SCENE_WIDTH, .stride = DEPTH_SCENE_WIDTH,
-                               .first_row = row, .rows = rows};
-        fxl_fill_band(&band, DEPTH_SCENE_BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&made->renderer, &band));
-    }
+    frame_draw_pose(&made->renderer, &depth_scene_eye, made->again, rows, DEPTH_SCENE_BACKGROUND);
     TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
 }
 
@@ -105,8 +101,7 @@ void depth_scene_check_bands(depth_scene *made, const fxl_target *target)
 {
     static const uint32_t sizes[] = {FXL_DEPTH_BYTES(DEPTH_SCENE_WIDTH, 1, 32),
                                      FXL_DEPTH_BYTES(DEPTH_SCENE_WIDTH, 5, 16), sizeof made->cells};
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    depth_scene_draw(made, made->frame);
     for (uint32_t i = 0; i < 3; i++) {
         start(made, target, sizes[i]);
         for (uint32_t words = 0; words <= 128; words += 32) {

@@ -4,8 +4,7 @@
 #ifndef DEPTH_SCENE_H
 #define DEPTH_SCENE_H
 
-#include "draw/stages.h"
-#include "fixel/all.h"
+#include "unit.h"
 
 enum {
     DEPTH_SCENE_WIDTH = 48,
@@ -44,6 +43,9 @@ depth_scene *depth_scene_make(void);
 /* Checks the scene and sets up the renderer; with a target of a palette and a depth buffer. */
 void depth_scene_start(depth_scene *made);
 void depth_scene_start_with(depth_scene *made, const fxl_target *target);
+
+/* Draws the whole frame from the eye. */
+void depth_scene_draw(depth_scene *made, uint8_t *frame);
 
 /* Draws in bands of so many rows, with a display list of so many words: the pixels of `frame`. */
 void depth_scene_draw_in_bands(depth_scene *made, uint16_t rows, uint32_t list_words);

@@ -5,8 +5,7 @@ void frame_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, uin
                      uint32_t first, uint32_t rows, uint8_t background)
 {
     const uint16_t width = renderer->frame.view.lens.width;
-    const fxl_band band = {.pixels = frame + first * width, .width = width, .stride = width,
-                           .first_row = (uint16_t)first, .rows = (uint16_t)rows};
+    const fxl_band band = UNIT_BAND(frame + first * width, width, (uint16_t)first, (uint16_t)rows);
     fxl_fill_band(&band, background);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_with(renderer, workspace, &band));
 }

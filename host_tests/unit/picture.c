@@ -21,8 +21,7 @@ void picture_add_band(picture *canvas, const fxl_screen_polygon *polygon, uint16
                       uint16_t rows, char ink)
 {
     static uint8_t unused[PICTURE_MAX];
-    fxl_band band = {.pixels = unused, .width = canvas->width, .stride = canvas->width,
-                     .first_row = first_row, .rows = rows};
+    fxl_band band = UNIT_BAND(unused, canvas->width, first_row, rows);
     fxl_scan scan;
     fxl_span span;
     int row = -1, end = 0;

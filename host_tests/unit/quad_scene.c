@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "mapped_quad.h"
-#include "placements.h"
 
 static quad_scene made;
 static const uint16_t indices[] = {0, 1, 2, 3};
@@ -21,7 +20,7 @@ static fxl_point along(const fxl_direction *side, int32_t length)
 /* A trapezium in the plane of two rows of a rotation, clockwise against the third. */
 static void make_face(quad_scene *quad)
 {
-    const fxl_orientation plane = placements_orientation();
+    const fxl_orientation plane = unit_orientation();
     const int32_t half = unit_between(Q16(0.5), Q16(8)), high = unit_between(Q16(0.5), Q16(8));
     const int32_t top = half + unit_between(-half / 2, half / 2);
     const fxl_point up = along(&plane.y, high), right = along(&plane.x, half),
@@ -81,7 +80,7 @@ quad_scene *quad_make(bool turned)
     make_face(&made);
     make_pose(&made);
     make_surface(&made);
-    made.placement = placements_any();
+    made.placement = unit_placement();
     made.scene = quad_tables_scene(&tables, 1);
     if (turned) {
         /* The eye goes with the face: both are seen as they were. */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What docs/safety/constraints.md M2 says of palettes, pixels and tables: at each place where they may
  * not begin they are refused, and at the others they are taken. */
-#include "fixel/all.h"
 #include "fixel/line.h"
 #include "tiny.h"
 

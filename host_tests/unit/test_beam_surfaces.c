@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Beams on faces with surfaces, in each target: a lit piece shows lit[c] of each colour c that it showed without a
  * beam, which texels are holes stays, and nothing else changes. */
-#include <string.h>
-
 #include "rgb565_scene.h"
-#include "unity.h"
 
 enum {
     TARGETS = 6,
@@ -76,10 +73,6 @@ void setUp(void)
     lamp.ramp = ramp;
     lamp.levels = LEVELS;
     has_light = false;
-}
-
-void tearDown(void)
-{
 }
 
 /* in_beam: the colours in the beam; null: no beam. */
@@ -252,7 +245,8 @@ void test_light_comes_before_the_beam(void)
     }
 }
 
-/* In RGB565 light takes a part of the colour of lit[c]: that of a texture whose texels are lit[c]. */
+/* In RGB565 light takes a part of the colour of lit[c]: that of a texture whose texels are lit[c].
+ * */
 /* beams 6.2 */
 void test_light_in_rgb565_takes_a_part_of_the_colour_in_the_beam(void)
 {

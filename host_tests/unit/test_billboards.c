@@ -2,6 +2,7 @@
 /* Billboards, against their definition in double (docs/extras/billboards.md). */
 #include <math.h>
 
+#include "frame_bands.h"
 #include "board_scene.h"
 
 enum {
@@ -19,21 +20,11 @@ void setUp(void)
     board_scene_make(&scene);
 }
 
-void tearDown(void)
-{
-}
-
 static void draw(uint8_t frame[BOARD_SCENE_HEIGHT][BOARD_SCENE_WIDTH], uint16_t step,
                  fxl_workspace *by)
 {
     for (uint16_t row = 0; row < BOARD_SCENE_HEIGHT; row = (uint16_t)(row + step)) {
-        const fxl_band band = {.pixels = frame[row],
-                               .width = BOARD_SCENE_WIDTH,
-                               .stride = BOARD_SCENE_WIDTH,
-                               .first_row = row,
-                               .rows = step};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_with(&scene.renderer, by, &band));
+        frame_draw_band(&scene.renderer, by, frame[0], row, step, BACKGROUND);
     }
 }
 

@@ -4,7 +4,7 @@
 #include "choices.h"
 #include "frame_bands.h"
 #include "tiny.h"
-#include "tiny_board.h"
+#include "board_scene.h"
 #include "tiny_frames.h"
 #include "study/targets.h"
 
@@ -74,10 +74,6 @@ void setUp(void)
                                     .face_map = face_map,
                                     .surface_count = 1,
                                     .face_count = 1};
-}
-
-void tearDown(void)
-{
 }
 
 static void start(uint32_t words)
@@ -236,8 +232,7 @@ void test_a_released_frame_draws_its_billboards(void)
 {
     const fxl_pose pose = {{0, 0, -Q16(5)}, 0, 0, 0};
     for (uint32_t i = 0; i < 4; i++) {
-        const fxl_band band = {
-            .pixels = other, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
+        const fxl_band band = UNIT_BAND(other, WIDTH, 0, HEIGHT);
         start(LIST_WORDS);
         choose(&ways[i / 2], i % 2);
         TEST_ASSERT_EQUAL(FXL_OK, add(&ways[i / 2]));
@@ -255,8 +250,7 @@ void test_a_moved_renderer_draws_the_same(void)
 {
     static fxl_renderer moved;
     const fxl_pose pose = {{0, 0, Q16(-6)}, 0, 0, 0};
-    const fxl_band band = {
-        .pixels = other, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
+    const fxl_band band = UNIT_BAND(other, WIDTH, 0, HEIGHT);
     for (uint32_t i = 0; i < 6; i++) {
         start(i % 2 * LIST_WORDS);
         choose(&ways[i % 3], true);

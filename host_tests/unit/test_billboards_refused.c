@@ -9,10 +9,6 @@ void setUp(void)
     board_scene_make(&scene);
 }
 
-void tearDown(void)
-{
-}
-
 static void expect_refusal(fxl_status status, const char *what, uint32_t index)
 {
     fxl_scene_fault fault = {"nothing", 99};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Drawing by a tree: what hides what, with cubes that move through a cube. */
-#include "bsp_sight.h"
+#include "bsp_scene.h"
 #include "choices.h"
 #include "clip/clip_by_view.h"
 #include "frame_bands.h"

@@ -2,7 +2,7 @@
 /* Drawing by a tree beside other layers, near to far, through the near plane, with a clipper that
  * gives several polygons a face, and with light. */
 #include "../../lib/scene/bsp_node.h"
-#include "bsp_sight.h"
+#include "bsp_scene.h"
 #include "choices.h"
 #include "frame_bands.h"
 #include "painters.h"

@@ -2,7 +2,7 @@
 /* The pieces of an object that a tree has cut have every vertex of their neighbours: their edges
  * cancel, bit for bit, and one outline is left. */
 #include "../../lib/order/bsp_pieces.h"
-#include "bsp_sight.h"
+#include "bsp_scene.h"
 #include "choices.h"
 
 enum {

@@ -308,8 +308,7 @@ static void check_polygon(const fxl_screen_polygon *polygon, const fxl_band *ban
 static fxl_band any_band(int32_t width)
 {
     static uint8_t unused[FXL_SCREEN_MAX];
-    fxl_band band = {.pixels = unused, .width = (uint16_t)width, .stride = (uint16_t)width,
-                     .first_row = 0, .rows = 0};
+    fxl_band band = UNIT_BAND(unused, (uint16_t)width, 0, 0);
     band.first_row = (uint16_t)(unit_random() % 2 ? 0 : unit_between(0, FXL_SCREEN_MAX - 1));
     band.rows = (uint16_t)unit_between(1, FXL_SCREEN_MAX - band.first_row);
     return band;

@@ -2,7 +2,7 @@
 /* So many vertices and no more (C2). Outlines of any pattern of vertices inside, outside and on
  * one plane: each clipper makes exactly the vertices that the pattern asks for, or refuses, and
  * writes nothing beyond the capacity. */
-#include "clip_shapes.h"
+#include "clip_unit.h"
 #include "study/clip_once.h"
 #include "study/clip_world.h"
 #include "study/half_space.h"

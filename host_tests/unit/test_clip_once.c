@@ -3,7 +3,7 @@
  * against the clipper that goes plane by plane. */
 #include <math.h>
 
-#include "clip_shapes.h"
+#include "clip_unit.h"
 #include "study/clip_once.h"
 
 static struct {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* What outcodes save (A10, D4, D5): a shape that crosses one plane and lies wholly outside another
  * is rejected before any intersection is computed, whichever of the two planes comes first. */
-#include "clip_shapes.h"
-#include "clippers_list.h"
+#include "clip_unit.h"
 #include "polygon_face.h"
+#include "clippers_list.h"
 #include "study/half_space.h"
 
 /* The lens: 90 degrees both ways, near 1, far 100, no inset. */

@@ -260,11 +260,7 @@ static void set_clipper(int which, const fxl_clipper *clipper)
 
 static void draw(fxl_renderer *renderer, const fxl_pose *pose, uint8_t *frame)
 {
-    fxl_band band = {
-        .pixels = frame, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
-    fxl_fill_band(&band, BACKGROUND);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(renderer, pose));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(renderer, &band));
+    frame_draw_pose(renderer, pose, frame, HEIGHT, BACKGROUND);
 }
 
 /* A clipper that counts what it is asked, and answers what it is told to. */
@@ -372,13 +368,7 @@ void test_the_cache_changes_no_pixel(void)
             TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderers[which], &pose));
         }
         for (int which = 0; which < 2; which++) {
-            fxl_band band = {.pixels = frames[1 + which],
-                             .width = WIDTH,
-                             .stride = WIDTH,
-                             .first_row = 0,
-                             .rows = HEIGHT};
-            fxl_fill_band(&band, BACKGROUND);
-            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderers[which], &band));
+            frame_draw_bands(&renderers[which], frames[1 + which], HEIGHT, BACKGROUND);
             TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1 + which], PIXELS);
             TEST_ASSERT_EQUAL_MEMORY(&counters, &renderers[which].workspace.counters,
                                      sizeof counters);

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* What the clippers leave is the same, bit for bit, on every core: hashes on record, as in
  * test_surface_hashes.c. */
-#include "clip_shapes.h"
-#include "clip_views.h"
-#include "clippers_list.h"
+#include "clip_unit.h"
 #include "polygon_face.h"
+#include "clippers_list.h"
 #include "study/half_space.h"
 
 enum {
@@ -23,10 +22,6 @@ static fxl_triangle_workspace triangles;
 void setUp(void)
 {
     hash = 0;
-}
-
-void tearDown(void)
-{
 }
 
 static void mix(int64_t value)

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The family's clippers under the treaty, face by face. */
 #include <stdlib.h>
-#include <string.h>
 
-#include "clip_views.h"
-#include "clippers_list.h"
+#include "clip_unit.h"
 #include "polygon_face.h"
+#include "clippers_list.h"
 #include "unit.h"
 
 enum {

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* The family's clippers in a renderer: whole frames. */
-#include <string.h>
-
 #include "clippers_list.h"
 #include "frame_bands.h"
 #include "tiny.h"

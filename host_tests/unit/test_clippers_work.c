@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* What the clippers count, and faces that need no plane. */
-#include "clip_views.h"
-#include "clippers_list.h"
+#include "clip_unit.h"
 #include "polygon_face.h"
+#include "clippers_list.h"
 
 enum {
     WIDTH = 48,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What the loader refuses of clusters. */
-#include "cluster_scene.h"
+#include "tiny.h"
 
 static cluster_scene *made;
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Clusters outside the frustum and clusters turned away. */
-#include "cluster_scene.h"
+#include "frame_bands.h"
+#include "tiny.h"
 #include "view/clusters.h"
 #include "study/clippers.h"
 
@@ -113,16 +114,7 @@ static fxl_counters draw(tiny_scene *tiny, const fxl_pose *pose, int which, bool
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&tiny->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    for (uint16_t row = 0; row < HEIGHT; row += HEIGHT / 2) {
-        const fxl_band band = {.pixels = &pixels[which][row * WIDTH],
-                               .width = WIDTH,
-                               .stride = WIDTH,
-                               .first_row = row,
-                               .rows = HEIGHT / 2};
-        fxl_fill_band(&band, 0);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    }
+    frame_draw_pose(&renderer, pose, pixels[which], HEIGHT / 2, 0);
     return renderer.workspace.counters;
 }
 

@@ -32,10 +32,6 @@ void setUp(void)
     memset(ramp, 0, sizeof ramp);
 }
 
-void tearDown(void)
-{
-}
-
 /* A random face with colours at its corners, as a triangle or whole. Some channels are the least or
  * the largest ones. */
 static quad_scene *make(bool is_triangle, uint8_t flags, uint8_t division)

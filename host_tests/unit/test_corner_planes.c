@@ -19,10 +19,6 @@ void setUp(void)
     corner_begin();
 }
 
-void tearDown(void)
-{
-}
-
 static double word(int64_t value)
 {
     return (double)value / 4294967296.0;

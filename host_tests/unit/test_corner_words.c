@@ -8,10 +8,6 @@ void setUp(void)
     corner_begin();
 }
 
-void tearDown(void)
-{
-}
-
 /* A word that is linear on the screen, where its true value is near `expected`, in units of the
  * word.
  */

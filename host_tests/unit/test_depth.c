@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The depth buffer, against the definition in double: a ray through each pixel's centre. */
 #include <math.h>
-#include <string.h>
 
 #include "depth_scene.h"
-#include "unity.h"
 #include "study/clippers.h"
 
 static depth_scene *made;
@@ -12,10 +10,6 @@ static depth_scene *made;
 void setUp(void)
 {
     made = depth_scene_make();
-}
-
-void tearDown(void)
-{
 }
 
 static double dot(const double *a, const double *b)
@@ -73,8 +67,7 @@ static double distance_of(const fxl_face *face, double x, double y, double *edge
 static void check_frame(double resolution)
 {
     uint32_t checked = 0, seen[DEPTH_SCENE_QUADS] = {0};
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    depth_scene_draw(made, made->frame);
     for (int i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
         double nearest = INFINITY, next = INFINITY, edge = INFINITY;
         int found = -1;
@@ -140,13 +133,11 @@ void test_every_clipper_gives_the_same_depths(void)
     static const fxl_clipper *const clippers[] = {&fxl_clipper_world, &fxl_clipper_triangles,
                                                   &fxl_clipper_near};
     depth_scene_start_with(made, &fxl_palette_depth_16);
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    depth_scene_draw(made, made->frame);
     for (uint32_t i = 0; i < 3; i++) {
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&made->renderer, clippers[i], made->room,
                                                            clippers[i]->workspace_size));
-        TEST_ASSERT_EQUAL(
-            FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+        depth_scene_draw(made, made->again);
         TEST_ASSERT_LESS_THAN(4, count_different()); /* pixels at edges */
     }
 }
@@ -163,8 +154,7 @@ void test_an_off_centre_lens_shows_the_same_depths(void)
     };
     fxl_lens lens;
     depth_scene_start_with(made, &fxl_palette_depth_16);
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    depth_scene_draw(made, made->frame);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_of_part(&made->renderer.frame.view.lens, LEFT, TOP,
                                                PART_WIDTH, PART_HEIGHT, &lens));
     fxl_memory tables = {
@@ -198,19 +188,16 @@ void test_turned_instances_have_depth(void)
     static const fxl_placement placements[DEPTH_SCENE_QUADS] = {
         FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE};
     depth_scene_start_with(made, &fxl_palette_depth_16);
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+    depth_scene_draw(made, made->again);
     made->scene.placements = placements;
     made->scene.placement_code = &fxl_turned_instances;
     depth_scene_start_with(made, &fxl_palette_depth_16);
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    depth_scene_draw(made, made->frame);
     TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
     TEST_ASSERT_EQUAL(0, made->renderer.workspace.counters.rounded);
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_set_clipper(&made->renderer, &fxl_clipper_world, NULL, 0));
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+    depth_scene_draw(made, made->again);
     TEST_ASSERT_EQUAL(DEPTH_SCENE_QUADS, made->renderer.workspace.counters.rounded);
     TEST_ASSERT_LESS_THAN(4, count_different());
 }
@@ -225,8 +212,7 @@ void test_pieces_of_light_beams_have_depth(void)
         lit[i] = (uint8_t)(i + 1);
     }
     depth_scene_start_with(made, &fxl_palette_depth_16);
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    depth_scene_draw(made, made->frame);
     const fxl_point lamp = {0, 8 * 65536, 3 * 65536};
     const fxl_point outline[] = {{-2 * 65536, 0, 65536},
                                  {-2 * 65536, 0, 6 * 65536},
@@ -236,8 +222,7 @@ void test_pieces_of_light_beams_have_depth(void)
     const fxl_beam_set beams = {&beam, 1, lit};
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_attach_beams(&made->renderer, &beams, made->room, sizeof made->room));
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+    depth_scene_draw(made, made->again);
     uint32_t bright = 0;
     for (uint32_t i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
         bright += made->again[i] == made->frame[i] + 1;
@@ -274,19 +259,16 @@ void test_of_faces_in_one_plane_that_is_seen_which_is_drawn_later(void)
     made->scene.instances = both;
     made->scene.index_count = 8;
     depth_scene_start(made);
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    depth_scene_draw(made, made->frame);
     depth_scene_start_with(made, &fxl_palette_depth_16);
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+    depth_scene_draw(made, made->again);
     TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
     made->surface = (fxl_surface){.flags = FXL_SURFACE_BLEND, .opacity = 16};
     made->set.blend = table;
     made->set.blend_count = 1;
     made->is_mapped = true;
     depth_scene_start_with(made, &fxl_palette_depth_16);
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+    depth_scene_draw(made, made->again);
     TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
 }
 
@@ -295,8 +277,7 @@ void test_two_workspaces_draw_halves_of_a_frame(void)
 {
     fxl_workspace other;
     depth_scene_start_with(made, &fxl_palette_depth_16);
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    depth_scene_draw(made, made->frame);
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_workspace_init(&other, &made->renderer, made->room, sizeof made->room));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&made->renderer, &depth_scene_eye));
@@ -341,10 +322,7 @@ void test_the_count_of_parts_ends(void)
 {
     depth_scene_start(made);
     fxl_config config = made->config;
-    const fxl_band band = {.pixels = made->frame,
-                           .width = DEPTH_SCENE_WIDTH,
-                           .stride = DEPTH_SCENE_WIDTH,
-                           .rows = DEPTH_SCENE_HEIGHT};
+    const fxl_band band = UNIT_BAND(made->frame, DEPTH_SCENE_WIDTH, 0, DEPTH_SCENE_HEIGHT);
     config.target = &fxl_palette_depth_16;
     config.depth = made->cells;
     config.depth_size = FXL_DEPTH_BYTES(DEPTH_SCENE_WIDTH, 1, 16);

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The depth test of a run of pixels, against its definition: random runs, most of whose codes are
  * near their cells. */
-#include <string.h>
-
 #include "paint/depth_cells.h"
 #include "paint/depth_code.h"
 

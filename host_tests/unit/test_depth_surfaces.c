@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Surfaces with a depth buffer: textures, stipple and glass. */
-#include <string.h>
-
 #include "depth_scene.h"
-#include "unity.h"
 
 static depth_scene *made;
 static uint8_t panes[FXL_BLEND_TABLE_BYTES(11)];
@@ -11,10 +8,6 @@ static uint8_t panes[FXL_BLEND_TABLE_BYTES(11)];
 void setUp(void)
 {
     made = depth_scene_make();
-}
-
-void tearDown(void)
-{
 }
 
 static void set_texture(uint32_t face)
@@ -54,17 +47,14 @@ void test_textures_are_seen_where_they_are_nearest(void)
         made->texture.flags = 0;
         made->is_mapped = false;
         depth_scene_start_with(made, &fxl_palette_depth_16);
-        TEST_ASSERT_EQUAL(
-            FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+        depth_scene_draw(made, made->frame);
         set_texture(face);
-        TEST_ASSERT_EQUAL(
-            FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+        depth_scene_draw(made, made->again);
         check_textured(face, false);
         memcpy(plain, made->again, sizeof plain);
         made->texture.flags = FXL_TEXTURE_KEYED;
         made->texture.key = 99;
-        TEST_ASSERT_EQUAL(
-            FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+        depth_scene_draw(made, made->again);
         check_textured(face, true);
         for (uint32_t i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
             TEST_ASSERT_EQUAL(plain[i] == 98, made->again[i] == 98);
@@ -78,13 +68,11 @@ void test_textures_are_seen_where_they_are_nearest(void)
 void test_a_stippled_surface_keeps_depth_where_it_is_drawn(void)
 {
     depth_scene_start_with(made, &fxl_palette_depth_16);
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    depth_scene_draw(made, made->frame);
     set_texture(1);
     for (uint8_t opacity = 1; opacity < 16; opacity += 7) {
         made->surface.opacity = opacity;
-        TEST_ASSERT_EQUAL(
-            FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+        depth_scene_draw(made, made->again);
         uint32_t drawn = 0, through = 0, behind = 0;
         for (uint32_t i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
             const bool texel = made->again[i] == 98 || made->again[i] == 99;
@@ -111,8 +99,7 @@ void test_a_blended_surface_is_seen_over_what_is_behind_it(void)
         table[i] = (uint8_t)(i ^ 0x80);
     }
     depth_scene_start_with(made, &fxl_palette_depth_16);
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
+    depth_scene_draw(made, made->frame);
     memset(made->texels, 99, sizeof made->texels);
     made->texture.flags = FXL_TEXTURE_KEYED;
     made->texture.key = 99;
@@ -129,8 +116,7 @@ void test_a_blended_surface_is_seen_over_what_is_behind_it(void)
     made->set.surface_count = 2;
     made->mapped.surface = 1;
     set_texture(2);
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
+    depth_scene_draw(made, made->again);
     uint32_t seen_through = 0;
     for (uint32_t i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
         const bool is_glass = made->frame[i] == made->scene.faces[2].material;

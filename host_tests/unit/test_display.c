@@ -62,11 +62,7 @@ static fxl_status show(uint16_t width, uint16_t height, uint16_t rows)
     fxl_status status = fxl_pump_init(&pump, &config, &display.sink, memory, sizeof memory);
     for (uint32_t y = 0; status == FXL_OK && y < height; y += rows) {
         const uint16_t count = (uint16_t)(rows < height - y ? rows : height - y);
-        const fxl_band band = {.pixels = lent,
-                               .width = width,
-                               .stride = width,
-                               .first_row = (uint16_t)y,
-                               .rows = count};
+        const fxl_band band = UNIT_BAND(lent, width, (uint16_t)y, count);
         memcpy(lent, frame + y * width, (size_t)count * width);
         status = fxl_pump_send_rows(&pump, &band);
         memset(lent, 0xEE, sizeof lent);
@@ -179,14 +175,15 @@ void test_a_glass_that_begins_elsewhere(void)
     }
 }
 
-/* --- pages --------------------------------------------------------------------------------------
- */
+/* --- pages -------------------------------------------------------------------------------- */
 
-static void assert_pages(uint16_t left, uint16_t above, uint16_t width, uint16_t height)
+/* A glass of OLED_WIDTH columns and so many rows shows the frame from left and above on. */
+static void assert_rows(uint16_t rows, uint16_t left, uint16_t above, uint16_t width,
+                        uint16_t height)
 {
     uint16_t table[256];
     fxl_grey_table(table, palette, 1);
-    for (uint16_t y = 0; y < OLED_HEIGHT; y++) {
+    for (uint16_t y = 0; y < rows; y++) {
         for (uint16_t x = 0; x < OLED_WIDTH; x++) {
             const uint32_t in_x = (uint32_t)x - left, in_y = (uint32_t)y - above;
             const bool is_inside = in_x < width && in_y < height;
@@ -211,9 +208,9 @@ void test_pages_in_bands_of_one_and_two(void)
     for (uint32_t i = 0; i < sizeof oleds / sizeof oleds[0]; i++) {
         for (uint32_t turns = 0; turns < 4; turns += 2) {
             open_oled(&oleds[i], turns, turns == 0 ? &by_dma : &plain);
-            assert_pages(0, 0, 0, 0); /* all black */
+            assert_rows(OLED_HEIGHT, 0, 0, 0, 0); /* all black */
             TEST_ASSERT_EQUAL(FXL_OK, show(OLED_WIDTH, OLED_HEIGHT, turns == 0 ? 8 : 16));
-            assert_pages(0, 0, OLED_WIDTH, OLED_HEIGHT);
+            assert_rows(OLED_HEIGHT, 0, 0, OLED_WIDTH, OLED_HEIGHT);
             /* The controller mirrors as it shows, which only a glass that is mounted so undoes. */
             TEST_ASSERT_EQUAL_HEX8(turns == 0 ? 9 : 0, model.access);
             TEST_ASSERT_TRUE(model.is_on && model.is_charged && !model.is_inverted);
@@ -240,18 +237,7 @@ void test_pages_whose_columns_are_scanned(void)
         TEST_ASSERT_EQUAL_HEX8(turns == 0 ? 0 : 9, model.access);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_display_place(&display, OLED_WIDTH, OLED_HEIGHT));
         TEST_ASSERT_EQUAL(FXL_OK, show(OLED_WIDTH, OLED_HEIGHT, 16));
-        uint16_t table[256];
-        fxl_grey_table(table, palette, 1);
-        for (uint16_t y = 0; y < 128; y++) {
-            for (uint16_t x = 0; x < 128; x++) {
-                const uint32_t in_y = y - 32u;
-                const uint32_t level =
-                    in_y < OLED_HEIGHT
-                        ? fxl_grey_level(table[frame[in_y * OLED_WIDTH + x]], x, in_y)
-                        : 0;
-                TEST_ASSERT_EQUAL(level, controller_pixel(&model, x, y));
-            }
-        }
+        assert_rows(128, 0, 32, OLED_WIDTH, OLED_HEIGHT);
     }
 }
 
@@ -260,7 +246,7 @@ void test_a_small_frame_on_pages(void)
     open_oled(&oleds[1], 0, &by_dma);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_display_place(&display, 61, 39));
     TEST_ASSERT_EQUAL(FXL_OK, show(61, 39, 16));
-    assert_pages(33, 8, 61, 39); /* 12 rows above are one page and a half */
+    assert_rows(OLED_HEIGHT, 33, 8, 61, 39); /* 12 rows above are one page and a half */
 }
 
 void test_a_glass_of_32_rows(void)
@@ -278,8 +264,7 @@ void test_a_glass_of_32_rows(void)
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_place(&display, OLED_WIDTH, 33));
 }
 
-/* --- pumps of another shape ---------------------------------------------------------------------
- */
+/* --- pumps of another shape --------------------------------------------------------------- */
 
 /* Rows handed to the sink itself, as bytes of another frame may be. */
 static bool start_rows(uint16_t first_row, uint16_t rows, uint16_t width)
@@ -307,7 +292,7 @@ void test_a_pump_narrower_than_the_pages(void)
     TEST_ASSERT_FALSE(display.sink.start(display.sink.user, 0, 8, bytes, sizeof bytes));
     TEST_ASSERT_EQUAL(FXL_E_DISPLAY, fxl_pump_send_rows(&pump, &band));
     TEST_ASSERT_EQUAL(sends, model.sends);
-    assert_pages(0, 0, 0, 0); /* all black */
+    assert_rows(OLED_HEIGHT, 0, 0, 0, 0); /* all black */
     TEST_ASSERT_EQUAL(FXL_OK, fxl_display_place(&display, 64, OLED_HEIGHT));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_send_rows(&pump, &band));
 }
@@ -338,8 +323,7 @@ void test_rows_that_are_not_the_frames(void)
     TEST_ASSERT_EQUAL(FXL_OK, show(WIDTH, HEIGHT, 8));
 }
 
-/* --- failures -----------------------------------------------------------------------------------
- */
+/* --- failures ----------------------------------------------------------------------------- */
 
 static fxl_status open_and_show(const module *of, uint32_t refused)
 {
@@ -397,11 +381,6 @@ static void expect_none(fxl_display_config config)
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_open(&display, &config, &plain, palette));
 }
 
-static void expect_range(fxl_display_config config)
-{
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_open(&display, &config, &plain, palette));
-}
-
 /* The glass of a configuration is within the controller's memory: the first send fails. */
 static void expect_within(const fxl_display_config *config, bool is_within)
 {
@@ -414,35 +393,32 @@ static void expect_within(const fxl_display_config *config, bool is_within)
 
 /* A glass at the end of a memory that is seen as columns x rows, and one that begins or ends a
  * column, or a page of rows, farther. */
-static void assert_memory(fxl_display_config config, uint16_t columns, uint16_t rows, uint16_t page)
+static void assert_memory(fxl_display_config config, uint32_t columns, uint32_t rows, uint32_t page)
 {
-    static const uint16_t sizes[] = {8, 32};
-    for (uint32_t i = 0; i < 2; i++) {
-        config.width = config.height = sizes[i];
-        config.left = (uint16_t)(columns - sizes[i]);
-        config.top = (uint16_t)(rows - sizes[i]);
-        expect_within(&config, true);
-        config.left++;
-        expect_within(&config, false);
-        config.left = 65535;
-        expect_within(&config, false);
-        config.left = (uint16_t)(columns - sizes[i]);
-        config.top = (uint16_t)(config.top + page);
-        expect_within(&config, false);
-        config.top = 65528;
-        expect_within(&config, false);
+    const struct {
+        uint32_t width, height, left, top;
+        bool is_within;
+    } glasses[] = {{8, 8, columns - 8, rows - 8, true},
+                   {8, 8, columns - 7, rows - 8, false},
+                   {8, 8, 65535, rows - 8, false},
+                   {8, 8, columns - 8, rows - 8 + page, false},
+                   {8, 8, columns - 8, 65528, false},
+                   {32, 32, columns - 32, rows - 32, true},
+                   {32, 32, columns - 31, rows - 32, false},
+                   {32, 32, 65535, rows - 32, false},
+                   {32, 32, columns - 32, rows - 32 + page, false},
+                   {32, 32, columns - 32, 65528, false},
+                   {columns, rows, 0, 0, true},
+                   {columns + 1, rows, 0, 0, false},
+                   {columns, rows + page, 0, 0, false},
+                   {columns, 4 * rows, 0, 0, false}};
+    for (uint32_t i = 0; i < sizeof glasses / sizeof glasses[0]; i++) {
+        config.width = (uint16_t)glasses[i].width;
+        config.height = (uint16_t)glasses[i].height;
+        config.left = (uint16_t)glasses[i].left;
+        config.top = (uint16_t)glasses[i].top;
+        expect_within(&config, glasses[i].is_within);
     }
-    config.left = config.top = 0;
-    config.width = columns;
-    config.height = rows;
-    expect_within(&config, true);
-    config.width++;
-    expect_within(&config, false);
-    config.width = columns;
-    config.height = (uint16_t)(rows + page);
-    expect_within(&config, false);
-    config.height = (uint16_t)(4 * rows);
-    expect_within(&config, false);
 }
 
 /* The columns and rows of the data sheets. */
@@ -482,7 +458,17 @@ void test_what_is_refused_sends_nothing(void)
     const fxl_display_port no_pause = {&model, controller_send, NULL, NULL, NULL};
     const fxl_display_port no_wait = {&model, controller_send, controller_begin, NULL,
                                       controller_pause};
-    fxl_display_config config = fxl_display_config_default(&fxl_ssd1306, 0), wrong = config;
+    static const struct {
+        uint16_t width, height, left, top;
+    } wrong[] = {{0, 64, 0, 0},
+                 {FXL_SCREEN_MAX + 1, 64, 0, 0},
+                 {128, 0, 0, 0},
+                 {128, FXL_SCREEN_MAX + 8, 0, 0},
+                 {128, 63, 0, 0}, /* no whole page */
+                 {128, 64, 0, 4},
+                 {128, 64, 0, FXL_SCREEN_MAX + 8},
+                 {128, 64, FXL_SCREEN_MAX + 1, 0}};
+    fxl_display_config config = fxl_display_config_default(&fxl_ssd1306, 0);
     controller_start(&model, CONTROLLER_SSD1306, 0, 0, 8, 8);
     memset(&display, 0x5A, sizeof display);
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(NULL, &config, &plain, palette));
@@ -495,25 +481,14 @@ void test_what_is_refused_sends_nothing(void)
     expect_none(fxl_display_config_default(&fxl_ssd1306, 1)); /* it has no quarter turns */
     expect_none(fxl_display_config_default(&fxl_st7789, 4));
     expect_none(fxl_display_config_default(NULL, 0));
-    wrong.width = 0;
-    expect_range(wrong);
-    wrong.width = FXL_SCREEN_MAX + 1;
-    expect_range(wrong);
-    wrong = config;
-    wrong.height = 0;
-    expect_range(wrong);
-    wrong.height = FXL_SCREEN_MAX + 8;
-    expect_range(wrong);
-    wrong.height = 63; /* no whole page */
-    expect_range(wrong);
-    wrong = config;
-    wrong.top = 4;
-    expect_range(wrong);
-    wrong.top = FXL_SCREEN_MAX + 8;
-    expect_range(wrong);
-    wrong = config;
-    wrong.left = FXL_SCREEN_MAX + 1;
-    expect_range(wrong);
+    for (uint32_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        fxl_display_config other = config;
+        other.width = wrong[i].width;
+        other.height = wrong[i].height;
+        other.left = wrong[i].left;
+        other.top = wrong[i].top;
+        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_open(&display, &other, &plain, palette));
+    }
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &display, sizeof display);
     TEST_ASSERT_EQUAL(0, model.sends);
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_place(NULL, 1, 1));

@@ -20,10 +20,6 @@ void setUp(void)
     segment.paint.division = FXL_DIVIDE_1;
 }
 
-void tearDown(void)
-{
-}
-
 static double exact(const fxl_gradient *gradient, int64_t at, int column)
 {
     return ldexp((double)(at + gradient->along * column), -32);

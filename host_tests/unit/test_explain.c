@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The sentences about refused calls: each mistake that a first program makes gets one that names
  * the argument and its range, and no call that succeeds gets one. */
-#include <string.h>
-
 #include "bsp_scene.h"
 #include "tiny_frames.h"
 #include "unit.h"
@@ -30,10 +28,6 @@ void setUp(void)
     config = fxl_config_default(WIDTH, HEIGHT);
     eye = (fxl_pose){.position = {0, 0, FXL_UNITS(-6)}};
     band = (fxl_band){.pixels = (uint8_t *)pixels, .width = WIDTH, .stride = WIDTH, .rows = HEIGHT};
-}
-
-void tearDown(void)
-{
 }
 
 static void expect_words(const char *said, const char *argument, const char *range)

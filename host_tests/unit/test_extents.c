@@ -302,8 +302,7 @@ void test_a_cache_behind_the_order_is_kept(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
     for (int frame = 0; frame < 2; frame++) {
-        const fxl_band band = {
-            .pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = 16};
+        const fxl_band band = UNIT_BAND(whole, WIDTH, 0, 16);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
         TEST_ASSERT_EQUAL_PTR(block.cache, renderer.workspace.cache.entries);

@@ -42,14 +42,6 @@ static void pause(void *user, uint32_t milliseconds)
 
 static const fxl_display_port port = {NULL, send, NULL, NULL, pause};
 
-void setUp(void)
-{
-}
-
-void tearDown(void)
-{
-}
-
 /* A small glass, so that all is logged. Returns how many messages were sent. */
 static uint32_t open_with(const fxl_display_driver *driver, const uint8_t *commands)
 {

@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* What a first program calls: constants, a configuration, one block of memory, whole frames. */
+/* What a first program calls: constants, a configuration, one block of memory, whole frames; and
+ * what it draws with a small display over it. */
 #include <string.h>
 
 #include "fixel.h"
 #include "tiny.h"
 #include "unity.h"
+#include "hud.h"
+
+/* What a first program calls: constants, a configuration, one block of memory, whole frames. */
 
 enum {
     WIDTH = 48,
@@ -29,10 +33,6 @@ void setUp(void)
     scene = made->scene;
     memset(&renderer, 0, sizeof renderer);
     memset(pixels, 0xEE, sizeof pixels);
-}
-
-void tearDown(void)
-{
 }
 
 void test_ratios_are_rounded_to_the_nearest_halves_upward(void)
@@ -176,8 +176,7 @@ void test_a_frame_is_the_same_whatever_the_block(void)
     TEST_ASSERT_EQUAL_UINT32(0, renderer.frame.display_list.used);
     TEST_ASSERT_TRUE(renderer.frame.display_list.capacity > 0);
     memcpy(other, pixels, sizeof pixels);
-    const fxl_band whole = {
-        .pixels = pixels[0], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
+    const fxl_band whole = UNIT_BAND(pixels[0], WIDTH, 0, HEIGHT);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
     TEST_ASSERT_TRUE(renderer.frame.display_list.used > 0);
     fxl_fill_band(&whole, 9);
@@ -206,4 +205,60 @@ void test_a_frame_that_cannot_be_leaves_the_pixels(void)
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_render(&renderer, &eye, pixels[0], WIDTH));
     TEST_ASSERT_EQUAL_UINT32(4, renderer.workspace.counters.refused_calls);
     TEST_ASSERT_EACH_EQUAL_UINT8(0xEE, pixels, sizeof pixels);
+}
+
+/* What the first program draws, a cube in front of a background, with a small display over it: the
+ * same hud_pixels on every board, whole and in bands. */
+
+enum {
+    HUD_WIDTH = 80,
+    HUD_HEIGHT = 48,
+    BAND = 5
+};
+
+#define PICTURE 0x008942FEu /* CRC-32 */
+
+static const hud_colours colours = {250, 251, 252, 253, 254};
+static uint8_t hud_pixels[HUD_HEIGHT][HUD_WIDTH];
+static uint64_t memory[40];
+
+static void start(fxl_pose *eye)
+{
+    const fxl_config config = fxl_config_default(HUD_WIDTH, HUD_HEIGHT);
+    tiny_scene *tiny = tiny_make();
+    tiny->scene.instance_count = 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_init(&renderer, &tiny->scene, &config, memory, sizeof memory));
+    memset(eye, 0, sizeof *eye);
+    eye->position.y = FXL_UNITS(1);
+    eye->position.z = FXL_UNITS(-4);
+    eye->pitch = FXL_DEGREES(-12);
+}
+
+/* overlay 1.4 */
+void test_the_picture_is_that_of_every_board(void)
+{
+    const fxl_band whole = UNIT_BAND(hud_pixels[0], HUD_WIDTH, 0, HUD_HEIGHT);
+    fxl_pose eye;
+    start(&eye);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, hud_pixels[0], HUD_WIDTH));
+    TEST_ASSERT_TRUE(hud_draw(&whole, HUD_WIDTH, HUD_HEIGHT, "01230", &colours));
+    TEST_ASSERT_EQUAL_HEX32(PICTURE, unit_crc32(hud_pixels[0], sizeof hud_pixels));
+}
+
+/* overlay 1.1 */
+void test_bands_have_the_pixels_of_the_whole(void)
+{
+    fxl_pose eye;
+    start(&eye);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
+    for (uint16_t row = 0; row < HUD_HEIGHT; row += BAND) {
+        const uint16_t rows = row + BAND <= HUD_HEIGHT ? BAND : HUD_HEIGHT - row;
+        const fxl_band band = UNIT_BAND(hud_pixels[row], HUD_WIDTH, row, rows);
+        fxl_fill_band(&band, 0);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+        TEST_ASSERT_TRUE(hud_draw(&band, HUD_WIDTH, HUD_HEIGHT, "01230", &colours));
+    }
+    TEST_ASSERT_EQUAL_HEX32(PICTURE, unit_crc32(hud_pixels[0], sizeof hud_pixels));
 }

@@ -68,10 +68,6 @@ void setUp(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
 }
 
-void tearDown(void)
-{
-}
-
 /* A point some units from one of the cubes. */
 static fxl_point point_about(uint32_t instance)
 {
@@ -130,8 +126,7 @@ static void look(uint32_t number)
 static void overlay(uint32_t number)
 {
     static const char words[] = "Score 0123456789\nFxl: @{}~";
-    const fxl_band band = {
-        .pixels = pixels, .width = WIDTH, .stride = WIDTH, .first_row = 7, .rows = HEIGHT};
+    const fxl_band band = UNIT_BAND(pixels, WIDTH, 7, HEIGHT);
     const fxl_text_style style = {&fxl_font_5x7, (uint8_t)number, (uint8_t)(number % 3 ? 0 : 7)};
     const fxl_sprite sprite = {texels,
                                texels,
@@ -167,11 +162,8 @@ static void lines(uint32_t number)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
     for (uint16_t row = 0; row < HEIGHT; row = (uint16_t)(row + rows)) {
         const uint16_t left = (uint16_t)(HEIGHT - row);
-        const fxl_band band = {.pixels = pixels + row * WIDTH,
-                               .width = WIDTH,
-                               .stride = WIDTH,
-                               .first_row = row,
-                               .rows = rows < left ? rows : left};
+        const fxl_band band =
+            UNIT_BAND(pixels + row * WIDTH, WIDTH, row, rows < left ? rows : left);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_draw(&wire, &band));
     }
     mix_pixels();

@@ -3,7 +3,7 @@
  * screen, and the conditions that give the least weight. */
 #include <math.h>
 
-#include "clip_views.h"
+#include "clip_unit.h"
 #include "paint/gradients.h"
 
 static int width, height;
@@ -107,10 +107,6 @@ void setUp(void)
     width = unit_random() % 2 ? width : (width + 15) / 16 * 16;
     height = 2 * unit_between(1, 120);
     view = clip_random_view((uint16_t)width, (uint16_t)height);
-}
-
-void tearDown(void)
-{
 }
 
 /* SPEC 9.1, accuracy 5.1 */
@@ -267,4 +263,110 @@ void test_the_least_weight_is_what_its_two_conditions_ask_for(void)
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 100, by_bend);
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 100, by_far);
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, least);
+}
+
+/* Corners whose attributes become linear on the screen: all on it, or none of them changes. */
+
+enum {
+    WIDTH = 40,
+    HEIGHT = 30
+};
+
+/* A corner at a point of the screen, in pixels, so far away. */
+static fxl_view_point corner_at(double x, double y, double depth)
+{
+    const double focal = view.lens.focal / 65536.0, one = 70368744177664.0; /* 2^46 */
+    return (fxl_view_point){(fxl_q18_46)((x - WIDTH / 2) * depth / focal * one),
+                            (fxl_q18_46)((HEIGHT / 2 - y) * depth / focal * one),
+                            (fxl_q18_46)(depth * one)};
+}
+
+static fxl_gradient_corners corners_with(double x, double y)
+{
+    fxl_gradient_corners affine;
+    memset(&affine, 0, sizeof affine);
+    affine.corners[0] = corner_at(10, 8, 3);
+    affine.corners[1] = corner_at(25, 12, 5);
+    affine.corners[2] = corner_at(x, y, 7);
+    return affine;
+}
+
+static bool becomes_affine(fxl_gradient_corners affine)
+{
+    const fxl_gradient_corners before = affine;
+    fxl_corners_make_affine(&affine, &view);
+    const bool is_changed = memcmp(&before, &affine, sizeof affine) != 0;
+    for (int i = 0; is_changed && i < 3; i++) {
+        fxl_screen_point point;
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_project_visible(&view.projection, &before.corners[i], &point));
+        TEST_ASSERT_TRUE(affine.corners[i].x == point.x - WIDTH * 32768);
+        TEST_ASSERT_TRUE(affine.corners[i].y == HEIGHT * 32768 - point.y);
+        TEST_ASSERT_TRUE(affine.corners[i].z == view.lens.focal);
+    }
+    return is_changed;
+}
+
+static void look(void)
+{
+    view = clip_random_view(WIDTH, HEIGHT);
+}
+
+/* SPEC 9.3 */
+void test_a_corner_beyond_any_side_leaves_all_as_they_are(void)
+{
+    for (int i = 0; i < 50; i++) {
+        look();
+        TEST_ASSERT_TRUE(becomes_affine(corners_with(5, 25)));
+        TEST_ASSERT_TRUE(becomes_affine(corners_with(0, 15))); /* on the border */
+        TEST_ASSERT_TRUE(becomes_affine(corners_with(WIDTH, 15)));
+        TEST_ASSERT_TRUE(becomes_affine(corners_with(20, 0)));
+        TEST_ASSERT_TRUE(becomes_affine(corners_with(20, HEIGHT)));
+        TEST_ASSERT_TRUE(becomes_affine(corners_with(0.01, 15)));
+        TEST_ASSERT_TRUE(becomes_affine(corners_with(WIDTH - 0.01, 15)));
+        TEST_ASSERT_TRUE(becomes_affine(corners_with(20, 0.01)));
+        TEST_ASSERT_TRUE(becomes_affine(corners_with(20, HEIGHT - 0.01)));
+        TEST_ASSERT_FALSE(becomes_affine(corners_with(-0.01, 15)));
+        TEST_ASSERT_FALSE(becomes_affine(corners_with(WIDTH + 0.01, 15)));
+        TEST_ASSERT_FALSE(becomes_affine(corners_with(20, -0.01)));
+        TEST_ASSERT_FALSE(becomes_affine(corners_with(20, HEIGHT + 0.01)));
+    }
+}
+
+/* SPEC 9.3 */
+void test_a_corner_that_has_no_place_on_the_screen_leaves_all_as_they_are(void)
+{
+    look();
+    fxl_gradient_corners affine = corners_with(5, 25);
+    affine.corners[1].z = -affine.corners[1].z;
+    TEST_ASSERT_FALSE(becomes_affine(affine));
+    affine.corners[1].z = 0;
+    TEST_ASSERT_FALSE(becomes_affine(affine));
+}
+
+/* SPEC 9.3 */
+void test_corners_on_one_line_stay(void)
+{
+    look();
+    fxl_gradient_corners affine = corners_with(5, 25);
+    affine.corners[2] = affine.corners[0];
+    TEST_ASSERT_FALSE(becomes_affine(affine));
+}
+
+/* Right angles, with a side along either axis, at any corner: not on one line. */
+/* SPEC 9.3 */
+void test_corners_with_sides_along_the_axes(void)
+{
+    static const uint8_t at[4][2] = {{10, 8}, {25, 8}, {25, 20}, {10, 20}};
+    look();
+    for (int first = 0; first < 4; first++) {
+        for (int step = 1; step < 4; step += 2) {
+            fxl_gradient_corners affine = corners_with(5, 25);
+            for (int i = 0; i < 3; i++) {
+                const uint8_t *of = at[(first + i * step) % 4];
+                affine.corners[i] = corner_at(of[0], of[1], 3 + i);
+            }
+            TEST_ASSERT_TRUE(becomes_affine(affine));
+        }
+    }
 }

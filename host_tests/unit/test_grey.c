@@ -1,20 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* The greys that displays show, against docs/formats.md, section 4. */
 #include "unit.h"
-#include "unity.h"
 
 #define SIZE 8u /* rows and columns of the dither matrix */
 
 static uint8_t palette[768];
 static uint16_t table[256];
-
-void setUp(void)
-{
-}
-
-void tearDown(void)
-{
-}
 
 /* Entry i is the grey i; its luma is i. */
 static void even_greys(uint32_t highest)

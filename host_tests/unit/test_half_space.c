@@ -3,7 +3,7 @@
  * polygons. */
 #include <stdlib.h>
 
-#include "clip_shapes.h"
+#include "clip_unit.h"
 #include "wide.h"
 #include "study/clip_world.h"
 #include "study/half_space.h"

@@ -2,7 +2,6 @@
 /* Buttons: bounce, the start, and what they mean. */
 #include "parts/keys.h"
 #include "unit.h"
-#include "unity.h"
 
 static keys_debouncer keys;
 static uint32_t now;
@@ -11,10 +10,6 @@ void setUp(void)
 {
     memset(&keys, 0, sizeof keys);
     now = 0;
-}
-
-void tearDown(void)
-{
 }
 
 /* Readings a millisecond apart, one a letter: '#' down, '.' up. Answers what

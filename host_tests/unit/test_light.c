@@ -2,11 +2,10 @@
 /* Light and fog, against the definitions in double (docs/extras/light.md). */
 #include <math.h>
 
+#include "frame_bands.h"
 #include "../../lib/draw/submit.h"
 #include "../../lib/paint/light_level.h"
-#include "draw/stages.h"
 #include "exact_light.h"
-#include "fixel/all.h"
 #include "tiny.h"
 #include "tiny_frames.h"
 
@@ -53,6 +52,13 @@ static void expect_level(const fxl_light_settings *of, double exact, uint32_t le
     TEST_ASSERT_TRUE(level <= floor((exact + bound) * top + 0.5));
 }
 
+static double exact_of(const fxl_light_settings *of, const fxl_camera *camera,
+                       const fxl_lit_place *place)
+{
+    return exact_brightness(of, camera, exact_point(&place->middle, 1.0 / 131072),
+                            exact_direction(&place->normal));
+}
+
 /* light 2.2, 2.3, 2.4, 2.5, accuracy 1.2 */
 void test_brightness_is_that_of_the_definition(void)
 {
@@ -66,8 +72,7 @@ void test_brightness_is_that_of_the_definition(void)
         const fxl_lit_place place = {
             unit_direction(),
             {2 * about.x + unit_between(0, 1), 2 * about.y, 2 * about.z + unit_between(0, 1)}};
-        const double exact = exact_brightness(
-            &of, &camera, exact_point(&place.middle, 1.0 / 131072), exact_direction(&place.normal));
+        const double exact = exact_of(&of, &camera, &place);
         const fxl_q2_30 found = fxl_light_brightness(&of, &camera, &place);
         const double error = fabs(found - exact * FXL_Q2_30_ONE);
         worst = error > worst ? error : worst;
@@ -97,9 +102,7 @@ void test_brightness_at_the_ends_of_the_ranges(void)
         of.fog_far = unit_between(0, 1) ? FXL_FAR_MAX : of.fog_far;
         camera.position = unit_point(end);
         const fxl_lit_place place = {unit_direction(), {2 * corner.x, 2 * corner.y, 2 * corner.z}};
-        TEST_ASSERT_NEAR(exact_brightness(&of, &camera, exact_point(&place.middle, 1.0 / 131072),
-                                          exact_direction(&place.normal)) *
-                             FXL_Q2_30_ONE,
+        TEST_ASSERT_NEAR(exact_of(&of, &camera, &place) * FXL_Q2_30_ONE,
                          fxl_light_brightness(&of, &camera, &place), FXL_LIGHT_ERROR_MAX);
     }
 }
@@ -138,31 +141,23 @@ static tiny_scene *start(void)
 
 static void draw(const fxl_pose *pose, uint8_t *frame)
 {
-    const fxl_band band = {
-        .pixels = frame, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
-    fxl_fill_band(&band, BACKGROUND);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    frame_draw_pose(&renderer, pose, frame, HEIGHT, BACKGROUND);
 }
 
 /* Hardly within the range of a light, where what is left of it is rounded to 0. */
 /* light 2.3 */
 void test_the_end_of_a_light_s_range(void)
 {
-    fxl_light_settings of;
+    const fxl_light_settings of = {.ramp = ramp,
+                                   .levels = LEVELS,
+                                   .point_count = 1,
+                                   .points = {{{0, 0, 0}, 73184830, FXL_Q2_30_ONE}}};
     const fxl_camera camera = any_camera();
-    memset(&of, 0, sizeof of);
-    of.ramp = ramp;
-    of.levels = LEVELS;
-    of.point_count = 1;
-    of.points[0] = (fxl_point_light){{0, 0, 0}, 73184830, FXL_Q2_30_ONE};
     /* The squares add up to 23,606 less than the range's, of 2^54. */
     const fxl_lit_place place = {{FXL_Q2_30_ONE, 0, 0}, {-146369659, -17109, -146}};
     TEST_ASSERT_EQUAL_INT32(0, fxl_light_brightness(&of, &camera, &place));
     const fxl_lit_place nearer = {{FXL_Q2_30_ONE, 0, 0}, {-146369659 / 2, -17109, -146}};
-    TEST_ASSERT_NEAR(exact_brightness(&of, &camera, exact_point(&nearer.middle, 1.0 / 131072),
-                                      exact_direction(&nearer.normal)) *
-                         FXL_Q2_30_ONE,
+    TEST_ASSERT_NEAR(exact_of(&of, &camera, &nearer) * FXL_Q2_30_ONE,
                      fxl_light_brightness(&of, &camera, &nearer), FXL_LIGHT_ERROR_MAX);
 }
 
@@ -305,12 +300,9 @@ void test_light_goes_with_beams(void)
                                  {Q16(0.75), -Q16(0.75), -Q16(3)}};
     fxl_beam beam;
     const fxl_beam_set beams = {&beam, 1, lit};
-    fxl_light_settings of;
+    const fxl_light_settings of = {
+        .ambient = FXL_Q2_30_ONE / 2, .ramp = ramp, .levels = 3 /* level 1 */};
     uint32_t changed = 0, plain = 0;
-    memset(&of, 0, sizeof of);
-    of.ambient = FXL_Q2_30_ONE / 2;
-    of.ramp = ramp;
-    of.levels = 3; /* level 1 */
     for (int i = 0; i < 256; i++) {
         lit[i] = (uint8_t)(i + 100);
     }
@@ -348,14 +340,11 @@ void test_light_goes_with_beams(void)
 /* Bands that two workspaces draw in turn, as two cores do: the light belongs to both. */
 static fxl_light_settings shared_settings(void)
 {
-    fxl_light_settings of;
-    memset(&of, 0, sizeof of);
-    of.ambient = FXL_Q2_30_ONE / 4;
-    of.points[0] = (fxl_point_light){{Q16(3), Q16(4), Q16(2)}, Q16(30), FXL_Q2_30_ONE};
-    of.point_count = 1;
-    of.ramp = ramp;
-    of.levels = LEVELS;
-    return of;
+    return (fxl_light_settings){.ambient = FXL_Q2_30_ONE / 4,
+                                .points = {{{Q16(3), Q16(4), Q16(2)}, Q16(30), FXL_Q2_30_ONE}},
+                                .point_count = 1,
+                                .ramp = ramp,
+                                .levels = LEVELS};
 }
 
 /* Rows in turn by two workspaces. */
@@ -419,7 +408,7 @@ void test_cores_share_the_light(void)
     TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
 }
 
-/* --- settings and ramps ---------------------------------------------------------------------- */
+/* --- settings ---------------------------------------------------------------------- */
 
 static void expect_refused(fxl_status status, const fxl_light_settings *of)
 {
@@ -491,29 +480,4 @@ void test_light_comes_before_the_target(void)
     renderer.target = &fxl_palette;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &right));
     TEST_ASSERT_EQUAL_PTR(code, light.shader.code);
-}
-
-/* A palette of greys has each level of each grey; of two equal entries the first is taken. */
-/* light 3.2 */
-void test_a_ramp_of_greys_is_exact(void)
-{
-    static uint8_t palette[768], made[256 * 5];
-    const uint8_t dark[3] = {7, 7, 7};
-    for (int i = 0; i < 256; i++) {
-        memset(&palette[3 * i], i == 200 ? 7 : i, 3);
-    }
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_light_make_ramp(palette, dark, 5, made));
-    for (int level = 0; level < 5; level++) {
-        for (int i = 0; i < 256; i++) {
-            const double colour = 7 + (palette[3 * i] - 7) * level / 4.0;
-            const int wanted = (int)floor(colour + 0.5);
-            /* 199 and 201 are as far from 200, and 199 comes first. */
-            TEST_ASSERT_EQUAL(level == 4 ? i : wanted == 200 ? 199 : wanted, made[256 * level + i]);
-        }
-    }
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_light_make_ramp(NULL, dark, 5, made));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_light_make_ramp(palette, NULL, 5, made));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_light_make_ramp(palette, dark, 5, NULL));
-    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_light_make_ramp(palette, dark, 1, made));
-    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_light_make_ramp(palette, dark, 65, made));
 }

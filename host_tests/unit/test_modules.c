@@ -63,14 +63,6 @@ static const facts colours[] = {
      true},
 };
 
-void setUp(void)
-{
-}
-
-void tearDown(void)
-{
-}
-
 /* Colours of the picture's corners, as they are sent: upper left, upper right, lower left, lower
  * right. All else is black. */
 static const uint16_t corner_colours[4] = {0xF800, 0x07E0, 0x001F, 0xFFFF};

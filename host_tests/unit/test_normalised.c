@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The normalised frustum: its matrix, its planes and what it cuts. */
 #include "../../lib/clip/intersection.h"
-#include "clip_shapes.h"
+#include "clip_unit.h"
 #include "study/clip_polygon.h"
 
 /* One room for all tests: some boards have 16 KB. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Whole frames by lenses whose centre is not the middle of the screen: tiles of one picture, by
  * every clipper and by methods that decide in another order. */
+#include "frame_bands.h"
 #include "choices.h"
 #include "clippers_list.h"
 #include "tiny.h"
@@ -165,8 +166,7 @@ void test_a_renderer_moves_its_centre(void)
         start(&lens, NULL, &choice_sorted);
         draw(&other, tiled);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_centre(&renderer, x, y));
-        const fxl_band band = {
-            .pixels = tiled, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
+        const fxl_band band = UNIT_BAND(tiled, WIDTH, 0, HEIGHT);
         TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
         draw(&pose, tiled);
         TEST_ASSERT_EQUAL_MEMORY(whole, tiled, PIXELS);
@@ -204,10 +204,7 @@ void test_a_wrong_centre_changes_nothing(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_centre(NULL, 0, 0));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_renderer_set_centre(&renderer, Q16(2 * WIDTH) + 1, 0));
     TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.refused_calls);
-    const fxl_band band = {
-        .pixels = tiled, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
-    fxl_fill_band(&band, BACKGROUND);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    frame_draw_bands(&renderer, tiled, HEIGHT, BACKGROUND);
     TEST_ASSERT_EQUAL_MEMORY(whole, tiled, PIXELS);
     memset(&renderer, 0, sizeof renderer);
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_set_centre(&renderer, 0, 0));

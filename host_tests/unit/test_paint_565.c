@@ -40,10 +40,6 @@ void setUp(void)
     paint.of_565.part_of_level = 65536 / (LEVELS - 1);
 }
 
-void tearDown(void)
-{
-}
-
 static void paint_row(uint16_t *to)
 {
     memset(to, 0, sizeof pixels);

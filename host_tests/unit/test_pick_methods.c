@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What a pick answers with each visibility method (docs/extras/pick.md, section 2.4). */
+#include "frame_bands.h"
 #include "bsp_scene.h"
 #include "choices.h"
 #include "tiny.h"
@@ -59,10 +60,6 @@ void setUp(void)
     }
 }
 
-void tearDown(void)
-{
-}
-
 static fxl_pose random_pose(void)
 {
     fxl_pose pose = {unit_point(Q16(1)), 0, 0, 0};
@@ -103,11 +100,7 @@ static void choose_depth(uint32_t bits, bool with_surfaces)
 
 static void draw(const fxl_pose *pose)
 {
-    const fxl_band band = {
-        .pixels = frame[0], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    fxl_fill_band(&band, BACKGROUND);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    frame_draw_pose(&renderer, pose, frame[0], HEIGHT, BACKGROUND);
 }
 
 static void pick(uint16_t x, uint16_t y, fxl_picked *picked)
@@ -469,8 +462,7 @@ void test_a_pick_changes_nothing(void)
     static uint8_t again[HEIGHT][WIDTH];
     const fxl_pose pose = random_pose();
     for (uint32_t i = 0; i < 2; i++) {
-        const fxl_band band = {
-            .pixels = again[0], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
+        const fxl_band band = UNIT_BAND(again[0], WIDTH, 0, HEIGHT);
         fxl_picked picked;
         choose_depth(16, i == 1);
         draw(&pose);

@@ -347,8 +347,7 @@ void test_a_clippers_room(void)
     TEST_ASSERT_TRUE(renderer.clipper == &fxl_clipper_view);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &roomy, room, 16));
     TEST_ASSERT_EACH_EQUAL_HEX8(0, room, sizeof room);
-    const fxl_band band = {
-        .pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
+    const fxl_band band = UNIT_BAND(frames[1], WIDTH, 0, HEIGHT);
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
     for (uint32_t frame = 1; frame < 4; frame++) {
         fxl_counters found = draw(&pose, frames[1], 5);

@@ -29,10 +29,6 @@ void setUp(void)
     memset(out, GUARD, sizeof out_words);
 }
 
-void tearDown(void)
-{
-}
-
 /* Runs of any length, and noise. */
 static void any_frame(void)
 {
@@ -145,8 +141,7 @@ void test_seven_white_pixels(void)
     memcpy(&palette[3 * 9], white, sizeof white);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_pixels_mono_rows, palette));
     for (uint16_t width = 1; width <= 7; width++) {
-        const fxl_band band = {.pixels = row, .width = width, .stride = width, .first_row = 0,
-                               .rows = 1};
+        const fxl_band band = UNIT_BAND(row, width, 0, 1);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_convert(&pixels, &band, out, 1));
         TEST_ASSERT_EQUAL_HEX8(0xFF00u >> width & 0xFFu, out[0]);
     }
@@ -343,8 +338,7 @@ void test_bands_of_any_rows(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, formats[f], palette));
         any_frame();
         for (uint16_t first = 0; first < ROWS; first = (uint16_t)(first + unit)) {
-            const fxl_band band = {.pixels = frame, .width = 37, .stride = 37, .first_row = first,
-                                   .rows = (uint16_t)(ROWS - first)};
+            const fxl_band band = UNIT_BAND(frame, 37, first, (uint16_t)(ROWS - first));
             assert_converted(&band);
             cut += first % 8u != 0;
         }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The numbers of turned instances, against their definitions in whole numbers of 128 bits. */
 #include "scene/placement_code.h"
-#include "placements.h"
+#include "unit.h"
 #include "wide.h"
 
 static const fxl_placement none = FXL_PLACEMENT_NONE;
@@ -46,7 +46,7 @@ void test_rotations_are_accepted(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, check(&none));
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
-        const fxl_placement placement = placements_any();
+        const fxl_placement placement = unit_placement();
         TEST_ASSERT_EQUAL(FXL_OK, check(&placement));
     }
 }
@@ -75,7 +75,7 @@ void test_rows_near_and_far_from_a_rotation(void)
     const int64_t one = (int64_t)1 << 60, tolerance = (int64_t)1 << 32;
     int near = 0;
     for (int round = 0; round < UNIT_REPEAT; round++) {
-        fxl_placement placement = placements_any();
+        fxl_placement placement = unit_placement();
         int32_t *entries = &placement.orientation.x.x;
         const int32_t most = 1 << unit_between(0, 6);
         int64_t largest = 0;
@@ -103,7 +103,7 @@ void test_rows_near_and_far_from_a_rotation(void)
 void test_what_is_no_rotation(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
-        fxl_placement placement = placements_any();
+        fxl_placement placement = unit_placement();
         int32_t *entries = &placement.orientation.x.x;
         const int row = unit_between(0, 2);
         switch (round % 5) {
@@ -210,7 +210,7 @@ void test_ranges_of_a_placement(void)
 void test_the_reach_of_a_placement(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
-        const fxl_placement placement = placements_any();
+        const fxl_placement placement = unit_placement();
         const fxl_q16_16 radius = unit_between(0, radius_of(&placement));
         const int64_t product = (int64_t)radius * placement.scale;
         const fxl_q16_16 reach = fxl_placement_radius(&placement, radius);
@@ -234,7 +234,7 @@ void test_the_reach_of_a_placement(void)
 void test_each_entry_of_the_matrix_is_rounded_once(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
-        const fxl_placement placement = placements_any();
+        const fxl_placement placement = unit_placement();
         const fxl_pose pose = unit_pose();
         fxl_camera camera;
         fxl_axes matrix;
@@ -277,7 +277,7 @@ void test_no_placement_leaves_the_view(void)
 void test_points_and_directions_are_rounded_once(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
-        const fxl_placement placement = placements_any();
+        const fxl_placement placement = unit_placement();
         const fxl_point vertex = vertex_in(radius_of(&placement)), centre = {0, 0, 0};
         const fxl_direction direction = unit_direction();
         fxl_point point;
@@ -303,7 +303,7 @@ typedef struct {
 
 static sight any_sight(void)
 {
-    sight of = {.placement = placements_any()};
+    sight of = {.placement = unit_placement()};
     const fxl_point eye = unit_point(FXL_COORDINATE_MAX);
     const fxl_q16_16 most = radius_of(&of.placement);
     of.radius = unit_between(0, most < Q16(100) ? most : Q16(100));

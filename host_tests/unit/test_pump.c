@@ -289,8 +289,7 @@ void test_rows_from_elsewhere(void)
 /* pixels 2.4 */
 void test_rows_from_elsewhere_between_bands(void)
 {
-    const fxl_band rows = {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                           .rows = 1};
+    const fxl_band rows = UNIT_BAND(whole, WIDTH, 0, 1);
     TEST_ASSERT_EQUAL(FXL_OK, init(NULL, 2));
     (void)expect_frame(0);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_begin(&pump));
@@ -428,8 +427,7 @@ void test_a_renderer_without_a_target(void)
 void test_a_pump_that_was_never_set_up(void)
 {
     const fxl_pose pose = pose_number(0);
-    const fxl_band rows = {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                           .rows = 8};
+    const fxl_band rows = UNIT_BAND(whole, WIDTH, 0, 8);
     TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_pixels_rgb565, 8)); /* the renderer */
     memset(&pump, 0, sizeof pump);
     const fxl_pump before = pump;

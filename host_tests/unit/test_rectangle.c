@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Polygons of the screen clipped to a rectangle: by hand, and any convex ones against the exact
  * outline. */
-#include "clip_shapes.h"
+#include "clip_unit.h"
 #include "wide.h"
 #include "study/rectangle.h"
 

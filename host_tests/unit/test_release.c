@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Frames whose scene is released (fxl_frame_release_scene): it changes while they are drawn, and
  * their pixels stay. */
-#include "draw/stages.h"
-#include "fixel/all.h"
+#include "frame_bands.h"
 #include "study/targets.h"
 #include "choices.h"
 #include "world_unit.h"
@@ -35,15 +34,7 @@ static fxl_pose pose_of(uint32_t frame)
 /* Draws the frame that has begun, in bands. */
 static void draw(fxl_renderer *by, uint16_t rows, uint8_t *frame)
 {
-    for (uint16_t first = 0; first < WORLD_HEIGHT; first = (uint16_t)(first + rows)) {
-        const fxl_band band = {.pixels = frame + first * WORLD_WIDTH,
-                               .width = WORLD_WIDTH,
-                               .stride = WORLD_WIDTH,
-                               .first_row = first,
-                               .rows = rows};
-        fxl_fill_band(&band, WORLD_BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(by, &band));
-    }
+    frame_draw_bands(by, frame, rows, WORLD_BACKGROUND);
 }
 
 /* There is no scene to read any more. */
@@ -194,11 +185,8 @@ void test_a_world_changes_while_a_released_frame_is_drawn(void)
         draw(drawn, WORLD_HEIGHT, world_frames[0]); /* undisturbed */
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_release_scene(drawn));
         for (uint16_t first = 0; first < WORLD_HEIGHT; first = (uint16_t)(first + 4)) {
-            const fxl_band band = {.pixels = world_frames[1] + first * WORLD_WIDTH,
-                                   .width = WORLD_WIDTH,
-                                   .stride = WORLD_WIDTH,
-                                   .first_row = first,
-                                   .rows = 4};
+            const fxl_band band =
+                UNIT_BAND(world_frames[1] + first * WORLD_WIDTH, WORLD_WIDTH, first, 4);
             if (first == 8) {
                 change_world(frame);
                 TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(next, &pose_after));

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Frames whose scene is released, by the methods that need more than their polygons: what they read
  * beside the display list is not the scene's. */
+#include "frame_bands.h"
 #include "bsp_scene.h"
 #include "choices.h"
 #include "depth_scene.h"
@@ -9,11 +10,7 @@
 static void expect_depth_unread(depth_scene *made)
 {
     fxl_renderer *renderer = &made->renderer;
-    const fxl_band band = {.pixels = made->again,
-                           .width = DEPTH_SCENE_WIDTH,
-                           .stride = DEPTH_SCENE_WIDTH,
-                           .first_row = 0,
-                           .rows = DEPTH_SCENE_HEIGHT};
+    const fxl_band band = UNIT_BAND(made->again, DEPTH_SCENE_WIDTH, 0, DEPTH_SCENE_HEIGHT);
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_render(renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(renderer, &depth_scene_eye));
@@ -87,10 +84,7 @@ void test_a_tree_is_drawn_without_the_scene(void)
     tree->pieces_size = sizeof pieces;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     for (int i = 0; i < 2; i++) {
-        const fxl_band band = {
-            .pixels = frames[i], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+        frame_draw_bands(&renderer, frames[i], HEIGHT, BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_release_scene(&renderer));
         renderer.scene = NULL;
     }

@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include "frame_bands.h"
+#include "tiny_frames.h"
 #include "choices.h"
 #include "tiny.h"
 
@@ -17,25 +19,15 @@ static fxl_renderer renderers[2];
 static tiny_scene *start(int which)
 {
     tiny_scene *tiny = tiny_make();
-    fxl_scene_fault fault = {"", 0};
-    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory memory = {order[which], 64, list[which], LIST_WORDS, NULL, 0};
-    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
+    tiny_start(&renderers[which], tiny, WIDTH, HEIGHT, &memory);
     TEST_ASSERT_TRUE(tiny->scene.draw_list_needed <= 64);
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_init_with(&renderers[which], &tiny->scene, &lens, &memory));
     return tiny;
 }
 
 static void draw_rows(fxl_renderer *renderer, uint8_t *frame, uint16_t first, uint16_t rows)
 {
-    fxl_band band = {.pixels = frame + first * WIDTH,
-                     .width = WIDTH,
-                     .stride = WIDTH,
-                     .first_row = first,
-                     .rows = rows};
-    fxl_fill_band(&band, BACKGROUND);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(renderer, &band));
+    frame_draw_band(renderer, &renderer->workspace, frame, first, rows, BACKGROUND);
 }
 
 static void draw_whole(fxl_renderer *renderer, const fxl_pose *pose, uint8_t *frame)
@@ -263,8 +255,7 @@ void test_drawing_before_a_frame_has_begun_is_refused(void)
 {
     start(0);
     memset(whole, 0x5A, sizeof whole);
-    fxl_band band = {
-        .pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
+    fxl_band band = UNIT_BAND(whole, WIDTH, 0, HEIGHT);
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderers[0], &band));
     expect_untouched(whole, 0x5A);
     TEST_ASSERT_EQUAL_UINT32(1, renderers[0].workspace.counters.refused_calls);

@@ -11,10 +11,6 @@ void setUp(void)
     walls_make();
 }
 
-void tearDown(void)
-{
-}
-
 static fxl_band band_of(uint16_t *pixels, uint16_t first_row, uint16_t rows)
 {
     const fxl_band band = {.pixels = (uint8_t *)(void *)pixels, .width = WIDTH, .stride = WIDTH,

@@ -7,10 +7,6 @@ void setUp(void)
     walls_make();
 }
 
-void tearDown(void)
-{
-}
-
 /* --- colours ------------------------------------------------------------------------------ */
 
 typedef struct {

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Frames of 16 bits a pixel are the same, bit for bit, on every core: hashes on record, as in
  * test_surface_hashes.c. */
-#include "hash_record.h"
 #include "rgb565_scene.h"
 
 enum {
@@ -10,14 +9,6 @@ enum {
 };
 
 static uint8_t ramp[FXL_LIGHT_RAMP_BYTES(LEVELS)];
-
-void setUp(void)
-{
-}
-
-void tearDown(void)
-{
-}
 
 /* What a kind of frames has. */
 enum {
@@ -79,7 +70,7 @@ static uint32_t hash_of(uint8_t division, uint32_t with)
 
 void test_pixels_are_those_on_record(void)
 {
-    static const hash_record record[] = {
+    static const unit_hash record[] = {
         {FXL_DIVIDE_16, 0, 0x2DC2A35C},
         {FXL_DIVIDE_8, ADD, 0x6EABC728},
         {FXL_DIVIDE_1, BLEND, 0xB864ED7E},
@@ -93,5 +84,5 @@ void test_pixels_are_those_on_record(void)
         {FXL_DIVIDE_8, KEY, 0x5B9A2B5A},
         {FXL_DIVIDE_16, KEY | LIT, 0x54D4FF37},
     };
-    expect_record(record, sizeof record / sizeof record[0], hash_of);
+    unit_expect_hashes(record, sizeof record / sizeof record[0], hash_of);
 }

@@ -251,8 +251,7 @@ void test_coverage_on_the_largest_screen(void)
     fxl_screen_polygon polygon;
     for (int i = 0; i < UNIT_REPEAT / 100 + 20; i++) {
         uint16_t y = (uint16_t)unit_between(0, FXL_SCREEN_MAX - 1);
-        fxl_band band = {.pixels = unused, .width = FXL_SCREEN_MAX, .stride = FXL_SCREEN_MAX,
-                         .first_row = y, .rows = 1};
+        fxl_band band = UNIT_BAND(unused, FXL_SCREEN_MAX, y, 1);
         fxl_scan scan;
         fxl_span span;
         random_polygon(&polygon, FXL_SCREEN_MAX);
@@ -341,8 +340,7 @@ void test_an_outline_is_scanned_as_its_polygon_is(void)
     fxl_span span = {0, 0, 0}, same = {0, 0, 0};
     uint32_t spans = 0;
     for (int i = 0; i < UNIT_REPEAT / 5; i++) {
-        fxl_band band = {.pixels = pixels, .width = 16, .stride = 16, .first_row = 0,
-                         .rows = (uint16_t)unit_between(1, 16)};
+        fxl_band band = UNIT_BAND(pixels, 16, 0, (uint16_t)unit_between(1, 16));
         random_polygon(&polygon, 16);
         fxl_rows rows = fxl_scan_rows(&polygon, band.rows);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(&polygon, &band, &scan));

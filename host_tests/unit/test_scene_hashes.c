@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Frames of moving cubes, by every way to draw them, and what was counted, are the same on every
  * core: hashes on record, as in test_surface_hashes.c. */
-#include "bsp_sight.h"
+#include "bsp_scene.h"
 #include "choices.h"
-#include "cluster_scene.h"
+#include "tiny.h"
 #include "frame_bands.h"
 #include "study/study.h"
 
@@ -47,10 +47,6 @@ void setUp(void)
     for (uint32_t i = 0; i < sizeof texels; i++) {
         texels[i] = (uint8_t)(30 + i);
     }
-}
-
-void tearDown(void)
-{
 }
 
 /* What a kind of frames has. */

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The corners of a face on the screen, from what the clipper has left in the cache, or found anew.
  */
-#include "clip_views.h"
-#include "draw/surface_polygon.h"
+#include "clip_unit.h"
 #include "polygon_face.h"
+#include "draw/surface_polygon.h"
 
 enum {
     ENTRIES = 8
@@ -43,10 +43,6 @@ static void make(void)
 void setUp(void)
 {
     make();
-}
-
-void tearDown(void)
-{
 }
 
 static void expect_corners(const uint16_t *vertices, bool is_triangle)

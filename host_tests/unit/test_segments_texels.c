@@ -11,10 +11,6 @@ void setUp(void)
     segment_begin();
 }
 
-void tearDown(void)
-{
-}
-
 /* Light is partly below the ramp's first level, and partly above its last one. */
 static void choose_lit_face(void)
 {

@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* What is attached to a renderer gives one picture, or one refusal, in whatever sequence it was
  * attached. */
-#include <string.h>
-
 #include "bsp_scene.h"
 #include "depth_scene.h"
 #include "draw/renderer.h"
 #include "unit.h"
-#include "unity.h"
 
 enum {
     SURFACES,
@@ -87,10 +84,6 @@ void setUp(void)
     lamp.levels = LEVELS;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&from, window, 4, &beam));
     beam_set = (fxl_beam_set){&beam, 1, brighter};
-}
-
-void tearDown(void)
-{
 }
 
 static void start(const way *into)
@@ -353,8 +346,7 @@ void test_after_a_refusal(void)
     TEST_ASSERT_EQUAL(FXL_OK, attach(into, OUTLINES, true));
     TEST_ASSERT_EQUAL(FXL_OK, attach(into, BEAMS, true));
     TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_frame_begin(&made->renderer, &depth_scene_eye));
-    const fxl_band band = {.pixels = made->frame, .width = DEPTH_SCENE_WIDTH,
-                           .stride = DEPTH_SCENE_WIDTH, .rows = DEPTH_SCENE_HEIGHT};
+    const fxl_band band = UNIT_BAND(made->frame, DEPTH_SCENE_WIDTH, 0, DEPTH_SCENE_HEIGHT);
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&made->renderer, &band));
     const char *names[2];
     TEST_ASSERT_TRUE(fxl_renderer_conflict(&made->renderer, names));

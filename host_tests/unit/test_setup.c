@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A plan that sets a scene up: what it writes, what it refuses, and that it draws what the calls by
  * hand draw. */
-#include <string.h>
-
 #include "tiny_frames.h"
 #include "unit.h"
 
@@ -40,10 +38,6 @@ void setUp(void)
     for (uint32_t i = 0; i < sizeof ramp; i++) {
         ramp[i] = (uint8_t)(i * 7);
     }
-}
-
-void tearDown(void)
-{
 }
 
 static fxl_status init(size_t size)
@@ -107,7 +101,8 @@ void test_arguments_that_are_refused(void)
     refuse(FXL_E_ORDER, &plan, HEIGHT, memory, LARGE, "plan->scene", "checked");
 }
 
-/* The least memory is what the parts need; a byte less is refused, with the bytes that are missing. */
+/* The least memory is what the parts need; a byte less is refused, with the bytes that are missing.
+ * */
 void test_too_little_memory(void)
 {
     const uint32_t order = (uint32_t)(scene.draw_list_needed * sizeof(fxl_draw_entry) + 7u) & ~7u;
@@ -123,7 +118,8 @@ void test_too_little_memory(void)
     }
 }
 
-/* A renderer that the program sets up, with tables of its own: it is handed what the depth leaves. */
+/* A renderer that the program sets up, with tables of its own: it is handed what the depth leaves.
+ * */
 static fxl_status own_answer;
 
 static fxl_status init_own(fxl_renderer *renderer, const fxl_scene *of, const fxl_config *with,

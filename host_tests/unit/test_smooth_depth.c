@@ -53,10 +53,6 @@ void setUp(void)
     }
 }
 
-void tearDown(void)
-{
-}
-
 /* The frame of the triangle with a surface, and in beams or without. */
 static void draw(const fxl_surface *surface, const fxl_beam *beam, uint8_t *frame)
 {

@@ -14,8 +14,7 @@ enum {
 
 static uint64_t workspace[FXL_SPAN_BUFFER_BYTES(HEIGHT, INTERVALS) / 8 + 1];
 static uint8_t pixels[HEIGHT][WIDTH];
-static const fxl_band whole = {.pixels = &pixels[0][0], .width = WIDTH, .stride = WIDTH,
-                               .first_row = 0, .rows = HEIGHT};
+static const fxl_band whole = UNIT_BAND(&pixels[0][0], WIDTH, 0, HEIGHT);
 static fxl_span_buffer *buffer;
 static uint32_t given; /* bytes of the workspace */
 
@@ -228,8 +227,7 @@ void test_a_new_band_finds_nothing_covered(void)
 {
     start(INTERVALS);
     TEST_ASSERT_TRUE(draw(0, 0, WIDTH, 'a') && draw(3, 2, 8, 'a'));
-    const fxl_band lower = {.pixels = &pixels[2][0], .width = WIDTH, .stride = WIDTH,
-                            .first_row = 2, .rows = 2};
+    const fxl_band lower = UNIT_BAND(&pixels[2][0], WIDTH, 2, 2);
     begin(&lower);
     TEST_ASSERT_EQUAL(2, buffer->open_rows);
     TEST_ASSERT_TRUE(draw_span(3, 4, 12, 'b', &lower));

@@ -40,10 +40,6 @@ void setUp(void)
     refused = UINT32_MAX;
 }
 
-void tearDown(void)
-{
-}
-
 static void open_at(uint32_t turns)
 {
     const fxl_display_config config = fxl_display_config_turned(&fxl_module_ssd1351_128x128, turns);

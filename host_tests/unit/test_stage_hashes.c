@@ -4,7 +4,7 @@
 #include "../../lib/draw/surface_polygon.h"
 #include "../../lib/paint/gradients.h"
 #include "../../lib/paint/lit_pieces.h"
-#include "clip_views.h"
+#include "clip_unit.h"
 #include "polygon_face.h"
 #include "study/clippers.h"
 
@@ -25,10 +25,6 @@ static fxl_lit_piece table[PIECES];
 void setUp(void)
 {
     hash = 0;
-}
-
-void tearDown(void)
-{
 }
 
 static void mix(int64_t value)

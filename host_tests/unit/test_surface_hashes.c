@@ -3,7 +3,6 @@
  * record. The tests against the definitions in double allow what the rounding of textures allows;
  * this one allows nothing. Where a change of the library is to change pixels, those tests say
  * whether the new ones are right, and this one prints the new hashes. */
-#include "hash_record.h"
 #include "quad_scene.h"
 
 enum {
@@ -30,10 +29,6 @@ void setUp(void)
     for (uint32_t i = 0; i < sizeof table; i++) {
         table[i] = (uint8_t)(i * 11 + i / 256);
     }
-}
-
-void tearDown(void)
-{
 }
 
 /* A texture of a size, a number of levels and flags of its own. */
@@ -106,7 +101,7 @@ static uint32_t hash_of(uint8_t division, uint32_t with)
 
 void test_pixels_are_those_on_record(void)
 {
-    static const hash_record record[] = {
+    static const unit_hash record[] = {
         {FXL_DIVIDE_16, TEXTURE, 0xC7C992FC},
         {FXL_DIVIDE_8, TEXTURE, 0x8FB46C4C},
         {FXL_DIVIDE_1, TEXTURE, 0xA70718E4},
@@ -122,5 +117,5 @@ void test_pixels_are_those_on_record(void)
         {FXL_DIVIDE_8, TEXTURE | LIGHT | BLEND, 0xF3E9090B},
         {FXL_DIVIDE_16, STIPPLE | BLEND, 0x3B45E975},
     };
-    expect_record(record, sizeof record / sizeof record[0], hash_of);
+    unit_expect_hashes(record, sizeof record / sizeof record[0], hash_of);
 }

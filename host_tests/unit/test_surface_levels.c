@@ -3,6 +3,7 @@
  * definitions. */
 #include <math.h>
 
+#include "frame_bands.h"
 #include "quad_scene.h"
 
 enum {
@@ -23,10 +24,6 @@ void setUp(void)
 {
     compared = 0;
     memset(of_level, 0, sizeof of_level);
-}
-
-void tearDown(void)
-{
 }
 
 static int log_of(int log, int level, int least)
@@ -135,14 +132,7 @@ void test_an_off_centre_lens_shows_the_same_texels(void)
                           fxl_renderer_init_with(&quad->renderer, &quad->scene, &lens, &memory));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&quad->renderer, &quad->surfaces, &quad->set,
                                                       FXL_SURFACES_OF(fxl_palette)));
-        const fxl_band band = {.pixels = again,
-                               .width = PART_WIDTH,
-                               .stride = PART_WIDTH,
-                               .first_row = 0,
-                               .rows = PART_HEIGHT};
-        fxl_fill_band(&band, QUAD_BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&quad->renderer, &quad->pose));
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&quad->renderer, &band));
+        frame_draw_pose(&quad->renderer, &quad->pose, again, PART_HEIGHT, QUAD_BACKGROUND);
         for (int y = 0; y < PART_HEIGHT; y++) {
             for (int x = 0; x < PART_WIDTH; x++) {
                 const uint8_t shown = quad->frame[(y + TOP) * QUAD_WIDTH + x + LEFT];
@@ -157,16 +147,7 @@ void test_an_off_centre_lens_shows_the_same_texels(void)
 
 static void expect_same_in_bands(quad_scene *quad)
 {
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&quad->renderer, &quad->pose));
-    for (uint16_t row = 0; row < QUAD_HEIGHT; row += 4) {
-        const fxl_band band = {.pixels = again + row * QUAD_WIDTH,
-                               .width = QUAD_WIDTH,
-                               .stride = QUAD_WIDTH,
-                               .first_row = row,
-                               .rows = 4};
-        fxl_fill_band(&band, QUAD_BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&quad->renderer, &band));
-    }
+    frame_draw_pose(&quad->renderer, &quad->pose, again, 4, QUAD_BACKGROUND);
     TEST_ASSERT_EQUAL_MEMORY(quad->frame, again, sizeof again);
 }
 
@@ -293,11 +274,7 @@ void test_colours_are_blended_with_those_beneath(void)
         quad->set.blend_first = (uint32_t)first;
         quad->set.blend_count = 3;
         quad_begin(quad);
-        const fxl_band band = {.pixels = quad->frame,
-                               .width = QUAD_WIDTH,
-                               .stride = QUAD_WIDTH,
-                               .first_row = 0,
-                               .rows = QUAD_HEIGHT};
+        const fxl_band band = UNIT_BAND(quad->frame, QUAD_WIDTH, 0, QUAD_HEIGHT);
         for (int p = 0; p < QUAD_WIDTH * QUAD_HEIGHT; p++) {
             quad->frame[p] = (uint8_t)(200 + p % 50);
         }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Faces that are lit at their corners, against the definitions in double. */
+/* Faces that are lit at their corners, against the definitions in double; and the ramps of light.
+ */
 #include <math.h>
 
 #include "../../lib/paint/light_level.h"
@@ -25,10 +26,6 @@ void setUp(void)
     worst = 0;
     compared = differing = 0;
     memset(&light, 0, sizeof light);
-}
-
-void tearDown(void)
-{
 }
 
 /* place light: pictures of lit surfaces */
@@ -261,4 +258,29 @@ void test_the_light_of_a_corner_is_rounded_once(void)
         largest = fmax(largest, off);
     }
     TEST_ASSERT_TRUE(largest > 0.4);
+}
+
+/* A palette of greys has each level of each grey; of two equal entries the first is taken. */
+/* light 3.2 */
+void test_a_ramp_of_greys_is_exact(void)
+{
+    static uint8_t palette[768], made[256 * 5];
+    const uint8_t dark[3] = {7, 7, 7};
+    for (int i = 0; i < 256; i++) {
+        memset(&palette[3 * i], i == 200 ? 7 : i, 3);
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_light_make_ramp(palette, dark, 5, made));
+    for (int level = 0; level < 5; level++) {
+        for (int i = 0; i < 256; i++) {
+            const double colour = 7 + (palette[3 * i] - 7) * level / 4.0;
+            const int wanted = (int)floor(colour + 0.5);
+            /* 199 and 201 are as far from 200, and 199 comes first. */
+            TEST_ASSERT_EQUAL(level == 4 ? i : wanted == 200 ? 199 : wanted, made[256 * level + i]);
+        }
+    }
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_light_make_ramp(NULL, dark, 5, made));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_light_make_ramp(palette, NULL, 5, made));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_light_make_ramp(palette, dark, 5, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_light_make_ramp(palette, dark, 1, made));
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_light_make_ramp(palette, dark, 65, made));
 }

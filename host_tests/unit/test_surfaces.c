@@ -2,6 +2,7 @@
 /* Faces with textures, against the definition in double: a ray through each pixel's centre. */
 #include <math.h>
 
+#include "frame_bands.h"
 #include "study/clippers.h"
 #include "mapped_quad.h"
 #include "unit.h"
@@ -26,10 +27,6 @@ void setUp(void)
     config.background = BACKGROUND;
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_init(&renderer, &quad.scene, &config, memory, sizeof memory));
-}
-
-void tearDown(void)
-{
 }
 
 static const fxl_pose eye = {{0, 0, 0}, 40u << 23, 0u - (12u << 23), 0};
@@ -132,13 +129,7 @@ void test_bands_and_lists_give_the_same_pixels(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
     for (uint32_t words = 0; words < 2; words++) {
         renderer.frame.display_list.capacity = words * 64;
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
-        for (uint16_t row = 0; row < HEIGHT; row += 3) {
-            const fxl_band band = {.pixels = again + row * WIDTH, .width = WIDTH, .stride = WIDTH,
-                                   .first_row = row, .rows = 3};
-            fxl_fill_band(&band, BACKGROUND);
-            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-        }
+        frame_draw_pose(&renderer, &eye, again, 3, BACKGROUND);
         TEST_ASSERT_EQUAL_MEMORY(frame, again, sizeof frame);
         TEST_ASSERT_EQUAL(words != 0, renderer.frame.display_list.used != 0);
     }

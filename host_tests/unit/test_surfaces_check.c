@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_surfaces_check: what it takes, at each limit, and what it refuses one beyond. */
 #include <stddef.h>
-#include <string.h>
 
 #include "fixel/surfaces.h"
 #include "mapped_quad.h"
@@ -25,10 +24,6 @@ void setUp(void)
     corner_normals[0] = corner_normals[1] = back;
     quad.set.normals = corner_normals;
     quad.set.normal_count = 2;
-}
-
-void tearDown(void)
-{
 }
 
 static void takes(void)

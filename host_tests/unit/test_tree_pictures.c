@@ -3,7 +3,7 @@
  * and a face that is cut shows the texels of the whole face. */
 #include "bsp_scene.h"
 #include "frame_bands.h"
-#include "tiny_board.h"
+#include "board_scene.h"
 
 enum {
     WIDTH = 48,
@@ -74,10 +74,6 @@ void setUp(void)
     for (uint32_t i = 0; i < 256; i++) {
         colours[i] = (uint16_t)(257 * i + 1);
     }
-}
-
-void tearDown(void)
-{
 }
 
 /* words: of the display list. The tree has no memory for pieces. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Triangles by planes and by the screen's borders: the four cases, and the pieces. */
-#include "clip_shapes.h"
+#include "clip_unit.h"
 #include "study/triangle.h"
 
 static fxl_triangle_workspace workspace;

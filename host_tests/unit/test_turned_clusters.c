@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Clusters of turned instances: their spheres, and cones before an eye that was rounded. */
-#include "cluster_scene.h"
+#include "frame_bands.h"
+#include "tiny.h"
 #include "scene/placement_code.h"
 #include "study/clippers.h"
-#include "placements.h"
 #include "view/clusters.h"
 #include "view/placement.h"
 
@@ -63,11 +63,7 @@ static fxl_counters draw(tiny_scene *tiny, const fxl_pose *pose, int which, bool
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&tiny->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    const fxl_band band = {
-        .pixels = pixels[which], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
-    fxl_fill_band(&band, 0);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    frame_draw_pose(&renderer, pose, pixels[which], HEIGHT, 0);
     return renderer.workspace.counters;
 }
 
@@ -75,7 +71,7 @@ static fxl_counters draw(tiny_scene *tiny, const fxl_pose *pose, int which, bool
 static void place_all(tiny_scene *tiny)
 {
     for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
-        placements[i] = (fxl_placement){placements_orientation(), FXL_Q16_16_ONE};
+        placements[i] = (fxl_placement){unit_orientation(), FXL_Q16_16_ONE};
     }
     placements[1].scale =
         unit_between(0, 1) ? unit_between(FXL_Q16_16_ONE / 4, 6 * FXL_Q16_16_ONE) : FXL_Q16_16_ONE;

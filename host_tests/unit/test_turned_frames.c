@@ -5,7 +5,6 @@
 #include "frame_bands.h"
 #include "study/study.h"
 #include "scene/face_bounds.h"
-#include "placements.h"
 #include "tiny.h"
 #include "tiny_frames.h"
 
@@ -56,7 +55,7 @@ static void draw(const fxl_pose *pose, uint32_t rows, uint8_t *frame)
 static void place_all(void)
 {
     for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
-        placements[i].orientation = placements_orientation();
+        placements[i].orientation = unit_orientation();
         placements[i].scale = unit_between(0, 2) == 0 ? Q16(1) : unit_between(Q16(0.25), Q16(4));
     }
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The turned view of an instance: vertices, facing, order and the sphere test. */
-#include "placements.h"
 #include "view/placement.h"
+#include "unit.h"
 #include "wide.h"
 
 enum {
@@ -57,7 +57,7 @@ static void make_bounds(void)
 /* A random model at a random place, and an eye: anywhere, or near a vertex. */
 static void start(void)
 {
-    placement = placements_any();
+    placement = unit_placement();
     const int64_t most =
         ((int64_t)(FXL_COORDINATE_MAX - FXL_PLACEMENT_SLACK) << 16) / placement.scale;
     model.radius = most < FXL_RADIUS_MAX ? (fxl_q16_16)most : FXL_RADIUS_MAX;

@@ -1,13 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Among a tree, in reach of a beam, and with clippers that work from points of the world, a turned
- * instance is drawn as a model of the rounded points would be. */
+/* Turned instances in whole frames: among a tree, in reach of a beam, and with clippers that work
+ * from points of the world; and frames with placements that are refused. */
 #include "bsp_scene.h"
 #include "choices.h"
 #include "clippers_list.h"
 #include "frame_bands.h"
 #include "scene/placement_code.h"
-#include "placements.h"
 #include "view/placement.h"
+#include "tiny.h"
+#include "tiny_frames.h"
+
+/* Among a tree, in reach of a beam, and with clippers that work from points of the world, a turned
+ * instance is drawn as a model of the rounded points would be. */
 
 enum {
     WIDTH = 48,
@@ -123,7 +127,7 @@ static tiny_scene *make(void)
         lit[i] = (uint8_t)(i + 100);
     }
     TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 4, &beam));
-    placement = placements_any();
+    placement = unit_placement();
     placement.scale = unit_between(Q16(0.25), Q16(3));
     tiny->instances[TURNED].centre = unit_point(Q16(3));
     tiny->instances[TURNED].centre.z += Q16(10) * unit_between(0, 1);
@@ -195,4 +199,199 @@ void test_the_instance_of_a_tree_is_not_turned(void)
     TEST_ASSERT_EQUAL_STRING("BSP tree", fault.what);
     tiny->scene.first_turned = 2;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&tiny->scene, &fault));
+}
+
+/* A frame with placements that fxl_frame_begin refuses. The placements may have any values then, so
+ * no call may read them: the frame before has ended. */
+
+enum {
+    PIXELS = WIDTH * HEIGHT,
+    LIST_WORDS = 40 * FXL_DISPLAY_LIST_WORDS(8)
+};
+
+static fxl_draw_entry entries[64];
+static uint32_t refused_list[LIST_WORDS];
+static fxl_cached_vertex cache[9];
+static fxl_placement placements[TINY_INSTANCES];
+static tiny_scene *tiny;
+
+/* The tiny scene, of which the instances from first on are turned, in a refused_list of so many
+ * words. */
+static void start_refused(uint32_t first, uint32_t list_words)
+{
+    const fxl_memory memory = {entries, 64, refused_list, list_words, cache, 9};
+    tiny = tiny_make();
+    tiny_place_from(tiny, placements, first);
+    tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
+}
+
+static void draw_turned(const fxl_pose *pose, uint32_t rows, uint8_t *frame)
+{
+    frame_draw_pose(&renderer, pose, frame, rows, BACKGROUND);
+}
+
+static void expect_refused(fxl_status status)
+{
+    const fxl_pose pose = {.position = {0, 0, Q16(-5)}};
+    const uint32_t refused = renderer.workspace.counters.refused_calls;
+    TEST_ASSERT_EQUAL(status, fxl_frame_begin(&renderer, &pose));
+    TEST_ASSERT_EQUAL_UINT32(refused + 1, renderer.workspace.counters.refused_calls);
+}
+
+/* A refused frame has ended the frame before: no call reads the placements. */
+static void expect_ended(void)
+{
+    const fxl_band band = UNIT_BAND(frames[1], WIDTH, 0, HEIGHT);
+    fxl_picked picked;
+    fxl_fill_band(&band, BACKGROUND);
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_pick_face(&renderer, WIDTH / 2, HEIGHT / 2, &picked));
+    for (int i = 0; i < PIXELS; i++) {
+        TEST_ASSERT_EQUAL_UINT8(BACKGROUND, frames[1][i]);
+    }
+}
+
+/* Instance 2 of a frame that was drawn gets a placement and a centre. The next frame is refused.
+ * The table stays as it is while the frame before is asked for. */
+static void expect_refused_and_ended(const fxl_placement *bad, fxl_q16_16 centre_x,
+                                     fxl_status status)
+{
+    const fxl_pose pose = {.position = {0, 0, Q16(-6)}};
+    fxl_instance *instance = &tiny->instances[2];
+    const fxl_placement good = placements[1];
+    const fxl_q16_16 good_x = instance->centre.x;
+    draw_turned(&pose, HEIGHT, frames[0]);
+    placements[1] = *bad;
+    instance->centre.x = centre_x;
+    expect_refused(status);
+    expect_ended();
+    placements[1] = good;
+    instance->centre.x = good_x;
+    expect_ended();
+    draw_turned(&pose, HEIGHT, frames[1]);
+    TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], PIXELS);
+}
+
+/* Lists that hold none, some and all polygons of the frame. */
+/* SPEC 8.1 */
+void test_a_bad_placement_ends_the_frame_before(void)
+{
+    static const fxl_q16_16 scales[] = {0,
+                                        -5,
+                                        -FXL_Q16_16_ONE,
+                                        FXL_SCALE_MIN - 1,
+                                        FXL_SCALE_MAX + 1,
+                                        FXL_UNITS(20000),
+                                        INT32_MAX,
+                                        INT32_MIN};
+    static const uint32_t words[] = {0, 60, LIST_WORDS};
+    for (uint32_t k = 0; k < 3; k++) {
+        start_refused(1, words[k]);
+        const fxl_placement good = placements[1];
+        const fxl_q16_16 x = tiny->instances[2].centre.x;
+        for (uint32_t i = 0; i < sizeof scales / sizeof scales[0]; i++) {
+            const fxl_placement scaled = {good.orientation, scales[i]};
+            expect_refused_and_ended(&scaled, x, FXL_E_RANGE);
+        }
+        fxl_placement bad = good;
+        bad.orientation.y.y -= 1 << 10;
+        expect_refused_and_ended(&bad, x, FXL_E_PLACEMENT);
+        bad.orientation.x = (fxl_direction){INT32_MIN, INT32_MIN, INT32_MIN};
+        bad.orientation.z = bad.orientation.y = bad.orientation.x;
+        expect_refused_and_ended(&bad, x, FXL_E_PLACEMENT);
+        const fxl_placement large = {good.orientation, Q16(200)};
+        expect_refused_and_ended(&large, Q16(8000), FXL_E_RANGE);
+        expect_refused_and_ended(&good, INT32_MAX, FXL_E_RANGE);
+        expect_refused_and_ended(&good, INT32_MIN, FXL_E_RANGE);
+    }
+}
+
+/* A frame that is refused for another reason may have bad placements, too. */
+void test_any_refused_frame_with_placements_ends_the_frame_before(void)
+{
+    const fxl_pose pose = {.position = {0, 0, Q16(-6)}};
+    const fxl_pose far_away = {.position = {0, 0, INT32_MAX}};
+    start_refused(1, 0);
+    const fxl_placement good = placements[1];
+    draw_turned(&pose, HEIGHT, frames[0]);
+    placements[1].orientation.x.x = 0;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_frame_begin(&renderer, &far_away));
+    expect_ended();
+    placements[1] = good;
+    draw_turned(&pose, HEIGHT, frames[0]);
+    placements[1].orientation.x.x = 0;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_begin(&renderer, NULL));
+    expect_ended();
+    placements[1] = good;
+    draw_turned(&pose, HEIGHT, frames[0]);
+    placements[1].scale = 0;
+    tiny->scene.instance_count = renderer.instance_capacity + 1;
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_frame_begin(&renderer, &pose));
+    expect_ended();
+}
+
+/* Where no placement is read, the frame before stays current. */
+void test_a_refused_frame_without_placements_leaves_the_frame_before(void)
+{
+    const fxl_pose pose = {.position = {0, 0, Q16(-6)}};
+    const fxl_pose far_away = {.position = {0, 0, INT32_MAX}};
+    start_refused(TINY_INSTANCES, 0);
+    draw_turned(&pose, HEIGHT, frames[0]);
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_frame_begin(&renderer, &far_away));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_begin(&renderer, NULL));
+    tiny->scene.instance_count = renderer.instance_capacity + 1;
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_frame_begin(&renderer, &pose));
+    frame_draw_bands(&renderer, frames[1], HEIGHT, BACKGROUND);
+    TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], PIXELS);
+}
+
+/* A scene with placements must name the code that draws them. */
+void test_placements_without_their_code_are_refused(void)
+{
+    start_refused(1, 0);
+    const fxl_placement_code *const code = tiny->scene.placement_code;
+    tiny->scene.placement_code = NULL;
+    expect_refused(FXL_E_ORDER);
+    expect_ended();
+    tiny->scene.placement_code = code;
+}
+
+static void expect_no_lines(fxl_wire *wire)
+{
+    const fxl_band band = UNIT_BAND(frames[1], WIDTH, 0, HEIGHT);
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_wire_draw(wire, &band));
+}
+
+/* A wireframe reads the placements as it draws, whatever the reason for which the frame was
+ * refused. */
+void test_a_refused_wireframe(void)
+{
+    static fxl_wire wire;
+    static const fxl_q16_16 scales[] = {0, -5, FXL_UNITS(20000), INT32_MAX};
+    const fxl_pose pose = {.position = {0, 0, Q16(-6)}};
+    const fxl_pose far_away = {.position = {0, 0, INT32_MAX}};
+    const fxl_band band = UNIT_BAND(frames[0], WIDTH, 0, HEIGHT);
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    start_refused(1, 0);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_init(&wire, &tiny->scene, &lens, fxl_line_by_codes));
+    for (uint32_t i = 0; i < sizeof scales / sizeof scales[0]; i++) {
+        placements[1].scale = FXL_Q16_16_ONE;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
+        placements[1].scale = scales[i];
+        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_begin(&wire, &pose));
+        expect_no_lines(&wire);
+    }
+    placements[1].scale = FXL_Q16_16_ONE;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_begin(&wire, &far_away));
+    expect_no_lines(&wire);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
+    placements[1].orientation.x.x = 0;
+    TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, fxl_wire_begin(&wire, &pose));
+    expect_no_lines(&wire);
+    start_refused(TINY_INSTANCES, 0); /* without placements the frame before stays */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_init(&wire, &tiny->scene, &lens, fxl_line_by_codes));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_begin(&wire, &far_away));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_draw(&wire, &band));
 }

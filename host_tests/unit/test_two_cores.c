@@ -72,10 +72,6 @@ void setUp(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&from, window, 4, &beam));
 }
 
-void tearDown(void)
-{
-}
-
 static void start(const fxl_order *order, const fxl_target *target, uint32_t set, uint32_t words)
 {
     const bool has_depth = target->depth_bits != 0;

@@ -213,8 +213,7 @@ void test_refusals(void)
     draw_rows(frames[1], 0, HEIGHT);
     TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
     TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_spans, room, least));
-    const fxl_band band = {
-        .pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
+    const fxl_band band = UNIT_BAND(frames[1], WIDTH, 0, HEIGHT);
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     draw_rows(frames[1], 0, HEIGHT);
@@ -330,11 +329,7 @@ void test_how_a_band_is_halved(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         begun_count = 0;
         rows_at_most = most[i];
-        const fxl_band band = {.pixels = frames[1],
-                               .width = WIDTH,
-                               .stride = WIDTH,
-                               .first_row = 1,
-                               .rows = (uint16_t)rows[i][0]};
+        const fxl_band band = UNIT_BAND(frames[1], WIDTH, 1, (uint16_t)rows[i][0]);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
         TEST_ASSERT_EQUAL_UINT32(halvings[i], renderer.workspace.counters.split_bands);
         uint32_t done = 0;

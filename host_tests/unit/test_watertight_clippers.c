@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Neighbours meet by every clipper of the family. */
-#include <string.h>
-
 #include "watertight.h"
 
 static void expect_through(const fxl_clipper *clipper, int few)

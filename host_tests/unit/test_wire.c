@@ -11,8 +11,7 @@ static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
 
 static fxl_band all_of(uint8_t *pixels)
 {
-    fxl_band band = {
-        .pixels = pixels, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
+    fxl_band band = UNIT_BAND(pixels, WIDTH, 0, HEIGHT);
     return band;
 }
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Bands of one frame drawn in several workspaces, in turn; and what setting up a renderer or a
  * workspace refuses. */
-#include "draw/stages.h"
-#include "fixel/all.h"
+#include "frame_bands.h"
 #include "study/clippers.h"
 #include "study/targets.h"
 #include "choices.h"
@@ -59,31 +58,17 @@ static fxl_pose pose_number(int number)
     return pose;
 }
 
-static fxl_band band_of(uint8_t *frame, uint16_t first, uint16_t rows)
-{
-    return (fxl_band){.pixels = frame + first * WIDTH,
-                      .width = WIDTH,
-                      .stride = WIDTH,
-                      .first_row = first,
-                      .rows = rows};
-}
-
 /* Every second band in the second workspace: as the whole frame in the renderer's own. */
 static void expect_the_same(int frames)
 {
     for (int number = 0; number < frames; number++) {
         const fxl_pose pose = pose_number(number);
-        const fxl_band all = band_of(whole, 0, HEIGHT);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-        fxl_fill_band(&all, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &all));
+        frame_draw_pose(&renderer, &pose, whole, HEIGHT, BACKGROUND);
         const fxl_counters counters = renderer.workspace.counters;
         memset(other, 0, sizeof other);
         for (uint16_t first = 0; first < HEIGHT; first = (uint16_t)(first + 2)) {
-            const fxl_band band = band_of(other, first, 2);
             fxl_workspace *in = first % 4 == 0 ? &second : &renderer.workspace;
-            fxl_fill_band(&band, BACKGROUND);
-            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_with(&renderer, in, &band));
+            frame_draw_band(&renderer, in, other, first, 2, BACKGROUND);
         }
         TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
         TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
@@ -108,19 +93,14 @@ void test_a_frame_begins_between_the_bands_of_the_one_before(void)
     for (int number = 0; number < 6; number++) {
         fxl_renderer *drawn = turns[number % 2], *next = turns[(number + 1) % 2];
         for (uint16_t first = 0; first < HEIGHT; first = (uint16_t)(first + 2)) {
-            const fxl_band band = band_of(other, first, 2);
             if (first == 4) {
                 pose = pose_number(number + 1);
                 TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(next, &pose));
             }
-            fxl_fill_band(&band, BACKGROUND);
-            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(drawn, &band));
+            frame_draw_band(drawn, &drawn->workspace, other, first, 2, BACKGROUND);
         }
         const fxl_pose again = pose_number(number);
-        const fxl_band all = band_of(whole, 0, HEIGHT);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(drawn, &again));
-        fxl_fill_band(&all, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(drawn, &all));
+        frame_draw_pose(drawn, &again, whole, HEIGHT, BACKGROUND);
         TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
     }
 }
@@ -163,7 +143,7 @@ void test_a_second_workspace_has_memory_of_its_own(void)
 
 void test_a_workspace_of_other_settings_is_refused(void)
 {
-    const fxl_band band = band_of(other, 0, HEIGHT);
+    const fxl_band band = UNIT_BAND(other, WIDTH, 0, HEIGHT);
     const fxl_pose pose = pose_number(1);
     start();
     TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], ROOM));
@@ -223,17 +203,11 @@ void test_a_renderer_may_be_moved(void)
     FXL_STATIC_ASSERT(sizeof renderer <= sizeof rooms, "it is moved there");
     fxl_renderer *moved = (fxl_renderer *)(void *)rooms;
     const fxl_pose pose = pose_number(2);
-    fxl_band band = band_of(whole, 0, HEIGHT);
     start();
-    fxl_fill_band(&band, BACKGROUND);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    frame_draw_pose(&renderer, &pose, whole, HEIGHT, BACKGROUND);
     *moved = renderer;
     memset(&renderer, 0x5A, sizeof renderer);
-    band = band_of(other, 0, HEIGHT);
-    fxl_fill_band(&band, BACKGROUND);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(moved, &pose));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(moved, &band));
+    frame_draw_pose(moved, &pose, other, HEIGHT, BACKGROUND);
     TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &renderer, sizeof renderer);
 }
@@ -247,7 +221,7 @@ void test_counts_want_a_workspace_that_holds_them(void)
     } room;
     static const fxl_clipper *const clippers[] = {&fxl_clipper_view, &fxl_clipper_world};
     const fxl_pose pose = pose_number(6);
-    const fxl_band band = band_of(other, 0, HEIGHT);
+    const fxl_band band = UNIT_BAND(other, WIDTH, 0, HEIGHT);
     for (int i = 0; i < 2; i++) {
         start();
         memset(&room, 0x5A, sizeof room);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* How memory for a workspace, or for a visibility method, is divided into parts, and what a workspace
  * is set up for. */
+#include "tiny_frames.h"
 #include "../../lib/draw/renderer.h"
 #include "choices.h"
 #include "tiny.h"
@@ -19,11 +20,8 @@ static fxl_workspace second;
 
 static void start(void)
 {
-    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory tables = {order, TINY_INSTANCES + 6, NULL, 0, NULL, 0};
-    tiny_scene *tiny = tiny_make();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &tables));
+    tiny_start(&renderer, tiny_make(), WIDTH, HEIGHT, &tables);
 }
 
 /* What is over beyond the least keeps vertices: a power of two of them, and no more than the

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* A world against a plain model of it: a list of instances that is searched. */
-#include "draw/stages.h"
-#include "fixel/all.h"
 #include "world_unit.h"
 
 enum {

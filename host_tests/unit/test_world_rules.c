@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* What a world promises and refuses, rule by rule. */
-#include "draw/stages.h"
-#include "fixel/all.h"
 #include "world_unit.h"
 
 /* world 1.1 */
@@ -121,11 +119,7 @@ void test_nothing_changes_while_a_frame_is_drawn(void)
 {
     static fxl_instance before[WORLD_PLACES];
     const fxl_pose pose = {{0, 0, Q16(-4)}, 0, 0, 0};
-    const fxl_band band = {.pixels = world_frames[0],
-                           .width = WORLD_WIDTH,
-                           .stride = WORLD_WIDTH,
-                           .first_row = 0,
-                           .rows = 8};
+    const fxl_band band = UNIT_BAND(world_frames[0], WORLD_WIDTH, 0, 8);
     (void)world_start();
     memcpy(before, world_instances, sizeof before);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&world_renderer, &pose));

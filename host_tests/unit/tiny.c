@@ -222,3 +222,45 @@ tiny_image *tiny_image_make(bool strides)
     tiny_seal(&image);
     return &image;
 }
+
+static cluster_scene clustered;
+
+cluster_scene *cluster_make(void)
+{
+    /* Half of sqrt(2), rounded up; cutoffs a little above the least that there are: 0 and 1/2. */
+    const fxl_q2_30 diagonal = 759250125;
+    clustered.tiny = tiny_make();
+    /* sqrt(2) = 92681.9 / 65536 and sqrt(3) = 113511.7 / 65536. */
+    clustered.clusters[0] = (fxl_cluster){.centre = {Q16(-1), 0, 0},
+                                          .radius = 92682,
+                                          .axis = {-FXL_Q2_30_ONE, 0, 0},
+                                          .cutoff = 16,
+                                          .apex = {Q16(-1), 0, 0},
+                                          .face_count = 1};
+    clustered.clusters[1] = (fxl_cluster){.radius = 113512,
+                                          .axis = {diagonal, -diagonal, 0},
+                                          .cutoff = 0x80000010u,
+                                          .apex = {Q16(1), Q16(-1), 0},
+                                          .face_count = 2};
+    clustered.clusters[2] = (fxl_cluster){.radius = 113512, .face_count = 3};
+    clustered.tiny->models[1].first_cluster = 1;
+    clustered.tiny->scene.clusters = clustered.clusters;
+    clustered.tiny->scene.cluster_count = CLUSTERS;
+    return &clustered;
+}
+
+void cluster_count(const cluster_scene *scene, const cluster_definition *definition,
+                   const fxl_view *view, uint32_t *outside, uint32_t *backfacing)
+{
+    uint32_t number = 6;
+    *outside = *backfacing = 0;
+    for (int c = 0; c < CLUSTERS; c++) {
+        const fxl_cluster *cluster = &scene->clusters[c];
+        const bool out = definition->is_outside(scene, view, cluster);
+        for (uint32_t i = 0; i < cluster->face_count; i++, number++) {
+            const fxl_face *face = &scene->tiny->faces[number];
+            *outside += out;
+            *backfacing += !out && !definition->is_front(scene, view, face);
+        }
+    }
+}

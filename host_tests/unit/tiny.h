@@ -79,8 +79,8 @@ typedef struct {
  * two strides of 3 and 4 frames), sealed. */
 tiny_image *tiny_image_make(bool strides);
 
-/* Puts a section into an image, in place of that of its kind, and in the order of the kinds; or takes
- * that out if count is 0. Each is as needed as the format says. Not sealed. */
+/* Puts a section into an image, in place of that of its kind, and in the order of the kinds; or
+ * takes that out if count is 0. Each is as needed as the format says. Not sealed. */
 void tiny_set_section(tiny_image *image, uint16_t kind, const void *entries, uint32_t count,
                       uint32_t entry_size);
 
@@ -94,5 +94,31 @@ void tiny_put16(uint8_t *at, uint16_t value);
 
 /* Writes the checksum that the contents now have. */
 void tiny_seal(tiny_image *image);
+
+/* The scene whose sorted cube has three clusters. */
+enum {
+    CLUSTERS = 3
+};
+
+typedef struct {
+    tiny_scene *tiny;
+    fxl_cluster clusters[CLUSTERS];
+} cluster_scene;
+
+/* The scene anew. Of the cube's faces (-x +x -y +y -z +z) cluster 0 has -x, with a cone; cluster 1
+ * has +x and -y, with a cone of 45 degrees about (1, -1, 0); cluster 2 has the last three, which
+ * have no cone, as +z and -z face away from each other. */
+cluster_scene *cluster_make(void);
+
+/* What the definition says of a cluster, and of a face, of the sorted cube. */
+typedef struct {
+    bool (*is_outside)(const cluster_scene *made, const fxl_view *view, const fxl_cluster *cluster);
+    bool (*is_front)(const cluster_scene *made, const fxl_view *view, const fxl_face *face);
+} cluster_definition;
+
+/* Of the sorted cube's faces: how many lie in clusters that are outside, and how many of the others
+ * do not face the eye. */
+void cluster_count(const cluster_scene *scene, const cluster_definition *definition,
+                   const fxl_view *view, uint32_t *outside, uint32_t *backfacing);
 
 #endif

@@ -3,7 +3,9 @@
 
 #include <math.h>
 
-static uint32_t state = 2463534242u;
+#define FIRST_STATE 2463534242u
+
+static uint32_t state = FIRST_STATE;
 
 /* Marsaglia's xorshift. */
 uint32_t unit_random(void)
@@ -12,6 +14,11 @@ uint32_t unit_random(void)
     state ^= state >> 17;
     state ^= state << 5;
     return state;
+}
+
+void unit_restart(void)
+{
+    state = FIRST_STATE;
 }
 
 void unit_seed(uint32_t seed)
@@ -70,6 +77,45 @@ fxl_pose unit_pose(void)
     return pose;
 }
 
+static fxl_q2_30 rounded(double value)
+{
+    return (fxl_q2_30)floor(value * FXL_Q2_30_ONE + 0.5);
+}
+
+/* From a unit quaternion a + bi + cj + dk. */
+fxl_orientation unit_orientation(void)
+{
+    double q[4], length;
+    do {
+        length = 0;
+        for (int i = 0; i < 4; i++) {
+            q[i] = unit_between(-1000000, 1000000);
+            length += q[i] * q[i];
+        }
+    } while (length < 1e6);
+    const double a = q[0] / sqrt(length), b = q[1] / sqrt(length), c = q[2] / sqrt(length),
+                 d = q[3] / sqrt(length);
+    return (fxl_orientation){{rounded(1 - 2 * (c * c + d * d)), rounded(2 * (b * c - a * d)),
+                              rounded(2 * (b * d + a * c))},
+                             {rounded(2 * (b * c + a * d)), rounded(1 - 2 * (b * b + d * d)),
+                              rounded(2 * (c * d - a * b))},
+                             {rounded(2 * (b * d - a * c)), rounded(2 * (c * d + a * b)),
+                              rounded(1 - 2 * (b * b + c * c))}};
+}
+
+fxl_placement unit_placement(void)
+{
+    fxl_placement placement = {unit_orientation(), FXL_Q16_16_ONE};
+    const uint32_t kind = unit_random() % 8;
+    if (kind == 0) {
+        placement.scale = unit_between(0, 1) ? FXL_SCALE_MIN : FXL_SCALE_MAX;
+    } else if (kind >= 3) {
+        placement.scale = unit_between(FXL_SCALE_MIN, FXL_SCALE_MAX) >> unit_between(0, 16);
+        placement.scale = placement.scale < FXL_SCALE_MIN ? FXL_SCALE_MIN : placement.scale;
+    }
+    return placement;
+}
+
 fxl_lens unit_lens(uint16_t width, uint16_t height)
 {
     fxl_lens lens;
@@ -125,4 +171,14 @@ uint32_t unit_tell_hash(uint32_t hash, uint32_t on_record)
     }
     TEST_MESSAGE(text);
     return 1;
+}
+
+void unit_expect_hashes(const unit_hash *record, size_t count,
+                        uint32_t (*hash_of)(uint8_t division, uint32_t with))
+{
+    uint32_t wrong = 0;
+    for (size_t i = 0; i < count; i++) {
+        wrong += unit_tell_hash(hash_of(record[i].division, record[i].with), record[i].hash);
+    }
+    TEST_ASSERT_EQUAL_UINT32(0, wrong);
 }

@@ -28,8 +28,19 @@
 /* A binary angle from whole degrees. */
 #define DEGREES(value) ((fxl_angle)((int64_t)(value)*4294967296 / 360))
 
+/* A band of so many whole rows, which stand one behind the other. */
+#define UNIT_BAND(pixels_of, columns_of, first, count) \
+    { \
+        .pixels = (pixels_of), .width = (columns_of), .stride = (columns_of), \
+        .first_row = (first), .rows = (count) \
+    }
+
 /* The same numbers in every run of a test program. */
 uint32_t unit_random(void);
+
+/* The numbers of the program's start again: the tests that follow have inputs that do not depend on
+ * what stands before them. */
+void unit_restart(void);
 
 /* Other numbers from here on, by a seed above 0. */
 void unit_seed(uint32_t seed);
@@ -50,6 +61,12 @@ fxl_direction unit_direction(void);
 /* A pose anywhere, turned any way. */
 fxl_pose unit_pose(void);
 
+/* A random rotation: each entry is rounded to the nearest 2^-30. */
+fxl_orientation unit_orientation(void);
+
+/* A random placement; one in four has scale 1, and one in eight a scale at an end of the range. */
+fxl_placement unit_placement(void);
+
 /* Standard lens of the tests: 90 degrees, near 1/16, far 1000, inset 4/65536. */
 fxl_lens unit_lens(uint16_t width, uint16_t height);
 
@@ -64,6 +81,17 @@ uint32_t unit_mix(uint32_t hash, int64_t value);
 
 /* 1, and a message with the hash, where it is not the one on record; else 0. */
 uint32_t unit_tell_hash(uint32_t hash, uint32_t on_record);
+
+/* A hash on record of a kind of frames. */
+typedef struct {
+    uint8_t division; /* FXL_DIVIDE_..., FXL_AFFINE; 0 where frames have no surfaces */
+    uint8_t with;     /* bits of the test's own: what the kind has */
+    uint32_t hash;
+} unit_hash;
+
+/* Tells each hash that is not the one on record; there must be none. */
+void unit_expect_hashes(const unit_hash *record, size_t count,
+                        uint32_t (*hash_of)(uint8_t division, uint32_t with));
 
 /* |a - b| <= bound, in double; Unity's own floats are off on the target. */
 #define TEST_ASSERT_NEAR(a, b, bound) \

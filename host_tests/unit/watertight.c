@@ -5,7 +5,6 @@
 
 #include "picture.h"
 #include "polygon_face.h"
-#include "placements.h"
 #include "view/placement.h"
 
 /* place fill-rule: definition: outline_winding */
@@ -248,7 +247,7 @@ static bool edge_is_seen(fxl_view *view, const fxl_vertex *a, const fxl_vertex *
  * eye, so scale * radius is below 500, and the eye is near enough. */
 static void random_placement(fxl_placement *random, const fxl_camera *camera)
 {
-    *random = placements_any();
+    *random = unit_placement();
     if (random->scale < Q16(0.25)) {
         random->scale = Q16(0.25);
     }

@@ -61,11 +61,7 @@ fxl_handle world_spawned(const fxl_instance *instance, const fxl_placement *plac
 
 void world_draw(fxl_renderer *by, const fxl_pose *pose, uint8_t *frame)
 {
-    const fxl_band band = {.pixels = frame,
-                           .width = WORLD_WIDTH,
-                           .stride = WORLD_WIDTH,
-                           .first_row = 0,
-                           .rows = WORLD_HEIGHT};
+    const fxl_band band = UNIT_BAND(frame, WORLD_WIDTH, 0, WORLD_HEIGHT);
     fxl_fill_band(&band, WORLD_BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(by, pose));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(by, &band));
