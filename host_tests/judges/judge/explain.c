@@ -8,7 +8,12 @@
 #include "judge/beneath.h"
 #include "reference/scan.h"
 
-bool judge_is_on_outline(const ref_screen_polygon *polygon, int x, int y)
+/* How far from a polygon's box, in pixels, its outline may be. */
+#define JUDGE_OUTLINE_REACH 2.0
+
+/* Whether a line along an edge of a polygon may cover a pixel, if it is moved by at most a pixel:
+ * as far as outlines move a vertex, and as far as rounding does. */
+static bool judge_is_on_outline(const ref_screen_polygon *polygon, int x, int y)
 {
     for (int k = 0; k < polygon->count; k++) {
         const ref_screen_line line = {polygon->points[k], polygon->points[(k + 1) % polygon->count],
@@ -20,7 +25,7 @@ bool judge_is_on_outline(const ref_screen_polygon *polygon, int x, int y)
     return false;
 }
 
-judge_box judge_box_of(const ref_screen_polygon *polygon)
+static judge_box judge_box_of(const ref_screen_polygon *polygon)
 {
     judge_box box = {INFINITY, -INFINITY, INFINITY, -INFINITY};
     for (int i = 0; i < polygon->count; i++) {
@@ -54,7 +59,8 @@ static double segment_distance(const ref_screen_point *a, const ref_screen_point
     return hypot(a->x + t * dx - x, a->y + t * dy - y);
 }
 
-double judge_edge_distance(const ref_screen_polygon *polygon, double x, double y)
+/* Returns the distance in pixels from a point to the nearest edge of an outline. */
+static double judge_edge_distance(const ref_screen_polygon *polygon, double x, double y)
 {
     double nearest = INFINITY;
     for (int i = 0; i < polygon->count; i++) {
@@ -75,7 +81,8 @@ static const ref_screen_polygon *judge_most(const ref_drawn *drawn, bool doubt)
     return doubt && drawn->in_doubt ? &drawn->most : &drawn->polygon;
 }
 
-judge_box judge_box_of_drawn(const ref_drawn *drawn)
+/* Returns the bounds of all that may be drawn of a polygon. */
+static judge_box judge_box_of_drawn(const ref_drawn *drawn)
 {
     return judge_box_of(judge_most(drawn, true));
 }
@@ -118,6 +125,18 @@ static void add_texels(const ref_surface_view *look, const span *values, judge_s
         }
     }
 }
+
+/* place pixel-format: which colours a pixel may have */
+/* What is to be explained at the centre of a pixel. */
+typedef struct {
+    int x, y;
+    uint16_t colour;          /* an entry of the palette, or of RGB565 */
+    const ref_rgb565 *rgb565; /* of the frame; null: it is one of a palette */
+    uint8_t background;
+    int line;    /* the colour of outlines, as `colour`; below 0: none are drawn */
+    bool doubt;  /* near and far may leave more or less of a polygon; see below */
+    bool texels; /* a face may show another texel within the bound of its coordinates */
+} judge_question;
 
 /* The values of a look at a pixel: the exact ones, or, with texels, all within their bounds. False:
  * there are none. */
@@ -226,7 +245,30 @@ static double outline_shown(const ref_drawn *drawn, const judge_question *questi
 }
 
 /* accuracy 4.2 */
-double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
+/* Returns the smallest distance d that explains a colour at a pixel's centre. Every polygon of the
+ * reference renderer that has an edge within d of the centre may be put in or out there. d
+ * explains the colour if some choice makes the last polygon that is in show that colour. Returns
+ * infinity where no choice does. boxes holds each polygon's bounds.
+ *
+ * A choice that shows polygon i puts i in: this costs 0 if it is in already, else the distance
+ * of its edge. It puts every later polygon that is in out: each costs the distance of its edge.
+ * The cost of the choice is the largest of these. Earlier polygons do not matter, and later ones
+ * that are out stay out. The background counts as a polygon before the first, and is always in.
+ *
+ * doubt: near and far may leave anything of a polygon from its least to its most
+ * (docs/accuracy.md, section 4). Putting it in then costs 0 where its most is in, else the
+ * distance of an edge of its most. Putting it out costs 0 where its least is out, else the
+ * distance of an edge of its least.
+ *
+ * A polygon with a surface shows the colour of its texel there at its level of light, or with
+ * texels: of any texel and any level within their bounds (reference/surface.h). Where its texel is
+ * clear, putting it out costs 0. Where it is blended, it shows what the table makes of its colour
+ * and of the one beneath; so the cost is found for each colour that may be beneath
+ * (judge/beneath.h).
+ *
+ * Where outlines are drawn, that of a polygon comes right after it. At a pixel that it may cover,
+ * to show the line costs 0, and so does leaving it out. */
+static double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
                      size_t count, const judge_question *question)
 {
     const double cx = question->x + 0.5, cy = question->y + 0.5;
@@ -334,7 +376,11 @@ static double explain_by(const candidate *near, size_t count, const candidate *s
 }
 
 /* accuracy 4.2 */
-double judge_explain_by_depth(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
+/* The same of a frame that was drawn by a depth buffer. A choice that shows opaque polygon i puts
+ * out every opaque one that is nearer by more than the resolution and the slack of both. Blended
+ * polygons are drawn over it in their order, those that are farther by more are not, and the others
+ * may be in or out. Looks at polygons within a pixel of the centre alone. */
+static double judge_explain_by_depth(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
                               size_t count, const judge_question *question, double resolution)
 {
     size_t found = 0;

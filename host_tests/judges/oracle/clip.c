@@ -33,7 +33,9 @@ oracle_space oracle_space_of_view(const fxl_view *view)
     return space;
 }
 
-oracle_space oracle_space_of_normalised(const fxl_view *view)
+/* The integers of the normalised frustum, docs/extras/clippers.md, section 2.2: the matrix
+ * includes the field of view. */
+static oracle_space oracle_space_of_normalised(const fxl_view *view)
 {
     fxl_normalised f;
     fxl_normalised_from_camera(&view->camera, &view->lens, &f);
@@ -84,16 +86,12 @@ enum {
 };
 
 static exact_point pool[POOL];
-static int pool_used, pool_ready;
+static int pool_used, is_ready;
+/* Of the functions below, each of one alone. */
+static mpz_t term, from_a, from_b, from_plane, quotient;
 
 static exact_point *new_point(void)
 {
-    if (!pool_ready) {
-        for (int i = 0; i < POOL; i++) {
-            mpz_inits(pool[i].x, pool[i].y, pool[i].z, pool[i].w, NULL);
-        }
-        pool_ready = 1;
-    }
     if (pool_used == POOL) {
         give_up("more cuts than six planes can make");
     }
@@ -104,20 +102,14 @@ static exact_point *new_point(void)
  * matter. */
 static void distance(const oracle_plane *plane, const exact_point *p, mpz_t d)
 {
-    static mpz_t term;
-    static int ready;
-    if (!ready) {
-        mpz_init(term);
-        ready = 1;
-    }
     mpz_mul_si(d, p->w, plane->offset);
     mpz_mul_2exp(d, d, plane->up);
-    mpz_mul_si(term, p->x, plane->x);
-    mpz_add(d, d, term);
-    mpz_mul_si(term, p->y, plane->y);
-    mpz_add(d, d, term);
-    mpz_mul_si(term, p->z, plane->z);
-    mpz_add(d, d, term);
+    const mpz_t *sides[3] = {&p->x, &p->y, &p->z};
+    const int64_t factors[3] = {plane->x, plane->y, plane->z};
+    for (int i = 0; i < 3; i++) {
+        mpz_mul_si(term, *sides[i], factors[i]);
+        mpz_add(d, d, term);
+    }
 }
 
 /* The point where the line from a to b meets the plane: d(a) b - d(b) a, in homogeneous
@@ -125,24 +117,18 @@ static void distance(const oracle_plane *plane, const exact_point *p, mpz_t d)
 static const exact_point *cross(const oracle_plane *plane, const exact_point *a,
                                 const exact_point *b)
 {
-    static mpz_t da, db;
-    static int ready;
-    if (!ready) {
-        mpz_inits(da, db, NULL);
-        ready = 1;
-    }
     exact_point *p = new_point();
-    distance(plane, a, da);
-    distance(plane, b, db);
-    if (mpz_sgn(da) < 0) {
-        mpz_neg(da, da);
-        mpz_neg(db, db);
+    distance(plane, a, from_a);
+    distance(plane, b, from_b);
+    if (mpz_sgn(from_a) < 0) {
+        mpz_neg(from_a, from_a);
+        mpz_neg(from_b, from_b);
     }
     const mpz_t *ends[4][2] = {{&a->x, &b->x}, {&a->y, &b->y}, {&a->z, &b->z}, {&a->w, &b->w}};
     mpz_t *sums[4] = {&p->x, &p->y, &p->z, &p->w};
     for (int i = 0; i < 4; i++) {
-        mpz_mul(*sums[i], da, *ends[i][1]);
-        mpz_submul(*sums[i], db, *ends[i][0]);
+        mpz_mul(*sums[i], from_a, *ends[i][1]);
+        mpz_submul(*sums[i], from_b, *ends[i][0]);
     }
     return p;
 }
@@ -159,16 +145,10 @@ static void append(exact_polygon *polygon, exact_vertex vertex)
 static void clip_to_plane(const oracle_plane *plane, int number, const exact_polygon *in,
                           exact_polygon *out)
 {
-    static mpz_t d;
-    static int ready;
-    if (!ready) {
-        mpz_init(d);
-        ready = 1;
-    }
     int signs[ORACLE_OUTLINE_MAX];
     for (int i = 0; i < in->count; i++) {
-        distance(plane, in->vertices[i].point, d);
-        signs[i] = mpz_sgn(d);
+        distance(plane, in->vertices[i].point, from_plane);
+        signs[i] = mpz_sgn(from_plane);
     }
     out->count = 0;
     for (int i = 0; i < in->count; i++) {
@@ -197,12 +177,6 @@ static void clip_to_plane(const oracle_plane *plane, int number, const exact_pol
 /* floor(scale * side 2^32 / depth) */
 static int64_t project(int64_t scale, const mpz_t side, const mpz_t depth)
 {
-    static mpz_t quotient;
-    static int ready;
-    if (!ready) {
-        mpz_init(quotient);
-        ready = 1;
-    }
     mpz_mul_si(quotient, side, scale);
     mpz_mul_2exp(quotient, quotient, ORACLE_SPOT_BITS);
     mpz_fdiv_q(quotient, quotient, depth);
@@ -218,8 +192,20 @@ static int64_t rounded(int64_t value, unsigned shift)
     return shift == 0 ? value : (value + ((int64_t)1 << (shift - 1))) >> shift;
 }
 
+static void make_numbers(void)
+{
+    for (int i = 0; i < POOL && !is_ready; i++) {
+        mpz_inits(pool[i].x, pool[i].y, pool[i].z, pool[i].w, NULL);
+    }
+    if (!is_ready) {
+        mpz_inits(term, from_a, from_b, from_plane, quotient, NULL);
+    }
+    is_ready = 1;
+}
+
 static void start(const oracle_space *space, const fxl_polygon *polygon, exact_polygon *exact)
 {
+    make_numbers();
     pool_used = 0;
     exact->count = polygon->count;
     for (int i = 0; i < polygon->count; i++) {

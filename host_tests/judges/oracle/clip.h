@@ -27,10 +27,6 @@ typedef struct {
 /* The integers of the view: SPEC.md, sections 4.6 to 4.8. */
 oracle_space oracle_space_of_view(const fxl_view *view);
 
-/* The integers of the normalised frustum, docs/extras/clippers.md, section 2.2: the matrix
- * includes the field of view. */
-oracle_space oracle_space_of_normalised(const fxl_view *view);
-
 /* Clipping and projection in exact rational arithmetic (SPEC.md, sections 4.7 and 4.8):
  * Sutherland-Hodgman in the view on homogeneous big integers, with the planes that the integers
  * of the space define. Nothing is rounded until the result is written at 2^-48 pixel. */

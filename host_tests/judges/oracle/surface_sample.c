@@ -168,7 +168,8 @@ static int draw(surface_sample *sample, fxl_surface_set *set, const fxl_light_se
     return shown == draw_over(&renderer, sample, 255) ? shown : -1;
 }
 
-int surface_sample_draw(surface_sample *sample, const fxl_texture *texture,
+/* Draws the pixel by a surface. Returns -1 if the face does not cover it. light may be null. */
+static int surface_sample_draw(surface_sample *sample, const fxl_texture *texture,
                         const fxl_surface *surface, const fxl_direction normals[3],
                         const fxl_light_settings *light)
 {

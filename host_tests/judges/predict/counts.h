@@ -202,6 +202,20 @@ double rows_between(const fxl_screen_point *points, uint32_t count, double top, 
                    #name " is declared otherwise"); \
     result __wrap_##name parameters
 
+/* One that counts, and is then what it stands for; and one without a result. */
+#define WRAPPED_COUNT(result, name, parameters, arguments, ...) \
+    WRAPPED(result, name, parameters) \
+    { \
+        (void)(__VA_ARGS__); \
+        return __real_##name arguments; \
+    }
+#define WRAPPED_COUNT_VOID(result, name, parameters, arguments, ...) \
+    WRAPPED(result, name, parameters) \
+    { \
+        (void)(__VA_ARGS__); \
+        __real_##name arguments; \
+    }
+
 /* A record of the library in whose place another is, for callers of a function in its own file. */
 #define WRAPPED_RECORD(type, name) \
     extern const type __wrap_##name; \

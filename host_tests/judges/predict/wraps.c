@@ -35,14 +35,11 @@ static uint32_t faces_to_test(const fxl_model *model)
     return model->kind == FXL_MODEL_CONVEX && !passes_over ? model->face_count : 0;
 }
 
-WRAPPED(void, fxl_model_view_of_instance,
-        (fxl_model_view * model_view, const fxl_scene *scene, const fxl_instance *instance,
-         const fxl_view *view, fxl_vertex_cache *cache))
-{
-    counted.instances_viewed += 1;
-    counted.faces_tested += faces_to_test(&scene->models[instance->model]);
-    __real_fxl_model_view_of_instance(model_view, scene, instance, view, cache);
-}
+WRAPPED_COUNT_VOID(void, fxl_model_view_of_instance,
+                   (fxl_model_view * model_view, const fxl_scene *scene,
+                    const fxl_instance *instance, const fxl_view *view, fxl_vertex_cache *cache),
+                   (model_view, scene, instance, view, cache), counted.instances_viewed += 1,
+                   counted.faces_tested += faces_to_test(&scene->models[instance->model]))
 
 WRAPPED(const fxl_model *, fxl_turned_view_of_instance,
         (fxl_turned_view * turned, const fxl_scene *scene, uint32_t number, const fxl_view *view,
@@ -55,25 +52,17 @@ WRAPPED(const fxl_model *, fxl_turned_view_of_instance,
     return model;
 }
 
-WRAPPED(bool, fxl_is_rotation, (const fxl_orientation *rows))
-{
-    counted.turned_checked += 1;
-    return __real_fxl_is_rotation(rows);
-}
+WRAPPED_COUNT(bool, fxl_is_rotation, (const fxl_orientation *rows), (rows),
+              counted.turned_checked += 1)
 
-WRAPPED(uint32_t, fxl_list_front_faces,
-        (const fxl_scene *scene, const fxl_model *model, const fxl_point *eye,
-         fxl_draw_entry *entries))
-{
-    counted.faces_facing += model->face_count;
-    return __real_fxl_list_front_faces(scene, model, eye, entries);
-}
+WRAPPED_COUNT(uint32_t, fxl_list_front_faces,
+              (const fxl_scene *scene, const fxl_model *model, const fxl_point *eye,
+               fxl_draw_entry *entries),
+              (scene, model, eye, entries), counted.faces_facing += model->face_count)
 
-WRAPPED(void, fxl_sort_faces, (fxl_draw_entry * entries, uint32_t count, fxl_sort_work *work))
-{
-    counted.faces_sorted += count;
-    __real_fxl_sort_faces(entries, count, work);
-}
+WRAPPED_COUNT_VOID(void, fxl_sort_faces,
+                   (fxl_draw_entry * entries, uint32_t count, fxl_sort_work *work),
+                   (entries, count, work), counted.faces_sorted += count)
 
 WRAPPED(bool, fxl_extents_submit, (const fxl_traversal *traversal))
 {
@@ -100,45 +89,32 @@ static fxl_clip_result clip_by_view(const fxl_model_view *model_view, const fxl_
 
 WRAPPED_RECORD(fxl_clipper, fxl_clipper_view) = {.clip = clip_by_view, .by_clip_flags = true};
 
-WRAPPED(void, fxl_transform_vertex,
-        (const fxl_model_view *model_view, uint32_t number, fxl_cached_vertex *entry))
-{
-    counted.vertices += 1;
-    __real_fxl_transform_vertex(model_view, number, entry);
-}
+WRAPPED_COUNT_VOID(void, fxl_transform_vertex,
+                   (const fxl_model_view *model_view, uint32_t number, fxl_cached_vertex *entry),
+                   (model_view, number, entry), counted.vertices += 1)
 
-WRAPPED(fxl_status, fxl_project_inside,
-        (const fxl_projection *projection, const fxl_view_point *view, fxl_screen_point *screen))
-{
-    counted.projections += 1;
-    return __real_fxl_project_inside(projection, view, screen);
-}
+WRAPPED_COUNT(fxl_status, fxl_project_inside,
+              (const fxl_projection *projection, const fxl_view_point *view,
+               fxl_screen_point *screen),
+              (projection, view, screen), counted.projections += 1)
 
-WRAPPED(fxl_clip_result, fxl_clip_view_by_planes,
-        (const fxl_view_polygon *in, const fxl_view_frustum *frustum, fxl_planes planes,
-         fxl_clip_view_work *work, fxl_clip_stats *stats, const fxl_view_polygon **result))
-{
-    counted.assembled += 1;
-    return __real_fxl_clip_view_by_planes(in, frustum, planes, work, stats, result);
-}
+WRAPPED_COUNT(fxl_clip_result, fxl_clip_view_by_planes,
+              (const fxl_view_polygon *in, const fxl_view_frustum *frustum, fxl_planes planes,
+               fxl_clip_view_work *work, fxl_clip_stats *stats, const fxl_view_polygon **result),
+              (in, frustum, planes, work, stats, result), counted.assembled += 1)
 
-WRAPPED(void, fxl_intersect_edge,
-        (const fxl_view_point *from, const fxl_view_point *to, const fxl_q18_46 *from_distance,
-         const fxl_q18_46 *to_distance, fxl_view_point *result))
-{
-    counted.cut_edges += 1;
-    __real_fxl_intersect_edge(from, to, from_distance, to_distance, result);
-}
+WRAPPED_COUNT_VOID(void, fxl_intersect_edge,
+                   (const fxl_view_point *from, const fxl_view_point *to,
+                    const fxl_q18_46 *from_distance, const fxl_q18_46 *to_distance,
+                    fxl_view_point *result),
+                   (from, to, from_distance, to_distance, result), counted.cut_edges += 1)
 
 /* --- display list --------------------------------------------------------------------------- */
 
-WRAPPED(bool, fxl_display_list_append,
-        (fxl_display_list * list, const fxl_screen_polygon *polygon, fxl_rows rows))
-{
-    counted.list_polygons += 1;
-    counted.list_words += 2 + 2 * polygon->count;
-    return __real_fxl_display_list_append(list, polygon, rows);
-}
+WRAPPED_COUNT(bool, fxl_display_list_append,
+              (fxl_display_list * list, const fxl_screen_polygon *polygon, fxl_rows rows),
+              (list, polygon, rows), counted.list_polygons += 1,
+              counted.list_words += 2 + 2 * polygon->count)
 
 WRAPPED(const fxl_screen_polygon *, fxl_display_list_next,
         (const fxl_display_list *list, fxl_rows rows, uint32_t *place))
@@ -219,11 +195,8 @@ WRAPPED(const fxl_trapezoid *, fxl_scan_next_trapezoid, (fxl_scan * scan))
     return __real_fxl_scan_next_trapezoid(scan);
 }
 
-WRAPPED(fxl_rows, fxl_scan_rows, (const fxl_screen_polygon *polygon, uint16_t height))
-{
-    counted.row_searches += 1;
-    return __real_fxl_scan_rows(polygon, height);
-}
+WRAPPED_COUNT(fxl_rows, fxl_scan_rows, (const fxl_screen_polygon *polygon, uint16_t height),
+              (polygon, height), counted.row_searches += 1)
 
 WRAPPED(void, fxl_fill_band, (const fxl_band *band, uint8_t colour))
 {
@@ -377,10 +350,7 @@ WRAPPED(bool, fxl_bsp_cut,
     return done;
 }
 
-WRAPPED(bool, fxl_submit_bsp_leaf,
-        (const fxl_traversal *traversal, fxl_bsp_workspace *workspace, uint32_t leaf,
-         fxl_bsp_resume_point *place))
-{
-    counted.tree_leaves += 1;
-    return __real_fxl_submit_bsp_leaf(traversal, workspace, leaf, place);
-}
+WRAPPED_COUNT(bool, fxl_submit_bsp_leaf,
+              (const fxl_traversal *traversal, fxl_bsp_workspace *workspace, uint32_t leaf,
+               fxl_bsp_resume_point *place),
+              (traversal, workspace, leaf, place), counted.tree_leaves += 1)

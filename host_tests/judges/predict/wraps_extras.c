@@ -34,27 +34,19 @@ bool is_listed(const fxl_depth_plane *plane)
            plane->one >= 32 + (int32_t)cells_of_16->scale.octaves;
 }
 
-WRAPPED(void, fxl_corner_planes_depth, (fxl_corner_planes * planes, fxl_depth_plane *plane))
-{
-    counted.small_depths += !planes->has_weight;
-    __real_fxl_corner_planes_depth(planes, plane);
-}
+WRAPPED_COUNT_VOID(void, fxl_corner_planes_depth,
+                   (fxl_corner_planes * planes, fxl_depth_plane *plane), (planes, plane),
+                   counted.small_depths += !planes->has_weight)
 
-WRAPPED(bool, fxl_corner_planes_linear,
-        (const fxl_corner_planes *planes, const int32_t light[3], fxl_gradients *gradients,
-         fxl_depth_plane *depth))
-{
-    counted.small_linear += 1;
-    return __real_fxl_corner_planes_linear(planes, light, gradients, depth);
-}
+WRAPPED_COUNT(bool, fxl_corner_planes_linear,
+              (const fxl_corner_planes *planes, const int32_t light[3], fxl_gradients *gradients,
+               fxl_depth_plane *depth),
+              (planes, light, gradients, depth), counted.small_linear += 1)
 
-WRAPPED(void, fxl_find_depth_by_normal,
-        (const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *traversal,
-         fxl_depth_plane *plane))
-{
-    counted.depth_planes += 1;
-    __real_fxl_find_depth_by_normal(model_view, face, traversal, plane);
-}
+WRAPPED_COUNT_VOID(void, fxl_find_depth_by_normal,
+                   (const fxl_model_view *model_view, const fxl_face *face,
+                    const fxl_traversal *traversal, fxl_depth_plane *plane),
+                   (model_view, face, traversal, plane), counted.depth_planes += 1)
 
 WRAPPED(void, fxl_depth_draw_parts,
         (const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band,
@@ -142,12 +134,9 @@ WRAPPED(uint32_t, fxl_depth_skip_hidden,
 
 /* --- billboards ----------------------------------------------------------------------------- */
 
-WRAPPED(void, fxl_transform_point,
-        (const fxl_camera *camera, const fxl_point *point, fxl_view_point *view))
-{
-    counted.points_transformed += 1;
-    __real_fxl_transform_point(camera, point, view);
-}
+WRAPPED_COUNT_VOID(void, fxl_transform_point,
+                   (const fxl_camera *camera, const fxl_point *point, fxl_view_point *view),
+                   (camera, point, view), counted.points_transformed += 1)
 
 /* fxl_billboard_row_painter, which paints nothing. */
 static void count_row(fxl_billboard_row *row, const void *with)
@@ -205,25 +194,17 @@ WRAPPED(fxl_status, fxl_attach_billboards,
 
 /* --- beams of light ------------------------------------------------------------------------- */
 
-WRAPPED(bool, fxl_beam_reaches, (const fxl_beam *beam, const fxl_point *centre, fxl_q16_16 radius))
-{
-    counted.instances_in_beams += 1;
-    return __real_fxl_beam_reaches(beam, centre, radius);
-}
+WRAPPED_COUNT(bool, fxl_beam_reaches,
+              (const fxl_beam *beam, const fxl_point *centre, fxl_q16_16 radius),
+              (beam, centre, radius), counted.instances_in_beams += 1)
 
-WRAPPED(fxl_q18_46, fxl_plane_distance, (const fxl_plane *plane, const fxl_point *point))
-{
-    counted.plane_distances += 1;
-    return __real_fxl_plane_distance(plane, point);
-}
+WRAPPED_COUNT(fxl_q18_46, fxl_plane_distance, (const fxl_plane *plane, const fxl_point *point),
+              (plane, point), counted.plane_distances += 1)
 
-WRAPPED(fxl_point, fxl_split_edge,
-        (const fxl_point *front, const fxl_point *behind, fxl_q18_46 front_distance,
-         fxl_q18_46 behind_distance))
-{
-    counted.lit_cuts += 1;
-    return __real_fxl_split_edge(front, behind, front_distance, behind_distance);
-}
+WRAPPED_COUNT(fxl_point, fxl_split_edge,
+              (const fxl_point *front, const fxl_point *behind, fxl_q18_46 front_distance,
+               fxl_q18_46 behind_distance),
+              (front, behind, front_distance, behind_distance), counted.lit_cuts += 1)
 
 /* For each cut, the corners that the face has so far are looked through. */
 WRAPPED(bool, fxl_lit_split,
@@ -238,9 +219,7 @@ WRAPPED(bool, fxl_lit_split,
     return done;
 }
 
-WRAPPED(void, fxl_placement_direction,
-        (const fxl_placement *placement, const fxl_direction *direction, fxl_direction *turned))
-{
-    counted.turned_normals += 1;
-    __real_fxl_placement_direction(placement, direction, turned);
-}
+WRAPPED_COUNT_VOID(void, fxl_placement_direction,
+                   (const fxl_placement *placement, const fxl_direction *direction,
+                    fxl_direction *turned),
+                   (placement, direction, turned), counted.turned_normals += 1)

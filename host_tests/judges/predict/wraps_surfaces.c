@@ -53,13 +53,11 @@ WRAPPED(fxl_q2_30, fxl_light_brightness,
     return __real_fxl_light_brightness(settings, camera, place);
 }
 
-WRAPPED(void, fxl_gradients_find,
-        (const fxl_gradient_corners *face, const fxl_view *view, fxl_gradients *gradients))
-{
-    counted.surfaces_found += 1;
-    counted.attributes_found += face->count;
-    __real_fxl_gradients_find(face, view, gradients);
-}
+WRAPPED_COUNT_VOID(void, fxl_gradients_find,
+                   (const fxl_gradient_corners *face, const fxl_view *view,
+                    fxl_gradients *gradients),
+                   (face, view, gradients), counted.surfaces_found += 1,
+                   counted.attributes_found += face->count)
 
 WRAPPED(bool, fxl_find_screen_corners,
         (const fxl_model_view *model_view, const fxl_face *face, const uint16_t *vertices,
@@ -103,12 +101,9 @@ WRAPPED(bool, fxl_surface_polygon_append,
     return done;
 }
 
-WRAPPED(uint32_t, fxl_surface_polygon_read,
-        (const fxl_screen_polygon *record, fxl_surface_polygon *polygon))
-{
-    counted.surfaces_read += 1;
-    return __real_fxl_surface_polygon_read(record, polygon);
-}
+WRAPPED_COUNT(uint32_t, fxl_surface_polygon_read,
+              (const fxl_screen_polygon *record, fxl_surface_polygon *polygon), (record, polygon),
+              counted.surfaces_read += 1)
 
 /* A surface that may leave out pixels: a depth buffer paints it twice, over two backgrounds. */
 static bool has_holes(const fxl_paint *paint)
@@ -270,13 +265,10 @@ WRAPPED(void, fxl_paint_colours_565,
     counted.wide_colour_shown += x1 - x0 - (counted.wide_colour_pixels - before);
 }
 
-WRAPPED(void, fxl_paint_colour_run,
-        (const fxl_colour_words *words, uint16_t *pixels, uint32_t count))
-{
-    counted.wide_colour_runs += 1;
-    counted.wide_colour_pixels += count;
-    __real_fxl_paint_colour_run(words, pixels, count);
-}
+WRAPPED_COUNT_VOID(void, fxl_paint_colour_run,
+                   (const fxl_colour_words *words, uint16_t *pixels, uint32_t count),
+                   (words, pixels, count), counted.wide_colour_runs += 1,
+                   counted.wide_colour_pixels += count)
 
 /* --- rows ---------------------------------------------------------------------------------- */
 

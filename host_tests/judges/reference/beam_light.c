@@ -40,40 +40,16 @@ static bool shines_on(const ref_beam *beam, const ref_lattice_point *vertex, con
     return sum > 0;
 }
 
-static bool same(const ref_lattice_point *a, const ref_lattice_point *b)
-{
-    return a->x == b->x && a->y == b->y && a->z == b->z;
-}
-
-static bool insert(ref_piece *piece, int at, const ref_lattice_point *point)
-{
-    if (piece->count == REF_POLYGON_CAPACITY) {
-        return false;
-    }
-    for (int i = piece->count++; i > at; i--) {
-        piece->points[i] = piece->points[i - 1];
-    }
-    piece->points[at] = *point;
-    return true;
-}
-
 /* Inserts an intersection into every piece that has the edge between two points. */
 static bool insert_into_all(ref_lit_pieces *to, const ref_lattice_point *a,
                             const ref_lattice_point *b, const ref_lattice_point *intersection)
 {
-    for (int i = 0; i < to->count; i++) {
-        ref_piece *piece = &to->pieces[i].shape;
-        for (int k = 0; k < piece->count; k++) {
-            const ref_lattice_point *here = &piece->points[k];
-            const ref_lattice_point *next = &piece->points[(k + 1) % piece->count];
-            if ((same(here, a) && same(next, b)) || (same(here, b) && same(next, a))) {
-                if (!insert(piece, ++k, intersection)) {
-                    return false;
-                }
-            }
-        }
+    const ref_lattice_point ends[2] = {*a, *b};
+    bool fits = true;
+    for (int i = 0; i < to->count && fits; i++) {
+        fits = ref_piece_insert(&to->pieces[i].shape, ends, intersection, REF_POLYGON_CAPACITY);
     }
-    return true;
+    return fits;
 }
 
 static ref_lattice_point intersect(const ref_plane *plane, const ref_lattice_point *a,

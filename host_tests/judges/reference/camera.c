@@ -5,7 +5,8 @@
 
 static const double two_pi = 6.283185307179586476925286766559;
 
-double ref_radians(ref_angle angle)
+/* Converts an angle to radians, 0 <= a < 2 pi. */
+static double ref_radians(ref_angle angle)
 {
     return (double)angle / 4294967296.0 * two_pi;
 }

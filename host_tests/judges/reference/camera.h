@@ -13,9 +13,6 @@
 double ref_sin(ref_angle angle);
 double ref_cos(ref_angle angle);
 
-/* Converts an angle to radians, 0 <= a < 2 pi. */
-double ref_radians(ref_angle angle);
-
 /* The camera (SPEC.md, section 1.3), in double. */
 
 typedef struct {

@@ -3,6 +3,17 @@
 
 #include <math.h>
 
+/* A vertex that is left: the polygon's vertex number inner, where outer is negative; else the
+ * intersection of the edge from inner, which is inside, to outer. */
+typedef struct {
+    int inner, outer;
+} ref_cut_vertex;
+
+typedef struct {
+    ref_cut_vertex vertices[REF_POLYGON_CAPACITY];
+    int count;
+} ref_cut;
+
 /* Appends a vertex if there is space. Counts it in any case. */
 static void add(ref_cut *cut, int inner, int outer)
 {
@@ -12,7 +23,9 @@ static void add(ref_cut *cut, int inner, int outer)
     cut->count++;
 }
 
-ref_clip_result ref_cut_by_sides(const int *sides, int count, ref_cut *cut)
+/* What a plane leaves of a polygon, given only on which side each vertex lies. sides: 1 inside, 0 in
+ * the plane, -1 outside. The cut is valid where REF_CLIP_CUT is returned. */
+static ref_clip_result cut_by_sides(const int *sides, int count, ref_cut *cut)
 {
     int inside_count = 0;
     for (int i = 0; i < count; i++) {
@@ -77,7 +90,7 @@ ref_clip_result ref_clip_world_to_plane(const ref_polygon *in, const ref_plane *
         distances[i] = ref_plane_distance(plane, &in->vertices[i].position);
         sides[i] = (distances[i] > 0) - (distances[i] < 0);
     }
-    ref_clip_result result = ref_cut_by_sides(sides, in->count, &cut);
+    ref_clip_result result = cut_by_sides(sides, in->count, &cut);
     if (result == REF_CLIP_INSIDE) {
         *out = *in;
     }
@@ -188,7 +201,7 @@ ref_clip_result ref_clip_view_to_plane(const ref_view_polygon *in, const ref_vie
         distances[i] = ref_view_distance(plane, &in->vertices[i].position);
         sides[i] = (distances[i] > 0) - (distances[i] < 0);
     }
-    ref_clip_result result = ref_cut_by_sides(sides, in->count, &cut);
+    ref_clip_result result = cut_by_sides(sides, in->count, &cut);
     if (result == REF_CLIP_INSIDE) {
         *out = *in;
     }

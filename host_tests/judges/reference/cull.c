@@ -3,8 +3,6 @@
 
 #include "reference/placement.h"
 
-__extension__ typedef __int128 wide;
-
 bool ref_face_is_front(const ref_scene *scene, const ref_instance *instance, const ref_face *face,
                        const ref_lattice_point *eye)
 {
@@ -14,9 +12,9 @@ bool ref_face_is_front(const ref_scene *scene, const ref_instance *instance, con
         return ref_placement_is_front(placement, &instance->centre, eye, face->normal, &corner);
     }
     ref_lattice_point first = ref_face_vertex(scene, instance, face, 0);
-    wide sum = (wide)face->normal[0] * ((int64_t)eye->x - first.x) +
-               (wide)face->normal[1] * ((int64_t)eye->y - first.y) +
-               (wide)face->normal[2] * ((int64_t)eye->z - first.z);
+    ref_exact sum = (ref_exact)face->normal[0] * ((int64_t)eye->x - first.x) +
+                    (ref_exact)face->normal[1] * ((int64_t)eye->y - first.y) +
+                    (ref_exact)face->normal[2] * ((int64_t)eye->z - first.z);
     return sum > 0;
 }
 

@@ -11,7 +11,7 @@ static ref_square square(int64_t value)
     return size * size;
 }
 
-ref_square ref_distance_squared(const ref_lattice_point *eye, const ref_lattice_point *point)
+static ref_square ref_distance_squared(const ref_lattice_point *eye, const ref_lattice_point *point)
 {
     return square((int64_t)point->x - eye->x) + square((int64_t)point->y - eye->y) +
            square((int64_t)point->z - eye->z);
@@ -23,8 +23,8 @@ static void widen(int64_t *low, int64_t *high, int32_t value)
     *high = value > *high ? value : *high;
 }
 
-ref_square ref_face_distance_squared(const ref_lattice_point *eye, const ref_scene *scene,
-                                     const ref_instance *instance, const ref_face *face)
+static ref_square ref_face_distance_squared(const ref_lattice_point *eye, const ref_scene *scene,
+                                            const ref_instance *instance, const ref_face *face)
 {
     const ref_placement *placement = ref_placement_of(scene, instance);
     int64_t low[3] = {INT32_MAX, INT32_MAX, INT32_MAX};
@@ -61,7 +61,8 @@ static int drawn_before(const void *a, const void *b)
     return (first->index > second->index) - (first->index < second->index);
 }
 
-void ref_order_sort(ref_order_entry *entries, uint32_t count)
+/* Sorts entries: ascending layer, descending distance, ascending index. */
+static void ref_order_sort(ref_order_entry *entries, uint32_t count)
 {
     qsort(entries, count, sizeof *entries, drawn_before);
 }

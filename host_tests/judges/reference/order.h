@@ -16,13 +16,6 @@ typedef struct {
     uint32_t index, layer;
 } ref_order_entry;
 
-ref_square ref_distance_squared(const ref_lattice_point *eye, const ref_lattice_point *point);
-ref_square ref_face_distance_squared(const ref_lattice_point *eye, const ref_scene *scene,
-                                     const ref_instance *instance, const ref_face *face);
-
-/* Sorts entries: ascending layer, descending distance, ascending index. */
-void ref_order_sort(ref_order_entry *entries, uint32_t count);
-
 /* Write the entries of the instances that the sphere test does not reject, and of the faces of
  * an instance that face the eye and lie in no cluster that the sphere test rejects. entries must
  * have room for all of them. Both return how many they wrote. *left_out becomes the number of faces

@@ -3,8 +3,6 @@
 
 #include <math.h>
 
-__extension__ typedef __int128 wide;
-
 const ref_placement *ref_placement_of(const ref_scene *scene, const ref_instance *instance)
 {
     const uint32_t number = (uint32_t)(instance - scene->instances);
@@ -26,21 +24,21 @@ int32_t ref_instance_radius(const ref_scene *scene, const ref_instance *instance
 }
 
 /* floor(value / divisor); divisor > 0. */
-static wide divide_down(wide value, wide divisor)
+static ref_exact divide_down(ref_exact value, ref_exact divisor)
 {
-    const wide quotient = value / divisor;
+    const ref_exact quotient = value / divisor;
     return quotient - (value % divisor < 0);
 }
 
 /* floor(value / divisor + 1/2), for an even divisor. */
-static wide divide_round(wide value, wide divisor)
+static ref_exact divide_round(ref_exact value, ref_exact divisor)
 {
     return divide_down(value + divisor / 2, divisor);
 }
 
-static wide sum_of(const int32_t row[3], const int32_t v[3])
+static ref_exact sum_of(const int32_t row[3], const int32_t v[3])
 {
-    return (wide)row[0] * v[0] + (wide)row[1] * v[1] + (wide)row[2] * v[2];
+    return (ref_exact)row[0] * v[0] + (ref_exact)row[1] * v[1] + (ref_exact)row[2] * v[2];
 }
 
 ref_point ref_placement_point(const ref_placement *placement, const ref_lattice_point *centre,
@@ -52,7 +50,7 @@ ref_point ref_placement_point(const ref_placement *placement, const ref_lattice_
     for (int i = 0; i < 3; i++) {
         /* In units of 2^-62; below 2^76, of which a long double keeps the 64 highest bits. */
         at[i] = (double)((long double)(sum_of(placement->rows[i], v) * placement->scale +
-                                       ((wide)c[i] << 46)) *
+                                       ((ref_exact)c[i] << 46)) *
                          0x1p-62L);
     }
     return (ref_point){at[0], at[1], at[2]};
@@ -65,8 +63,8 @@ ref_lattice_point ref_placement_rounded(const ref_placement *placement,
     const int32_t v[3] = {vertex->x, vertex->y, vertex->z};
     int32_t at[3];
     for (int i = 0; i < 3; i++) {
-        at[i] =
-            (int32_t)divide_round(sum_of(placement->rows[i], v) * placement->scale, (wide)1 << 46);
+        at[i] = (int32_t)divide_round(sum_of(placement->rows[i], v) * placement->scale,
+                                      (ref_exact)1 << 46);
     }
     return (ref_lattice_point){centre->x + at[0], centre->y + at[1], centre->z + at[2]};
 }
@@ -75,17 +73,17 @@ void ref_placement_normal(const ref_placement *placement, const int32_t normal[3
                           int32_t turned[3])
 {
     for (int i = 0; i < 3; i++) {
-        turned[i] = (int32_t)divide_round(sum_of(placement->rows[i], normal), (wide)1 << 30);
+        turned[i] = (int32_t)divide_round(sum_of(placement->rows[i], normal), (ref_exact)1 << 30);
     }
 }
 
 /* The transpose of the orientation times the eye less the centre, in units of 2^-46. */
-static wide eye_along(const ref_placement *placement, const ref_lattice_point *centre,
-                      const ref_lattice_point *eye, int axis)
+static ref_exact eye_along(const ref_placement *placement, const ref_lattice_point *centre,
+                           const ref_lattice_point *eye, int axis)
 {
-    return (wide)placement->rows[0][axis] * ((int64_t)eye->x - centre->x) +
-           (wide)placement->rows[1][axis] * ((int64_t)eye->y - centre->y) +
-           (wide)placement->rows[2][axis] * ((int64_t)eye->z - centre->z);
+    return (ref_exact)placement->rows[0][axis] * ((int64_t)eye->x - centre->x) +
+           (ref_exact)placement->rows[1][axis] * ((int64_t)eye->y - centre->y) +
+           (ref_exact)placement->rows[2][axis] * ((int64_t)eye->z - centre->z);
 }
 
 /* Both sides in units of 2^-76. */
@@ -94,7 +92,7 @@ bool ref_placement_is_front(const ref_placement *placement, const ref_lattice_po
                             const ref_lattice_point *vertex)
 {
     const int32_t v[3] = {vertex->x, vertex->y, vertex->z};
-    wide side = -(sum_of(normal, v) * placement->scale * ((wide)1 << 14));
+    ref_exact side = -(sum_of(normal, v) * placement->scale * ((ref_exact)1 << 14));
     for (int i = 0; i < 3; i++) {
         side += normal[i] * eye_along(placement, centre, eye, i);
     }
@@ -105,13 +103,13 @@ int ref_placement_eye(const ref_placement *placement, const ref_lattice_point *c
                       const ref_lattice_point *eye, int32_t radius, ref_lattice_point *in_model)
 {
     for (int shift = 0;; shift++) {
-        wide at[3];
+        ref_exact at[3];
         bool fits = true;
         for (int i = 0; i < 3; i++) {
             at[i] = divide_round(eye_along(placement, centre, eye, i),
-                                 (wide)placement->scale << (14 + shift));
-            const wide size = at[i] < 0 ? -at[i] : at[i];
-            fits = fits && size + (radius >> shift) < (wide)1 << 30;
+                                 (ref_exact)placement->scale << (14 + shift));
+            const ref_exact size = at[i] < 0 ? -at[i] : at[i];
+            fits = fits && size + (radius >> shift) < (ref_exact)1 << 30;
         }
         if (fits) {
             *in_model = (ref_lattice_point){(int32_t)at[0], (int32_t)at[1], (int32_t)at[2]};

@@ -20,6 +20,9 @@
 
 typedef uint32_t ref_angle; /* a full turn is 2^32 */
 
+/* For sums of products of the scene's integers, exactly. */
+__extension__ typedef __int128 ref_exact;
+
 /* A point of the world, in units of 1/65536. */
 typedef struct {
     int32_t x, y, z;

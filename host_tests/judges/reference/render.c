@@ -188,7 +188,8 @@ static void count_once(const ref_counters *pieces, ref_counters *counters)
     }
 }
 
-uint8_t ref_face_colour(const ref_renderer *renderer, const ref_instance *instance,
+/* The colour of a face in the frame. */
+static uint8_t ref_face_colour(const ref_renderer *renderer, const ref_instance *instance,
                         const ref_face *face)
 {
     const ref_scene *scene = renderer->scene;

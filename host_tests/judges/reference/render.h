@@ -28,10 +28,6 @@ typedef struct {
     uint32_t unsplit;              /* instances of the frame that were not cut to the BSP */
 } ref_renderer;
 
-/* The colour of a face in the frame. */
-uint8_t ref_face_colour(const ref_renderer *renderer, const ref_instance *instance,
-                        const ref_face *face);
-
 /* A pixel that shows a colour of the palette. */
 uint16_t ref_pixel_of(const ref_renderer *renderer, uint8_t colour);
 

@@ -11,8 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-__extension__ typedef __int128 wide;
-
 uint16_t ref_u16(const uint8_t *bytes)
 {
     return (uint16_t)(bytes[0] | bytes[1] << 8);
@@ -100,16 +98,16 @@ static bool inside_world(const ref_lattice_point *p)
 
 static bool read_geometry(const uint8_t *bytes, ref_scene *scene)
 {
-    const uint8_t *vertices = ref_section(bytes, REF_VERTICES, &scene->vertex_count);
-    const uint8_t *indices = ref_section(bytes, REF_INDICES, &scene->index_count);
-    const uint8_t *faces = ref_section(bytes, REF_FACES, &scene->face_count);
-    const uint8_t *models = ref_section(bytes, REF_MODELS, &scene->model_count);
-    const uint8_t *instances = ref_section(bytes, REF_INSTANCES, &scene->instance_count);
-    scene->vertices = calloc(scene->vertex_count, sizeof *scene->vertices);
-    scene->indices = calloc(scene->index_count, sizeof *scene->indices);
-    scene->faces = calloc(scene->face_count, sizeof *scene->faces);
-    scene->models = calloc(scene->model_count, sizeof *scene->models);
-    scene->instances = calloc(scene->instance_count, sizeof *scene->instances);
+    const uint8_t *vertices, *indices, *faces, *models, *instances;
+    scene->vertices =
+        ref_table(bytes, REF_VERTICES, sizeof *scene->vertices, &vertices, &scene->vertex_count);
+    scene->indices =
+        ref_table(bytes, REF_INDICES, sizeof *scene->indices, &indices, &scene->index_count);
+    scene->faces = ref_table(bytes, REF_FACES, sizeof *scene->faces, &faces, &scene->face_count);
+    scene->models =
+        ref_table(bytes, REF_MODELS, sizeof *scene->models, &models, &scene->model_count);
+    scene->instances = ref_table(bytes, REF_INSTANCES, sizeof *scene->instances, &instances,
+                                 &scene->instance_count);
     if (!scene->vertices || !scene->indices || !scene->faces || !scene->models ||
         !scene->instances) {
         return false;
@@ -161,10 +159,10 @@ static bool faces_are_sound(const ref_scene *scene, const ref_model *model)
 
 static bool sphere_holds_model(const ref_scene *scene, const ref_model *model)
 {
-    wide reach = (wide)model->radius * model->radius;
+    ref_exact reach = (ref_exact)model->radius * model->radius;
     for (uint32_t v = 0; v < model->vertex_count; v++) {
         ref_lattice_point p = scene->vertices[model->first_vertex + v];
-        if ((wide)p.x * p.x + (wide)p.y * p.y + (wide)p.z * p.z > reach) {
+        if ((ref_exact)p.x * p.x + (ref_exact)p.y * p.y + (ref_exact)p.z * p.z > reach) {
             return false;
         }
     }

@@ -69,6 +69,13 @@ const uint8_t *ref_section(const uint8_t *bytes, int kind, uint32_t *count)
     return NULL;
 }
 
+void *ref_table(const uint8_t *bytes, int kind, size_t size, const uint8_t **entries,
+                uint32_t *count)
+{
+    *entries = ref_section(bytes, kind, count);
+    return calloc(*count + 1u, size);
+}
+
 /* Where a section ends before rounding; 0 where its entry is wrong. */
 static uint64_t end_of(const uint8_t *entry)
 {

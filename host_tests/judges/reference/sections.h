@@ -53,6 +53,11 @@ const char *ref_sections_check(const uint8_t *bytes, size_t size);
  * such section. Requires sections that are sound. */
 const uint8_t *ref_section(const uint8_t *bytes, int kind, uint32_t *count);
 
+/* The same, and memory for a record of `size` zeros for each entry and one more, which the caller
+ * frees; null where memory is short. */
+void *ref_table(const uint8_t *bytes, int kind, size_t size, const uint8_t **entries,
+                uint32_t *count);
+
 /* The parts of a scene image that it need not have (docs/formats.md, section 1): light, placements,
  * a BSP, clusters, beams. Each function returns true also where the image has none of its own, and
  * false where a part is not usable. The tables that it makes are ref_scene_close's to free. */

@@ -2,6 +2,7 @@
 #include "reference/split.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "reference/frustum.h"
 #include "reference/cull.h"
@@ -27,32 +28,30 @@ long double ref_split_distance(const ref_plane *plane, const ref_lattice_point *
     return ref_plane_distance(plane, &p);
 }
 
-/* Writes the points of one side: those at sign * distance >= 0, and the intersections. Returns
- * how many. */
-static int part(const ref_piece *in, const long double *distances, int sign, ref_lattice_point *out)
+/* Writes the points of one side: those at sign * distance >= 0, and the intersections. Returns false
+ * where they are too many. */
+static bool part(const ref_piece *in, const long double *distances, int sign, ref_piece *out)
 {
+    ref_lattice_point points[2 * REF_POLYGON_CAPACITY];
     int count = 0;
     for (int i = 0; i < in->count; i++) {
         int next = (i + 1) % in->count;
         long double here = distances[i], there = distances[next];
         if (sign * here >= 0) {
-            out[count++] = in->points[i];
+            points[count++] = in->points[i];
         }
         if (here > 0 && there < 0) {
-            out[count++] = ref_split_edge(&in->points[i], &in->points[next], here, there);
+            points[count++] = ref_split_edge(&in->points[i], &in->points[next], here, there);
         } else if (here < 0 && there > 0) {
-            out[count++] = ref_split_edge(&in->points[next], &in->points[i], there, here);
+            points[count++] = ref_split_edge(&in->points[next], &in->points[i], there, here);
         }
     }
-    return count;
-}
-
-static void keep(ref_piece *piece, const ref_lattice_point *points, int count)
-{
-    piece->count = count;
-    for (int i = 0; i < count; i++) {
-        piece->points[i] = points[i];
+    if (count > REF_POLYGON_CAPACITY) {
+        return false;
     }
+    out->count = count;
+    memcpy(out->points, points, (size_t)count * sizeof *points);
+    return true;
 }
 
 ref_split_result ref_split_piece(const ref_piece *in, const ref_plane *plane, ref_piece *front,
@@ -71,26 +70,50 @@ ref_split_result ref_split_piece(const ref_piece *in, const ref_plane *plane, re
     if (!before) {
         return REF_SPLIT_BACK;
     }
-    ref_lattice_point ahead[2 * REF_POLYGON_CAPACITY], rest[2 * REF_POLYGON_CAPACITY];
-    int ahead_count = part(in, distances, 1, ahead);
-    int rest_count = part(in, distances, -1, rest);
-    if (ahead_count > REF_POLYGON_CAPACITY || rest_count > REF_POLYGON_CAPACITY) {
-        return REF_SPLIT_CAPACITY;
-    }
-    keep(front, ahead, ahead_count);
-    keep(back, rest, rest_count);
-    return REF_SPLIT_BOTH;
+    return part(in, distances, 1, front) && part(in, distances, -1, back) ? REF_SPLIT_BOTH
+                                                                          : REF_SPLIT_CAPACITY;
 }
 
-__extension__ typedef __int128 wide;
+static bool same(const ref_lattice_point *a, const ref_lattice_point *b)
+{
+    return a->x == b->x && a->y == b->y && a->z == b->z;
+}
+
+/* Tells whether two points are the ends of an edge, in either direction. */
+static bool is_edge(const ref_piece *shape, int i, const ref_lattice_point ends[2])
+{
+    const ref_lattice_point *here = &shape->points[i];
+    const ref_lattice_point *next = &shape->points[(i + 1) % shape->count];
+    return (same(here, &ends[0]) && same(next, &ends[1])) ||
+           (same(here, &ends[1]) && same(next, &ends[0]));
+}
+
+bool ref_piece_insert(ref_piece *piece, const ref_lattice_point ends[2],
+                      const ref_lattice_point *point, int most)
+{
+    for (int i = piece->count - 1; i >= 0; i--) {
+        if (!is_edge(piece, i, ends)) {
+            continue;
+        }
+        if (piece->count == most) {
+            return false;
+        }
+        for (int k = piece->count++; k > i + 1; k--) {
+            piece->points[k] = piece->points[k - 1];
+        }
+        piece->points[i + 1] = *point;
+    }
+    return true;
+}
 
 /* How far a point lies in front of a node's plane, in units of 2^-46; exact. */
-static wide height(const ref_scene *scene, const ref_bsp_node *node, const ref_lattice_point *point)
+static ref_exact height(const ref_scene *scene, const ref_bsp_node *node,
+                        const ref_lattice_point *point)
 {
     const ref_lattice_point *centre = &scene->instances[scene->bsp_instance].centre;
-    return (wide)node->normal[0] * ((int64_t)point->x - centre->x) +
-           (wide)node->normal[1] * ((int64_t)point->y - centre->y) +
-           (wide)node->normal[2] * ((int64_t)point->z - centre->z) - node->distance;
+    return (ref_exact)node->normal[0] * ((int64_t)point->x - centre->x) +
+           (ref_exact)node->normal[1] * ((int64_t)point->y - centre->y) +
+           (ref_exact)node->normal[2] * ((int64_t)point->z - centre->z) - node->distance;
 }
 
 bool ref_bsp_is_front(const ref_scene *scene, const ref_bsp_node *node,
@@ -110,20 +133,6 @@ bool ref_bsp_append(ref_bsp_pieces *to, const ref_bsp_piece *piece)
     return true;
 }
 
-static bool same(const ref_lattice_point *a, const ref_lattice_point *b)
-{
-    return a->x == b->x && a->y == b->y && a->z == b->z;
-}
-
-/* Tells whether two points are the ends of an edge, in either direction. */
-static bool is_edge(const ref_piece *shape, int i, const ref_lattice_point ends[2])
-{
-    const ref_lattice_point *here = &shape->points[i];
-    const ref_lattice_point *next = &shape->points[(i + 1) % shape->count];
-    return (same(here, &ends[0]) && same(next, &ends[1])) ||
-           (same(here, &ends[1]) && same(next, &ends[0]));
-}
-
 /* Inserts an intersection into every piece that has the edge, except those at the node. Returns
  * false where a piece gets too many vertices. */
 static bool insert_into_others(ref_bsp_pieces *all, size_t first, uint32_t node,
@@ -131,22 +140,9 @@ static bool insert_into_others(ref_bsp_pieces *all, size_t first, uint32_t node,
                                const ref_lattice_point *intersection)
 {
     for (size_t p = first; p < all->count; p++) {
-        ref_piece *shape = &all->pieces[p].shape;
-        if (!all->pieces[p].in_leaf && all->pieces[p].node == node) {
-            continue;
-        }
-        for (int i = shape->count - 1; i >= 0; i--) {
-            if (!is_edge(shape, i, ends)) {
-                continue;
-            }
-            if (shape->count == REF_FACE_VERTICES_MAX) {
-                return false;
-            }
-            for (int k = shape->count; k > i + 1; k--) {
-                shape->points[k] = shape->points[k - 1];
-            }
-            shape->points[i + 1] = *intersection;
-            shape->count++;
+        if ((all->pieces[p].in_leaf || all->pieces[p].node != node) &&
+            !ref_piece_insert(&all->pieces[p].shape, ends, intersection, REF_FACE_VERTICES_MAX)) {
+            return false;
         }
     }
     return true;
@@ -181,7 +177,7 @@ static bool divide(const ref_scene *scene, ref_bsp_pieces *all, size_t first,
     front->count = back->count = 0;
     for (int i = 0; i < shape->count && fits; i++) {
         const ref_lattice_point ends[2] = {shape->points[i], shape->points[(i + 1) % shape->count]};
-        const wide here = height(scene, node, &ends[0]), there = height(scene, node, &ends[1]);
+        const ref_exact here = height(scene, node, &ends[0]), there = height(scene, node, &ends[1]);
         fits = (here < 0 || append_corner(front, &ends[0])) &&
                (here > 0 || append_corner(back, &ends[0]));
         if ((here > 0 && there < 0) || (here < 0 && there > 0)) {
@@ -202,7 +198,7 @@ static ref_bsp_result cut_piece(const ref_scene *scene, ref_bsp_pieces *all, siz
     ref_bsp_piece *piece = &all->pieces[number];
     bool ahead = false, behind = false;
     for (int i = 0; i < piece->shape.count; i++) {
-        wide above = height(scene, &scene->bsp_nodes[piece->node], &piece->shape.points[i]);
+        ref_exact above = height(scene, &scene->bsp_nodes[piece->node], &piece->shape.points[i]);
         ahead = ahead || above > 0;
         behind = behind || above < 0;
     }

@@ -31,6 +31,11 @@ long double ref_split_distance(const ref_plane *plane, const ref_lattice_point *
 ref_split_result ref_split_piece(const ref_piece *in, const ref_plane *plane, ref_piece *front,
                                  ref_piece *back);
 
+/* Inserts a point into every edge of a piece between two ends, in either direction. Returns false
+ * where the piece would have more than `most` points; it may then have got some. */
+bool ref_piece_insert(ref_piece *piece, const ref_lattice_point ends[2],
+                      const ref_lattice_point *point, int most);
+
 /* The BSP (docs/extras/bsp.md), exact in 128 bits, and instances that are cut to its leaves. */
 
 bool ref_bsp_is_front(const ref_scene *scene, const ref_bsp_node *node,

@@ -72,10 +72,10 @@ static bool read_texture(const uint8_t *p, const uint8_t *texels, uint32_t bytes
 static bool read_textures(const uint8_t *bytes, ref_surfaces *surfaces)
 {
     uint32_t texel_bytes;
-    const uint8_t *textures =
-        ref_section(bytes, REF_TEXTURES, &surfaces->texture_count);
+    const uint8_t *textures;
+    surfaces->textures = ref_table(bytes, REF_TEXTURES, sizeof *surfaces->textures, &textures,
+                                   &surfaces->texture_count);
     const uint8_t *texels = ref_section(bytes, REF_TEXELS, &texel_bytes);
-    surfaces->textures = calloc(surfaces->texture_count + 1u, sizeof *surfaces->textures);
     if (!surfaces->textures || (textures && !texels)) {
         return false;
     }
@@ -90,9 +90,9 @@ static bool read_textures(const uint8_t *bytes, ref_surfaces *surfaces)
 /* place stipple: a blend: its flag in an image */
 static bool read_surfaces(const uint8_t *bytes, ref_surfaces *surfaces)
 {
-    const uint8_t *p =
-        ref_section(bytes, REF_SURFACES, &surfaces->surface_count);
-    surfaces->surfaces = calloc(surfaces->surface_count + 1u, sizeof *surfaces->surfaces);
+    const uint8_t *p;
+    surfaces->surfaces =
+        ref_table(bytes, REF_SURFACES, sizeof *surfaces->surfaces, &p, &surfaces->surface_count);
     if (!p || !surfaces->surfaces) {
         return false;
     }
@@ -115,8 +115,9 @@ static bool read_surfaces(const uint8_t *bytes, ref_surfaces *surfaces)
 
 static bool read_faces(const uint8_t *bytes, ref_surfaces *surfaces)
 {
-    const uint8_t *p = ref_section(bytes, REF_MAPPED_FACES, &surfaces->face_count);
-    surfaces->faces = calloc(surfaces->face_count + 1u, sizeof *surfaces->faces);
+    const uint8_t *p;
+    surfaces->faces =
+        ref_table(bytes, REF_MAPPED_FACES, sizeof *surfaces->faces, &p, &surfaces->face_count);
     if (!p || !surfaces->faces) {
         return false;
     }
@@ -142,8 +143,9 @@ static bool read_faces(const uint8_t *bytes, ref_surfaces *surfaces)
 /* The normals of corners, and that those exist which lit faces have. */
 static bool read_normals(const uint8_t *bytes, ref_surfaces *surfaces)
 {
-    const uint8_t *p = ref_section(bytes, REF_CORNER_NORMALS, &surfaces->normal_count);
-    surfaces->normals = calloc(surfaces->normal_count + 1u, sizeof *surfaces->normals);
+    const uint8_t *p;
+    surfaces->normals = ref_table(bytes, REF_CORNER_NORMALS, sizeof *surfaces->normals, &p,
+                                  &surfaces->normal_count);
     for (uint32_t i = 0; p && surfaces->normals && i < surfaces->normal_count; i++) {
         for (int k = 0; k < 3; k++) {
             surfaces->normals[i][k] = ref_i32(p + 12 * (size_t)i + 4 * k);
@@ -162,9 +164,9 @@ static bool read_normals(const uint8_t *bytes, ref_surfaces *surfaces)
 
 static bool read_blend(const uint8_t *bytes, ref_surfaces *surfaces)
 {
-    const uint8_t *p = ref_section(bytes, REF_BLEND_TABLE, &surfaces->blend_count);
+    const uint8_t *p;
+    surfaces->blend = ref_table(bytes, REF_BLEND_TABLE, 256, &p, &surfaces->blend_count);
     surfaces->blend_first = ref_u32(bytes + 88);
-    surfaces->blend = calloc(surfaces->blend_count + 1u, 256);
     if (p && surfaces->blend) {
         memcpy(surfaces->blend, p, 256 * (size_t)surfaces->blend_count);
     }
@@ -185,8 +187,7 @@ static bool has_its_vertices(const ref_model *model, const ref_surfaces *surface
     return true;
 }
 
-static bool read_map(const uint8_t *bytes, const ref_scene *scene,
-                     ref_surfaces *surfaces)
+static bool read_map(const uint8_t *bytes, const ref_scene *scene, ref_surfaces *surfaces)
 {
     uint32_t count;
     const uint8_t *p = ref_section(bytes, REF_FACE_MAP, &count);
@@ -217,10 +218,9 @@ bool ref_surfaces_read(const uint8_t *bytes, ref_scene *scene)
     }
     ref_surfaces *surfaces = calloc(1, sizeof *surfaces);
     scene->surfaces = surfaces;
-    return surfaces && read_textures(bytes, surfaces) &&
-           read_surfaces(bytes, surfaces) && read_faces(bytes, surfaces) &&
-           read_normals(bytes, surfaces) && read_blend(bytes, surfaces) &&
-           read_map(bytes, scene, surfaces);
+    return surfaces && read_textures(bytes, surfaces) && read_surfaces(bytes, surfaces) &&
+           read_faces(bytes, surfaces) && read_normals(bytes, surfaces) &&
+           read_blend(bytes, surfaces) && read_map(bytes, scene, surfaces);
 }
 
 void ref_surfaces_close(ref_surfaces *surfaces)
