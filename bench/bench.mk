@@ -44,17 +44,19 @@ $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
 # is measured, or those of the C library.
 BENCH_PROGRAMS := calibration fixel fixel-os fixel-small fixel-bands fixel-rgb565 fixel-target listing-double listing-float memset kernels
 # Whole frames as pixels of RGB565, on the cores whose board has the memory.
-BENCH_PROGRAMS_OF = $(BENCH_PROGRAMS) $(if $(BENCH_SCREEN.$(1)),fixel-native fixel-rgb565-bands fixel-native-bands)
+BENCH_PROGRAMS_OF = $(BENCH_PROGRAMS) $(if $(BENCH_SCREEN.$(1)),fixel-native fixel-rgb565-bands fixel-native-bands fixel-arduino fixel-one-file)
 BENCH_NEEDED := $(call LIB_NEEDED,$(wildcard bench/firmware/*.c bench/listing/*.c) $(addprefix firmware/walk/,path.c plan.c) \
     $(foreach core,$(BENCH_CORES_HERE),$(BOARD_SOURCES.$(BENCH_BOARD.$(core)))))
 BENCH_LIB := $(BENCH_NEEDED:%=lib/%)
 BENCH_FRAMES := frames path $(BENCH_LIB)
 BENCH_OBJECTS.calibration := calibration
 BENCH_OBJECTS.fixel := draw_fixel plan $(BENCH_FRAMES)
-# The library by -Os; for few bytes, as make lib SIZE=1 makes it; in bands, with the memory of a
+# The library by -Os; for few bytes, as make lib SIZE=1 makes it; as Arduino compiles its package; as one file; in bands, with the memory of a
 # small board; with each frame converted.
 BENCH_OBJECTS.fixel-os := draw_fixel plan frames path $(BENCH_NEEDED:%=os/lib/%)
 BENCH_OBJECTS.fixel-small := draw_fixel plan frames path $(BENCH_NEEDED:%=small/lib/%)
+BENCH_OBJECTS.fixel-arduino := draw_fixel plan frames path $(BENCH_NEEDED:%=arduino/lib/%)
+BENCH_OBJECTS.fixel-one-file := draw_fixel plan frames path one-file/fixel
 BENCH_OBJECTS.fixel-bands := draw_bands $(BENCH_FRAMES)
 BENCH_OBJECTS.fixel-rgb565 := draw_rgb565 plan $(BENCH_FRAMES)
 # Into RGB565 itself: the scene's image must ask for 16 bits a pixel.
@@ -92,12 +94,13 @@ COSTS_LIB := $(patsubst %,lib/%,$(call LIB_NEEDED,$(wildcard bench/firmware/*.c)
 # same library. $(1): the core, $(2): a folder of the bench, with a slash, or nothing.
 BENCH_CHOICE_OF.os/ := -Os
 BENCH_CHOICE_OF.small/ := $(BENCH_SMALL)
+BENCH_CHOICE_OF.arduino/ := -Os -DFXL_COMPACT=0
 BENCH_LIB_OUT = $(or $(addprefix $(CORE_OUT)/,$(filter $(call CORE_NAME_OF_FLAGS,$(BENCH_FLAGS.$(1)) $(if $(2),$(BENCH_CHOICE_OF.$(2)))),\
     $(CORES_SHARED))),$(BENCH_OUT)/$(1)$(2:%/=/%))/lib
 # $(1): the core, $(2): names of objects.
 BENCH_PLACES = $(patsubst $(BENCH_OUT)/$(1)/small/lib/%,$(call BENCH_LIB_OUT,$(1),small/)/%,\
-    $(patsubst $(BENCH_OUT)/$(1)/os/lib/%,$(call BENCH_LIB_OUT,$(1),os/)/%,\
-    $(patsubst $(BENCH_OUT)/$(1)/lib/%,$(call BENCH_LIB_OUT,$(1))/%,$(patsubst %,$(BENCH_OUT)/$(1)/%.o,$(filter-out $(call LIB_FOREIGN,$(BENCH_FLAGS.$(1))),$(2))))))
+    $(patsubst $(BENCH_OUT)/$(1)/arduino/lib/%,$(call BENCH_LIB_OUT,$(1),arduino/)/%,$(patsubst $(BENCH_OUT)/$(1)/os/lib/%,$(call BENCH_LIB_OUT,$(1),os/)/%,\
+    $(patsubst $(BENCH_OUT)/$(1)/lib/%,$(call BENCH_LIB_OUT,$(1))/%,$(patsubst %,$(BENCH_OUT)/$(1)/%.o,$(filter-out $(call LIB_FOREIGN,$(BENCH_FLAGS.$(1))),$(2)))))))
 # $(1): the core, $(2): the program.
 BENCH_OBJECTS_OF = $(call BENCH_PLACES,$(1),region start text $(BENCH_OBJECTS.$(2)) \
     $(if $(filter $(2),$(BENCH_C_LIBRARY)),,memory_functions))
@@ -117,12 +120,19 @@ $(BENCH_OUT)/$(1)/$(2).elf: $(call BENCH_OBJECTS_OF,$(1),$(2)) $(call BENCH_PART
 	$$(call FIRMWARE_LINK,$$(call BENCH_LINK,$(1)) $$(filter %.o,$$^) $(call BENCH_LIBRARIES_OF,$(1),$(2)))
 endef
 
+$(BENCH_OUT)/one-file/fixel.c: $(LIB_SOURCES) $(wildcard lib/*/*.h) $(LIB_HEADERS) $(wildcard tools/fixel/package/one_text.py tools/fixel/package/private_names.py)
+	$(MAKE_FOLDER)
+	$(SAY)
+	@$(TOOL) one-file --out $(@D) >/dev/null
+
 define BENCH_CORE_RULES
 BENCH_CC.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_OPTIMISE) $(BENCH_CFLAGS)
 # Until bench_start has turned it on, nothing may touch the floating-point unit.
 $(if $(findstring =hard,$(BENCH_FLAGS.$(1))),$(BENCH_OUT)/$(1)/parts/%.o \
     $(patsubst %,$(BENCH_OUT)/$(1)/%.o,start text frames kernels calibration): \
     FLAGS_OF_FILE := -mgeneral-regs-only)
+$(BENCH_OUT)/$(1)/one-file/fixel.o: $(BENCH_OUT)/one-file/fixel.c bench/bench.mk
+	$$(call FIRMWARE_COMPILE,$(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_OPTIMISE) -std=c11 -g -ffunction-sections -fdata-sections -ffreestanding)
 BENCH_PROGRAMS.$(1) := $(patsubst %,$(BENCH_OUT)/$(1)/%.elf,$(call BENCH_PROGRAMS_OF,$(1)))
 
 $(BENCH_OUT)/$(1)/parts/%.o: %.c bench/bench.mk
@@ -157,6 +167,7 @@ endef
 $(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_RULES,$(core)))\
     $(if $(BUILT_GOALS),$(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC,))\
     $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_OS,os/))\
+    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_ARDUINO,arduino/))\
     $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_SMALL,small/))\
     $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_SMALL_LTO,small-lto/))))
 
@@ -207,6 +218,7 @@ $(if $(BUILT_GOALS),$(foreach flag,os small,$(eval $(call BENCH_PROGRAM_LIBRARY_
 
 define BENCH_CORE_SIZE_RULES
 BENCH_CC_OS.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) -Os $(BENCH_CFLAGS)
+BENCH_CC_ARDUINO.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_CHOICE_OF.arduino/) $(BENCH_CFLAGS)
 BENCH_CC_SMALL.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_SMALL) $(BENCH_CFLAGS)
 BENCH_CC_SMALL_LTO.$(1) := $$(filter-out -g,$$(BENCH_CC_SMALL.$(1))) -flto
 BENCH_SIZES.$(1) := $(if $(filter m3,$(1)),$(BENCH_PROGRAM_LIBRARIES)) $(foreach flag,O2 Os,$(BENCH_SIZED:%=$(BENCH_OUT)/$(1)/size/$(flag)/%.elf)) \

@@ -24,7 +24,7 @@ BASELINE, DOCUMENT = CHECKOUT / "bench/baseline.json", CHECKOUT / "docs/performa
 ROW = {"workload", "renderer", "core", "instructions", "frame", "per_unit", "unit", "ratio_to_listing_double",
        "ratio_to_limit", "text_bytes", "ram_bytes", "stack_bytes"}
 RENDERERS = {"fixel", "listing-double", "listing-float", "memset"}
-VARIANTS = {"os", "small", "bands", "rgb565"}
+VARIANTS = {"os", "small", "arduino", "one-file", "bands", "rgb565"}
 DRAWN = ("w1", "w2", "w3", "g2000")     # of the scenes, by a test: the others take as long as all these together
 
 

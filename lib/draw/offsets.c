@@ -12,7 +12,7 @@
 #include "../paint/smooth_outline.h"
 #include "fixel/render.h"
 
-#if FXL_CORE_ARMV6M || FXL_CORE_ARMV7M
+#if FXL_KERNELS_ARMV6M || FXL_KERNELS_ARMV7M
 
 #define AT(type, member, offset) \
     FXL_STATIC_ASSERT(offsetof(type, member) == (offset), #type "." #member)

@@ -5,9 +5,15 @@
  *
  *   FXL_CORE_ARMV6M  Thumb-1 (Cortex-M0, M0+, M1, M23): no long product, no division
  *   FXL_CORE_ARMV7M  Thumb-2 (Cortex-M3, M4, M7, M33 and above): long products, UDIV, CLZ
+ *   FXL_DIVIDES_WIDE  a division of 64 bits is an instruction, as on a host or in WebAssembly
  *
- * Each is 0 or 1. Inline kernels depend on these two. Kernels in assembly are fast and take
- * many bytes, so a library built with FXL_SMALL has none. They depend on these:
+ * Each is 0 or 1. Inline kernels depend on these, and on this one, which is 0 in a library built
+ * with FXL_SMALL:
+ *
+ *   FXL_ESTIMATES_ARMV6M  what takes more bytes in place to save products
+ *
+ * Kernels in assembly are fast and take many bytes, so a library built with FXL_SMALL has none;
+ * nor has one of FXL_WITHOUT_ASSEMBLY, which is one file. They depend on these:
  *
  *   FXL_KERNELS_ARMV6M, FXL_KERNELS_ARMV7M
  *   FXL_KERNELS_MVE  vectors (M55, M85) instead of some kernels of Armv7-M, if the ABI passes
@@ -32,8 +38,22 @@
 #define FXL_CORE_ARMV7M 0
 #endif
 
+#if !FXL_CORE_ARMV6M && !FXL_CORE_ARMV7M && \
+    (defined __LP64__ || defined _WIN64 || defined __wasm__ || defined FXL_PORTABLE_KERNELS)
+#define FXL_DIVIDES_WIDE 1
+#else
+#define FXL_DIVIDES_WIDE 0
+#endif
+
+#define FXL_ESTIMATES_ARMV6M (FXL_CORE_ARMV6M && !FXL_IS_SMALL)
+
+#ifdef FXL_WITHOUT_ASSEMBLY
+#define FXL_KERNELS_ARMV6M 0
+#define FXL_KERNELS_ARMV7M 0
+#else
 #define FXL_KERNELS_ARMV6M (FXL_CORE_ARMV6M && !FXL_IS_SMALL)
 #define FXL_KERNELS_ARMV7M (FXL_CORE_ARMV7M && !FXL_IS_SMALL)
+#endif
 
 #if FXL_KERNELS_ARMV7M && defined __ARM_FEATURE_MVE && defined __ARM_PCS_VFP
 #define FXL_KERNELS_MVE 1

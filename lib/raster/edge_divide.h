@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The division of an edge's set-up: the inline kernel of this core's family. The first text states
+/* The division of an edge's set-up: the inline kernel for what this core has. The first text states
  * what each function requires and returns; all give the same bits. Internal. */
 #ifndef FXL_EDGE_DIVIDE_H
 #define FXL_EDGE_DIVIDE_H
@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-#if !FXL_CORE_ARMV6M && !FXL_CORE_ARMV7M
+#if FXL_DIVIDES_WIDE
 
 /* The largest divisor, and the largest magnitude of a dividend. */
 #define FXL_EDGE_HEIGHT_MAX   ((1 << 26) - 1)
@@ -172,7 +172,7 @@ static inline void fxl_edge_divide(const fxl_edge_divider *divider, int32_t divi
 
 #else
 
-/* With UDIV of 32 bits and UMULL. */
+/* With long products and a division of 32 bits: Armv7-M, RISC-V of 32 bits, Xtensa. */
 
 #define FXL_EDGE_HEIGHT_MAX   ((1 << 26) - 1)
 #define FXL_EDGE_DIVIDEND_MAX ((1 << 27) + (1 << 17))

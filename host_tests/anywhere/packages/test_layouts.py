@@ -13,7 +13,7 @@ from conftest import CHECKOUT, run_cli
 from fixel.base.version import version
 from outside import LINKED, emulated, expected, first_program, need, run
 
-SOURCES = {"src/fixel.h", "src/fixel.c"}
+LIB = CHECKOUT / "lib"
 MANIFESTS = {"arduino": "library.properties", "platformio": "library.json", "esp-idf": "idf_component.yml", "zephyr": "zephyr/module.yml", "conan": "conanfile.py"}
 
 
@@ -46,11 +46,20 @@ def fixture_tool(tmp_path_factory):
     return tool
 
 
+def sources_of_the_library():
+    """{path in src/: file of lib/}: every source and header but the study's."""
+    rooms = {file.relative_to(LIB): file for file in LIB.glob("*/*.[chS]") if file.parent.name not in ("study", "include")}
+    return {path.as_posix(): file for path, file in {**rooms, **{file.relative_to(LIB / "include"): file for file in (LIB / "include").rglob("*.h")}}.items()}
+
+
 @pytest.mark.parametrize("name", MANIFESTS)
-def test_a_package_has_its_files_and_its_version(packages, name):
+def test_a_package_has_the_tree_of_the_library_and_its_version(packages, name):
     files = {str(file.relative_to(packages / name)) for file in (packages / name).rglob("*") if file.is_file()}
-    forwards = {f"src/fixel/{file.name}" for file in (CHECKOUT / "lib" / "include" / "fixel").glob("*.h")}
-    assert files >= SOURCES | forwards | {"LICENSE", MANIFESTS[name]}
+    library = sources_of_the_library()
+    assert {path.removeprefix("src/") for path in files if path.startswith("src/")} == set(library)
+    assert files >= {"LICENSE", MANIFESTS[name]} and len(library) > 250
+    changed = {path for path, file in library.items() if (packages / name / "src" / path).read_bytes() != file.read_bytes()}
+    assert changed == {"fixel/config.h", "math/family.h"}    # the switch for compact code; where assembly finds it
     if name != "zephyr":
         assert version() in (packages / name / MANIFESTS[name]).read_text(encoding="utf-8")
 
@@ -63,25 +72,51 @@ def test_arduino_layout(packages):
     assert not (packages / "arduino" / "utility").exists() and (packages / "arduino" / "src" / properties["includes"]).is_file()
 
 
-@pytest.mark.parametrize("name, compiler, language", [("arduino", "arm-none-eabi-g++", "c++"), *((name, "arm-none-eabi-gcc", "c") for name in MANIFESTS)])
-def test_src_alone_links_for_a_cortex_m0_plus_and_draws(packages, tmp_path, name, compiler, language):
-    """src/ is the only folder of the include path; every source in it is compiled, in C and in C++."""
-    need(compiler)
+def compiled(source, folder, flags, kernels=()):
+    """The objects of a package's sources in a folder: of C by these flags and src/ as the only folder to include from, and where
+    flags for kernels are given, of assembly by those alone."""
+    folder.mkdir()
+    run("arm-none-eabi-gcc", *flags, f"-I{source}", "-c", *sorted(source.glob("*/*.c")), folder=folder)
+    if kernels:
+        run("arm-none-eabi-gcc", *kernels, "-c", *sorted(source.glob("*/*.S")), folder=folder)
+    return sorted(folder.glob("*.o"))
+
+
+@pytest.mark.parametrize("core", ["cortex-m0plus", "cortex-m3", "cortex-m4"])
+def test_src_alone_links_and_draws(packages, tmp_path, core):
+    """As Arduino compiles it: C by -Os, assembly without an -O and without a folder to include from. The src/ of all packages is one."""
+    need("arm-none-eabi-gcc")
     first_program(tmp_path)
-    source = packages / name / "src"
-    assert sorted(file.name for file in source.rglob("*.c")) == ["fixel.c"]
-    flags = ["-mcpu=cortex-m0plus", "-mthumb", "-Os", "-ffunction-sections", "-fdata-sections", "-ffreestanding", f"-I{source}"]
-    own = ["-fno-exceptions", "-std=gnu++17"] if language == "c++" else ["-std=c11"]
-    run(compiler, *flags, *own, "-x", language, "-c", source / "fixel.c", "-o", tmp_path / "fixel.o")
-    run("arm-none-eabi-gcc", *flags, "-std=c11", "chip.c", "memory_functions.c", "fixel.o", "-nostdlib", "-lgcc", *LINKED["arm"].split(),
-        "-Wl,--gc-sections", "-o", "cube.elf", folder=tmp_path)
-    assert emulated("arm", tmp_path / "cube.elf") == expected()
+    machine, source = [f"-mcpu={core}", "-mthumb"], packages / "arduino" / "src"
+    sections = ["-ffunction-sections", "-fdata-sections", "-ffreestanding"]
+    objects = compiled(source, tmp_path / "objects", [*machine, "-Os", "-std=gnu11", *sections], [*machine, "-g"])
+    run("arm-none-eabi-gcc", *machine, "-Os", *sections, "-std=c11", f"-I{source}", "chip.c", "memory_functions.c", *objects, "-nostdlib", "-lgcc",
+        *LINKED["arm"].split(), "-Wl,--gc-sections", "-o", "cube.elf", folder=tmp_path)
+    assert emulated("arm-m4" if core == "cortex-m4" else "arm", tmp_path / "cube.elf") == expected()
+    linked = run("arm-none-eabi-nm", tmp_path / "cube.elf")
+    assert ("fxl_draw_outline_by_chains" in linked or "fxl_clip_by_view" in linked) and objects
 
 
-def test_a_16_bit_int_is_refused_in_words(packages, tmp_path):
+def test_c_and_assembly_are_compact_alike_or_not(packages, tmp_path):
+    """Of each kernel there is one text, whatever -O the build gives to C."""
+    need("arm-none-eabi-gcc")
+    machine, source = ["-mcpu=cortex-m3", "-mthumb"], packages / "arduino" / "src"
+    by_way = {}
+    for way, flags in {"O2": ["-O2"], "Os": ["-Os"], "compact": ["-Os", "-DFXL_COMPACT=1"]}.items():
+        objects = compiled(source, tmp_path / way, [*machine, *flags], [*machine, *flags[1:]])
+        names = [line.split()[-1] for line in run("arm-none-eabi-nm", "-g", "--defined-only", *objects).splitlines() if len(line.split()) == 3]
+        assert len(names) == len(set(names)) > 200, way
+        by_way[way] = {file.name: file.stat().st_size for file in objects}
+    kernels = [name for name in by_way["O2"] if name.endswith("_armv7m.o")]
+    assert kernels and all(by_way["Os"][name] == by_way["O2"][name] for name in kernels)
+    assert any(by_way["compact"][name] < by_way["O2"][name] for name in kernels)
+
+
+def test_a_16_bit_int_is_refused_in_words(packages):
     need("avr-gcc")
-    done = subprocess.run(["avr-gcc", "-mmcu=atmega2560", "-ffreestanding", "-fsyntax-only", packages / "arduino" / "src" / "fixel.c"], text=True, capture_output=True,
-                          check=False)
+    source = packages / "arduino" / "src"
+    done = subprocess.run(["avr-gcc", "-mmcu=atmega2560", "-ffreestanding", "-fsyntax-only", f"-I{source}", source / "draw" / "render.c"], text=True,
+                          capture_output=True, check=False)
     assert done.returncode != 0 and "needs an int of at least 32 bits" in done.stderr
 
 
@@ -185,9 +220,9 @@ def test_zephyr_module_names_what_is_there(packages):
     named = dict(re.findall(r"^  (cmake|kconfig): (\S+)$", (folder / "zephyr" / "module.yml").read_text(encoding="utf-8"), re.MULTILINE))
     assert (folder / named["cmake"] / "CMakeLists.txt").is_file() and (folder / named["kconfig"]).is_file()
     recipe = (folder / named["cmake"] / "CMakeLists.txt").read_text(encoding="utf-8")
-    for path in re.findall(r"\.\./src\S*(?=\))", recipe):
-        assert (folder / named["cmake"] / path).exists()
-    options = set(re.findall(r"CONFIG_(\w+)", recipe))
+    for path in re.findall(r"\.\./src[^\s)]*(?=\))", recipe):
+        assert list((folder / named["cmake"]).glob(path)), path
+    options = set(re.findall(r"CONFIG_(\w+)", recipe)) - {"ARM"}    # Zephyr's own
     assert options == set(re.findall(r"^config (\w+)$", (folder / named["kconfig"]).read_text(encoding="utf-8"), re.MULTILINE))
 
 

@@ -7,6 +7,7 @@
  *                         if the compiler makes few bytes (-Os, -Oz), else 0
  *   FXL_POLYGON_CAPACITY  a number, 12..32: the most vertices of a polygon; default 32
  *   FXL_PORTABLE_KERNELS  defined or not: kernels in plain C on every core
+ *   FXL_WITHOUT_ASSEMBLY  defined or not: no kernel of a file in assembly; those in place stay
  *   FXL_ASSERT_HOOK       defined or not, for tests: assertions call fxl_assert_failed, which
  *                         the program must define (lib/math/arith.h)
  */

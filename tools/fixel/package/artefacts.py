@@ -76,7 +76,7 @@ def packages(root, seconds):
     with scratch.folder("release") as folder:
         for name, layout in table().items():
             place = pathlib.Path(folder) / name
-            layouts.write(layout, place, one_file)
+            layouts.write(layout, place)
             made[f"fixel-{version()}-{name}.zip"] = zipped(of_folder(place, "fixel"), seconds)
     return made
 

@@ -12,24 +12,41 @@ from fixel.scene import making
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 ABOUT = "Fixed-point 3-D renderer for microcontrollers"
+CONFIG = "fixel/config.h"
+# Builds of packages give C another -O than assembly, or assembly none (Arduino: -Os to C alone); both read this.
+NEVER_BY_O = ("#define FXL_CONFIG_H\n", """#define FXL_CONFIG_H
+
+/* As packaged, the library is compact only if the build says so, to C and assembly alike. */
+#ifndef FXL_COMPACT
+#define FXL_COMPACT 0
+#endif
+""")
 
 
-def texts(layout, one_file):
-    """{path in a package: its text}. one_file: {"fixel.h": text, "fixel.c": text}."""
+def library():
+    """{path below a package's folder of sources: its text}: the tree of lib/ but for the study, with its public headers beside
+    the rooms."""
+    files = {file.relative_to(one_text.LIB): file for room in one_text.ROOMS for file in sorted((one_text.LIB / room).glob("*.[chS]"))}
+    include = one_text.LIB / "include"
+    files |= {file.relative_to(include): file for file in sorted(include.rglob("*.h"))}
+    # Assembly finds what it includes by the place of the file alone: some builds give it no folders.
+    found = {path.as_posix(): file.read_text(encoding="utf-8").replace('"../include/', '"../') for path, file in files.items()}
+    found[CONFIG] = found[CONFIG].replace(*NEVER_BY_O, 1)
+    return found
+
+
+def texts(layout):
+    """{path in a package: its text}."""
     source = layout["source"]
     found = {path: text.lstrip("\n").format(version=version(), about=ABOUT) for path, text in layout["files"].items()}
-    found |= {f"{source}/{name}": text for name, text in one_file.items()}
-    if layout.get("forward"):
-        # So #include <fixel/surfaces.h> stays right: the documents have it.
-        found |= {f"{source}/fixel/{header.name}": f'{one_text.LICENCE}#include "../fixel.h"\n'
-                  for header in sorted((one_text.LIB / "include" / "fixel").glob("*.h"))}
+    found |= {f"{source}/{path}": text for path, text in library().items()}
     if layout.get("example"):
         found[f"{layout['example']}/main.c"] = examples.PROGRAM.read_text(encoding="utf-8")
     if layout.get("copy"):
         folder = ROOT / layout["copy"]
         found |= {file.relative_to(folder).as_posix(): file.read_text(encoding="utf-8") for file in sorted(folder.rglob("*")) if file.is_file()}
     if layout.get("crate"):
-        bindings = rust_bindings.Bindings(one_file["fixel.h"])
+        bindings = rust_bindings.Bindings(one_text.header_text(version()))
         found[f"{layout['crate']}/src/bindings.rs"] = bindings.text()
         found[f"{source}/layouts.c"], found[f"{layout['crate']}/tests/layouts.rs"] = bindings.layouts()
     for name, sketch in layout.get("sketches", {}).items():
@@ -39,9 +56,9 @@ def texts(layout, one_file):
     return found
 
 
-def write(layout, folder, one_file):
+def write(layout, folder):
     """Writes a package; the number of its files."""
-    found = texts(layout, one_file)
+    found = texts(layout)
     for path, text in found.items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         output.write_file(folder / path, text)
@@ -60,8 +77,7 @@ def write(layout, folder, one_file):
 def command(options):
     """The command; its exit code."""
     known = packages.before(options)
-    one_file = {"fixel.h": one_text.header_text(version()), "fixel.c": one_text.source_of_all(version())}
     for name in [options.only] if options.only else known:
-        count = write(known[name], options.out / name, one_file)
+        count = write(known[name], options.out / name)
         print(f"{options.out / name}: {count} files")
     return 0

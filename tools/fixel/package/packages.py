@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Writes the packages of Arduino, PlatformIO, ESP-IDF, Zephyr, Conan and Rust: the library as two files, and each one's own manifests.
+"""Writes the packages of Arduino, PlatformIO, ESP-IDF, Zephyr, Conan and Rust: the library's sources, and each one's own manifests.
 
 All come from one table, layouts.toml. Exit: 0 written, 2 a file cannot be written or there is no such package.
 """

@@ -319,7 +319,7 @@ class Bindings:
                 if not member.startswith(("bits_", "anonymous_")):
                     ours.append(f'("{name}.{member}", offset_of!({name}, {member}))')
                     theirs.append(f"offsetof({name}, {member.removeprefix('r#')})")
-        c = ('/* SPDX-License-Identifier: MIT */\n#include "fixel.h"\n#include <stddef.h>\n\nextern const uint32_t fixel_sys_layouts[];\n'
+        c = ('/* SPDX-License-Identifier: MIT */\n#include "fixel/all.h"\n#include <stddef.h>\n\nextern const uint32_t fixel_sys_layouts[];\n'
              "const uint32_t fixel_sys_layouts[] = {\n" + "".join(f"    {each},\n" for each in theirs) + "};\n")
         rust = ("//! Sizes and places of all records, as the C compiler has them. Generated.\n// SPDX-License-Identifier: MIT\n\n"
                 "use core::mem::{offset_of, size_of};\nuse fixel_sys::*;\n\nunsafe extern \"C\" {\n"

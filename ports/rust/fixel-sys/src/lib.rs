@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //! The C interface of Fixel, a fixed-point 3-D renderer for
 //! microcontrollers: all records, constants and functions of its public headers, with their
-//! documentation. The C library itself is one file, which the build compiles for the target.
+//! documentation. The C library itself is in the crate, and the build compiles it for the target.
 //!
 //! The crate `fixel` is the safe interface.
 //!
