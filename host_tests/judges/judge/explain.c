@@ -9,11 +9,11 @@
 #include "reference/scan.h"
 
 /* How far from a polygon's box, in pixels, its outline may be. */
-#define JUDGE_OUTLINE_REACH 2.0
+#define OUTLINE_REACH 2.0
 
 /* Whether a line along an edge of a polygon may cover a pixel, if it is moved by at most a pixel:
  * as far as outlines move a vertex, and as far as rounding does. */
-static bool judge_is_on_outline(const ref_screen_polygon *polygon, int x, int y)
+static bool is_on_outline(const ref_screen_polygon *polygon, int x, int y)
 {
     for (int k = 0; k < polygon->count; k++) {
         const ref_screen_line line = {polygon->points[k], polygon->points[(k + 1) % polygon->count],
@@ -25,7 +25,7 @@ static bool judge_is_on_outline(const ref_screen_polygon *polygon, int x, int y)
     return false;
 }
 
-static judge_box judge_box_of(const ref_screen_polygon *polygon)
+static judge_box box_of(const ref_screen_polygon *polygon)
 {
     judge_box box = {INFINITY, -INFINITY, INFINITY, -INFINITY};
     for (int i = 0; i < polygon->count; i++) {
@@ -60,7 +60,7 @@ static double segment_distance(const ref_screen_point *a, const ref_screen_point
 }
 
 /* Returns the distance in pixels from a point to the nearest edge of an outline. */
-static double judge_edge_distance(const ref_screen_polygon *polygon, double x, double y)
+static double edge_distance(const ref_screen_polygon *polygon, double x, double y)
 {
     double nearest = INFINITY;
     for (int i = 0; i < polygon->count; i++) {
@@ -71,20 +71,20 @@ static double judge_edge_distance(const ref_screen_polygon *polygon, double x, d
     return nearest;
 }
 
-static const ref_screen_polygon *judge_least(const ref_drawn *drawn, bool doubt)
+static const ref_screen_polygon *least_of(const ref_drawn *drawn, bool doubt)
 {
     return doubt && drawn->in_doubt ? &drawn->least : &drawn->polygon;
 }
 
-static const ref_screen_polygon *judge_most(const ref_drawn *drawn, bool doubt)
+static const ref_screen_polygon *most_of(const ref_drawn *drawn, bool doubt)
 {
     return doubt && drawn->in_doubt ? &drawn->most : &drawn->polygon;
 }
 
 /* Returns the bounds of all that may be drawn of a polygon. */
-static judge_box judge_box_of_drawn(const ref_drawn *drawn)
+static judge_box box_of_drawn(const ref_drawn *drawn)
 {
-    return judge_box_of(judge_most(drawn, true));
+    return box_of(most_of(drawn, true));
 }
 
 static int64_t down(double value)
@@ -236,7 +236,7 @@ static double outline_shown(const ref_drawn *drawn, const judge_question *questi
                             const judge_beneath *beneath)
 {
     judge_showing line;
-    if (question->line < 0 || !judge_is_on_outline(&drawn->polygon, question->x, question->y)) {
+    if (question->line < 0 || !is_on_outline(&drawn->polygon, question->x, question->y)) {
         return INFINITY;
     }
     judge_showing_begin(&line);
@@ -268,7 +268,7 @@ static double outline_shown(const ref_drawn *drawn, const judge_question *questi
  *
  * Where outlines are drawn, that of a polygon comes right after it. At a pixel that it may cover,
  * to show the line costs 0, and so does leaving it out. */
-static double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
+static double explain_by_order(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
                      size_t count, const judge_question *question)
 {
     const double cx = question->x + 0.5, cy = question->y + 0.5;
@@ -276,10 +276,10 @@ static double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const 
     judge_beneath beneath;
     judge_beneath_begin(&beneath, question->rgb565, question->colour);
     for (size_t i = count; i-- > 0 && least_cost < best;) {
-        const ref_screen_polygon *least = judge_least(&drawn[i], question->doubt);
-        const ref_screen_polygon *most = judge_most(&drawn[i], question->doubt);
+        const ref_screen_polygon *least = least_of(&drawn[i], question->doubt);
+        const ref_screen_polygon *most = most_of(&drawn[i], question->doubt);
         bool near = box_holds(&boxes[i], cx, cy);
-        const double reach = question->line < 0 ? best : fmax(best, JUDGE_OUTLINE_REACH);
+        const double reach = question->line < 0 ? best : fmax(best, OUTLINE_REACH);
         if (!near && box_is_beyond(&boxes[i], cx, cy, reach)) {
             continue;
         }
@@ -288,8 +288,8 @@ static double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const 
         find_showing(lens, &drawn[i], question, &found);
         const bool is_in = near && ref_scan_covers(most, cx, cy);
         const bool is_out = found.clear || !near || !ref_scan_covers(least, cx, cy);
-        const judge_choice made = {is_in ? 0 : judge_edge_distance(most, cx, cy),
-                             is_out ? 0 : judge_edge_distance(least, cx, cy)};
+        const judge_choice made = {is_in ? 0 : edge_distance(most, cx, cy),
+                             is_out ? 0 : edge_distance(least, cx, cy)};
         best = fmin(best, add_polygon(&drawn[i].look, &found, made, &beneath));
         least_cost =
             made.out > 0 || drawn[i].look.surface ? judge_beneath_least(&beneath) : least_cost;
@@ -311,15 +311,15 @@ static candidate candidate_of(const ref_lens *lens, const ref_drawn *drawn, cons
                               const judge_question *question)
 {
     const double cx = question->x + 0.5, cy = question->y + 0.5;
-    const ref_screen_polygon *least = judge_least(drawn, question->doubt);
-    const ref_screen_polygon *most = judge_most(drawn, question->doubt);
+    const ref_screen_polygon *least = least_of(drawn, question->doubt);
+    const ref_screen_polygon *most = most_of(drawn, question->doubt);
     const bool near = box_holds(box, cx, cy);
     candidate one = {.drawn = drawn, .nearness = ref_nearness(&drawn->depth, lens, cx, cy)};
     find_showing(lens, drawn, question, &one.found);
     const bool is_in = near && ref_scan_covers(most, cx, cy);
     const bool is_out = one.found.clear || !near || !ref_scan_covers(least, cx, cy);
-    one.made.in = is_in ? 0 : judge_edge_distance(most, cx, cy);
-    one.made.out = is_out ? 0 : judge_edge_distance(least, cx, cy);
+    one.made.in = is_in ? 0 : edge_distance(most, cx, cy);
+    one.made.out = is_out ? 0 : edge_distance(least, cx, cy);
     return one;
 }
 
@@ -380,7 +380,7 @@ static double explain_by(const candidate *near, size_t count, const candidate *s
  * out every opaque one that is nearer by more than the resolution and the slack of both. Blended
  * polygons are drawn over it in their order, those that are farther by more are not, and the others
  * may be in or out. Looks at polygons within a pixel of the centre alone. */
-static double judge_explain_by_depth(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
+static double explain_by_depth(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
                               size_t count, const judge_question *question, double resolution)
 {
     size_t found = 0;
@@ -399,7 +399,7 @@ judge_box *judge_boxes_of(const ref_display_list *list)
 {
     judge_box *boxes = malloc((list->count + 1) * sizeof *boxes);
     for (size_t i = 0; boxes && i < list->count; i++) {
-        boxes[i] = judge_box_of_drawn(&list->drawn[i]);
+        boxes[i] = box_of_drawn(&list->drawn[i]);
     }
     return boxes;
 }
@@ -423,9 +423,9 @@ judge_reason judge_pixel(const ref_renderer *renderer, const judge_box *boxes, u
         question.texels = way & 2;
         const double distance =
             renderer->method.depth_bits != 0
-                ? judge_explain_by_depth(&renderer->lens, list->drawn, boxes, list->count,
+                ? explain_by_depth(&renderer->lens, list->drawn, boxes, list->count,
                                          &question, resolution)
-                : judge_explain(&renderer->lens, list->drawn, boxes, list->count, &question);
+                : explain_by_order(&renderer->lens, list->drawn, boxes, list->count, &question);
         if (distance <= limit) {
             return (judge_reason){distance, question.doubt, question.texels};
         }

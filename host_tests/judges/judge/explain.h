@@ -17,7 +17,7 @@ typedef struct {
 
 /* Why a pixel may have its colour. */
 typedef struct {
-    double distance; /* in pixels, as judge_explain returns it */
+    double distance; /* in pixels, as judge_pixel finds it */
     bool near_far;   /* it needs near and far moved by the bound on depths */
     bool texels;     /* it needs another texel within the bound */
 } judge_reason;

@@ -94,9 +94,8 @@ static bool is_tied(const judge_task *asked, const ref_renderer *renderer, const
         if (ref_placement_of(scene, instance) && !renderer->method.by_points) {
             continue; /* its vertices are no integers */
         }
-        const ref_model *model = &scene->models[instance->model];
         const ref_face *face =
-            &scene->faces[model->first_face + renderer->display_list.drawn[i].face];
+            ref_face_of(scene, instance, renderer->display_list.drawn[i].face);
         int32_t vertices[3 * UINT8_MAX];
         for (int corner = 0; corner < face->count; corner++) {
             ref_lattice_point point = ref_face_vertex(scene, instance, face, corner);

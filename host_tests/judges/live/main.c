@@ -70,8 +70,8 @@ static double distance_at(const ref_renderer *renderer, const ref_drawn *drawn, 
     const ref_instance *instance = &scene->instances[drawn->instance];
     ref_depth_plane plane = drawn->depth;
     if (renderer->method.depth_bits == 0 && !ref_billboard_of(scene, instance)) {
-        const ref_face *faces = &scene->faces[scene->models[instance->model].first_face];
-        ref_depth_plane_find(scene, &renderer->camera, instance, &faces[drawn->face], &plane);
+        ref_depth_plane_find(scene, &renderer->camera, instance,
+                             ref_face_of(scene, instance, drawn->face), &plane);
     }
     return 1 / ref_nearness(&plane, &renderer->lens, x, y);
 }

@@ -35,7 +35,7 @@ oracle_space oracle_space_of_view(const fxl_view *view)
 
 /* The integers of the normalised frustum, docs/extras/clippers.md, section 2.2: the matrix
  * includes the field of view. */
-static oracle_space oracle_space_of_normalised(const fxl_view *view)
+static oracle_space space_of_normalised(const fxl_view *view)
 {
     fxl_normalised f;
     fxl_normalised_from_camera(&view->camera, &view->lens, &f);
@@ -272,8 +272,7 @@ static int is_normalised(void)
 
 oracle_space oracle_clipper_space(const fxl_view *view)
 {
-    return own_integers && is_normalised() ? oracle_space_of_normalised(view)
-                                           : oracle_space_of_view(view);
+    return own_integers && is_normalised() ? space_of_normalised(view) : oracle_space_of_view(view);
 }
 
 double oracle_clipper_bound(const fxl_lens *lens)

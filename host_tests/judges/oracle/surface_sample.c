@@ -169,7 +169,7 @@ static int draw(surface_sample *sample, fxl_surface_set *set, const fxl_light_se
 }
 
 /* Draws the pixel by a surface. Returns -1 if the face does not cover it. light may be null. */
-static int surface_sample_draw(surface_sample *sample, const fxl_texture *texture,
+static int draw_by_surface(surface_sample *sample, const fxl_texture *texture,
                         const fxl_surface *surface, const fxl_direction normals[3],
                         const fxl_light_settings *light)
 {
@@ -310,7 +310,7 @@ int surface_sample_texel(surface_sample *sample, int attribute, int log, uint8_t
         texels[attribute][i] =
             (uint8_t)(100 + (attribute == 0 ? i & ((1 << columns) - 1) : i >> columns));
     }
-    const int shown = surface_sample_draw(sample, &texture, &surface, NULL, NULL);
+    const int shown = draw_by_surface(sample, &texture, &surface, NULL, NULL);
     return shown < 0 ? shown : shown - 100;
 }
 
@@ -326,7 +326,7 @@ int surface_sample_level(surface_sample *sample, const fxl_direction normals[3],
                          const fxl_light_settings *settings)
 {
     const fxl_surface surface = {.division = FXL_DIVIDE_1, .flags = FXL_SURFACE_LIT, .opacity = 16};
-    const int shown = surface_sample_draw(sample, NULL, &surface, normals, settings);
+    const int shown = draw_by_surface(sample, NULL, &surface, normals, settings);
     return shown < 0 ? shown : shown - 100;
 }
 

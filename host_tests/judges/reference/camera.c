@@ -6,7 +6,7 @@
 static const double two_pi = 6.283185307179586476925286766559;
 
 /* Converts an angle to radians, 0 <= a < 2 pi. */
-static double ref_radians(ref_angle angle)
+static double radians_of(ref_angle angle)
 {
     return (double)angle / 4294967296.0 * two_pi;
 }
@@ -85,7 +85,7 @@ ref_point ref_forward(ref_angle yaw, ref_angle pitch)
 ref_lens ref_lens_from_fov(int width, int height, ref_angle fov, double near_z, double far_z,
                            double inset)
 {
-    double focal = width / 2.0 / tan(ref_radians(fov) / 2);
+    double focal = width / 2.0 / tan(radians_of(fov) / 2);
     return (ref_lens){.width = width,
                       .height = height,
                       .focal = floor(focal * REF_ONE + 0.5) / REF_ONE,

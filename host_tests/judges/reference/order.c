@@ -11,7 +11,7 @@ static ref_square square(int64_t value)
     return size * size;
 }
 
-static ref_square ref_distance_squared(const ref_lattice_point *eye, const ref_lattice_point *point)
+static ref_square distance_squared(const ref_lattice_point *eye, const ref_lattice_point *point)
 {
     return square((int64_t)point->x - eye->x) + square((int64_t)point->y - eye->y) +
            square((int64_t)point->z - eye->z);
@@ -23,8 +23,8 @@ static void widen(int64_t *low, int64_t *high, int32_t value)
     *high = value > *high ? value : *high;
 }
 
-static ref_square ref_face_distance_squared(const ref_lattice_point *eye, const ref_scene *scene,
-                                            const ref_instance *instance, const ref_face *face)
+static ref_square face_distance_squared(const ref_lattice_point *eye, const ref_scene *scene,
+                                        const ref_instance *instance, const ref_face *face)
 {
     const ref_placement *placement = ref_placement_of(scene, instance);
     int64_t low[3] = {INT32_MAX, INT32_MAX, INT32_MAX};
@@ -62,7 +62,7 @@ static int drawn_before(const void *a, const void *b)
 }
 
 /* Sorts entries: ascending layer, descending distance, ascending index. */
-static void ref_order_sort(ref_order_entry *entries, uint32_t count)
+static void sort_entries(ref_order_entry *entries, uint32_t count)
 {
     qsort(entries, count, sizeof *entries, drawn_before);
 }
@@ -79,10 +79,10 @@ uint32_t ref_order_instances(const ref_scene *scene, const ref_lattice_point *ey
         double radius = ref_instance_radius(scene, instance) / REF_ONE;
         if (ref_sphere_planes(&distances, radius) != REF_SPHERE_OUTSIDE) {
             entries[count++] =
-                (ref_order_entry){ref_distance_squared(eye, &instance->centre), i, instance->layer};
+                (ref_order_entry){distance_squared(eye, &instance->centre), i, instance->layer};
         }
     }
-    ref_order_sort(entries, count);
+    sort_entries(entries, count);
     return count;
 }
 
@@ -132,10 +132,10 @@ uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *instance,
             *left_out += 1;
         } else if (ref_face_is_front(scene, instance, face, eye)) {
             entries[count++] =
-                (ref_order_entry){ref_face_distance_squared(eye, scene, instance, face), i, 0};
+                (ref_order_entry){face_distance_squared(eye, scene, instance, face), i, 0};
         }
     }
-    ref_order_sort(entries, count);
+    sort_entries(entries, count);
     return count;
 }
 

@@ -150,8 +150,7 @@ static bool submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uin
         return true;
     }
     const ref_instance *of = &renderer->scene->instances[instance];
-    const ref_face *shown =
-        &renderer->scene->faces[renderer->scene->models[of->model].first_face + face];
+    const ref_face *shown = ref_face_of(renderer->scene, of, face);
     if (!shows_surface(renderer, of, face)) {
         drawn.shade = shade_of(renderer, of, shown);
     } else {
@@ -189,8 +188,8 @@ static void count_once(const ref_counters *pieces, ref_counters *counters)
 }
 
 /* The colour of a face in the frame. */
-static uint8_t ref_face_colour(const ref_renderer *renderer, const ref_instance *instance,
-                        const ref_face *face)
+static uint8_t face_colour(const ref_renderer *renderer, const ref_instance *instance,
+                           const ref_face *face)
 {
     const ref_scene *scene = renderer->scene;
     return scene->light && !renderer->rgb565
@@ -209,8 +208,8 @@ bool ref_submit_piece(ref_renderer *renderer, const ref_piece *whole, uint32_t i
     ref_lit_pieces pieces; /* not static: judges run in threads */
     const ref_scene *scene = renderer->scene;
     const ref_instance *instance = &scene->instances[instance_number];
-    const ref_face *face = &scene->faces[scene->models[instance->model].first_face + face_number];
-    const uint8_t colour = ref_face_colour(renderer, instance, face);
+    const ref_face *face = ref_face_of(scene, instance, face_number);
+    const uint8_t colour = face_colour(renderer, instance, face);
     const ref_placement *placement = ref_placement_of(scene, instance);
     int32_t normal[3];
     memcpy(normal, face->normal, sizeof normal);
@@ -241,7 +240,7 @@ static bool submit_lit_face(ref_renderer *renderer, uint32_t instance_number, ui
 {
     const ref_scene *scene = renderer->scene;
     const ref_instance *instance = &scene->instances[instance_number];
-    const ref_face *face = &scene->faces[scene->models[instance->model].first_face + face_number];
+    const ref_face *face = ref_face_of(scene, instance, face_number);
     ref_piece whole = {.count = face->count};
     ref_counters counted = {0};
     for (int i = 0; i < whole.count; i++) {
@@ -257,16 +256,15 @@ static bool submit_lit_face(ref_renderer *renderer, uint32_t instance_number, ui
 bool ref_submit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t face_number)
 {
     const ref_instance *instance = &renderer->scene->instances[instance_number];
-    const ref_model *model = &renderer->scene->models[instance->model];
     if (is_lit_by_beams(renderer->scene, instance)) {
         return submit_lit_face(renderer, instance_number, face_number);
     }
     ref_polygon whole;
-    const ref_face *face = &renderer->scene->faces[model->first_face + face_number];
+    const ref_face *face = ref_face_of(renderer->scene, instance, face_number);
     ref_face_to_polygon(renderer->scene, instance, face, renderer->method.by_points, &whole);
     whole.colour = shows_surface(renderer, instance, face_number)
                        ? face->material
-                       : ref_face_colour(renderer, instance, face);
+                       : face_colour(renderer, instance, face);
     return ref_submit_polygon(renderer, &whole, instance_number, face_number, &renderer->counters);
 }
 

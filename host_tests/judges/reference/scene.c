@@ -55,6 +55,11 @@ ref_pose ref_pose_read(const uint8_t *bytes)
                       ref_u32(bytes + 20)};
 }
 
+const ref_face *ref_face_of(const ref_scene *scene, const ref_instance *instance, uint32_t number)
+{
+    return &scene->faces[scene->models[instance->model].first_face + number];
+}
+
 ref_lattice_point ref_model_vertex(const ref_scene *scene, const ref_instance *instance,
                                    uint32_t number)
 {

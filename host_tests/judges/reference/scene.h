@@ -138,6 +138,9 @@ ref_lattice_point ref_point_read(const uint8_t *bytes);
 ref_lattice_point ref_face_corner(const ref_scene *scene, const ref_instance *instance,
                                   const ref_face *face, int corner);
 
+/* Face `number` of an instance's model. */
+const ref_face *ref_face_of(const ref_scene *scene, const ref_instance *instance, uint32_t number);
+
 /* Returns a vertex of an instance's model, as it stands there, and in the world, exactly; of an
  * instance that is turned, rounded once. */
 ref_lattice_point ref_model_vertex(const ref_scene *scene, const ref_instance *instance,
