@@ -189,21 +189,34 @@ def test_sources_link_for_risc_v(tmp_path, compiler):
            "-Wl,--gc-sections,-e,main,--defsym=put_text=0", *objects, "-lgcc")
 
 
-def test_a_cmake_project_uses_the_target(tmp_path):
-    """Out of tree, with a setting of the build, as a program does that has Fixel in a folder of its own."""
+STUDY = """#include <fixel.h>
+#include <study/study.h>
+int main(void)
+{
+    return fxl_clipper_near.workspace_size != sizeof(fxl_volume_workspace) || fxl_palette_spans.flat == 0;
+}
+"""
+
+
+def test_a_cmake_project_uses_the_targets(tmp_path):
+    """Out of tree, with a setting of the build, as a program does that has Fixel in a folder of its own; and the study, for which it asks."""
+    (tmp_path / "study.c").write_text(STUDY, encoding="utf-8")
     (tmp_path / "CMakeLists.txt").write_text(f"""cmake_minimum_required(VERSION 3.16)
 project(cube LANGUAGES C)
 set(FXL_POLYGON_CAPACITY 12)
 add_subdirectory({CHECKOUT} fixel)
 add_executable(cube {PROGRAM}/cube.c {PROGRAM}/hosted.c)
 target_link_libraries(cube PRIVATE fixel::fixel)
+add_executable(study study.c)
+target_link_libraries(study PRIVATE fixel::study)
 """, encoding="utf-8")
     build = tmp_path / "build"
-    for command in (["cmake", "-S", tmp_path, "-B", build, "-DFXL_SMALL=ON", QUICKLY],
+    for command in (["cmake", "-S", tmp_path, "-B", build, "-DFXL_SMALL=ON", "-DFIXEL_STUDY=ON", QUICKLY],
                     ["cmake", "--build", build, "--parallel", "2"]):
         code, text = run(command)
         assert code == 0 and "warning" not in text.lower(), text
     assert run([build / "cube"]) == (0, PICTURE)
+    assert run([build / "study"]) == (0, "")
     names = subprocess.run(["nm", build / "cube"], check=True, text=True, capture_output=True).stdout
     assert "fxl_renderer_init_with_for_polygons_of_12" in names
     assert "-DFXL_SMALL" in (build / "fixel" / "CMakeFiles" / "fixel.dir" / "flags.make").read_text(encoding="utf-8")
@@ -226,7 +239,22 @@ def test_a_cmake_project_gets_optimised_code_unless_it_chooses(tmp_path, options
 CHOOSING = re.compile(r"FXL_(KERNELS|CORE)_|FXL_\w+_IN_ASSEMBLY|FXL_IS_(COMPACT|SMALL)|FXL_SCANS_BY_CHAINS|FXL_FILLS_COMPACT")
 
 
-def places_of(commands, folder):
+# The options do not decide which names an object has once the preprocessor has chosen by them.
+COMPILED = ("arm-none-eabi-gcc", "-mcpu=cortex-m3", "-mthumb", "-std=gnu11", "-O1", "-w", "-c")
+
+
+@functools.cache
+def names_in(command, text):
+    """The functions and records that others may name, of the preprocessed text of a source: it is compiled once, whichever build it is of."""
+    with tempfile.TemporaryDirectory() as folder:
+        language = "assembler" if command[-1].endswith(".S") else "cpp-output"
+        target = pathlib.Path(folder) / "x.o"
+        subprocess.run([*command[:-1], "-x", language, "-", "-o", target], input=text, text=True, check=True)
+        names = subprocess.run(["arm-none-eabi-nm", "--defined-only", "--extern-only", target], check=True, text=True, capture_output=True).stdout
+    return re.findall(r" [A-TV-Z] (\w+)$", names, re.MULTILINE)
+
+
+def places_of(commands):
     """In which source each function of the kernels and of the sources beside them is, for commands that compile; each must be in one."""
     places = {}
     for command in commands:
@@ -234,11 +262,9 @@ def places_of(commands, folder):
         if source.startswith("study/") or not CHOOSING.search((CHECKOUT / "lib" / source).read_text(encoding="utf-8")):
             continue
         words = shlex.split(command)
-        target = folder / source.replace("/", "_")
-        words[words.index("-o") + 1] = str(target)
-        subprocess.run(words, cwd=CHECKOUT, check=True)
-        names = subprocess.run(["arm-none-eabi-nm", "--defined-only", "--extern-only", target], check=True, text=True, capture_output=True).stdout
-        for name in re.findall(r" [A-TV-Z] (\w+)$", names, re.MULTILINE):
+        options = [word for before, word in zip(["", *words], words) if "-o" not in (before, word) and word != "-c" and not word.endswith(source)]
+        text = subprocess.run([*options, "-E", "-P", f"lib/{source}"], cwd=CHECKOUT, check=True, text=True, capture_output=True).stdout
+        for name in names_in((*COMPILED, source), text):
             assert places.setdefault(name, source) == source, f"{name} is in {places[name]} and in {source}"
     return places
 
@@ -246,9 +272,8 @@ def places_of(commands, folder):
 @functools.cache
 def places_by_make(flags):
     """The places of make lib."""
-    with tempfile.TemporaryDirectory() as folder:
-        done = run_make("lib", "--always-make", "--dry-run", "V=1", "CORE=cortex-m3", f"LIB_FLAGS={flags}")
-        return places_of([re.sub(" -(MMD|MP|fstack-usage)", "", line) for line in done.stdout.splitlines() if " -c lib/" in line], pathlib.Path(folder))
+    done = run_make("lib", "--always-make", "--dry-run", "V=1", "CORE=cortex-m3", f"LIB_FLAGS={flags}")
+    return places_of([re.sub(" -(MMD|MP|fstack-usage)", "", line) for line in done.stdout.splitlines() if " -c lib/" in line])
 
 
 @pytest.mark.parametrize("options, by_make", [
@@ -260,7 +285,7 @@ def test_a_cmake_project_has_the_kernels_that_make_lib_has(tmp_path, options, by
                       f"-DCMAKE_TOOLCHAIN_FILE={CHECKOUT / 'cmake' / 'arm-none-eabi.cmake'}", *options])
     assert code == 0, text
     commands = [each["command"] for each in json.loads((tmp_path / "compile_commands.json").read_text(encoding="utf-8"))]
-    places = places_of(commands, tmp_path)
+    places = places_of(commands)
     assert len([name for name, source in places.items() if source.endswith(".S")]) >= 12
     wanted = places_by_make(by_make)
     assert places == wanted, {name: (places.get(name), wanted.get(name)) for name in set(places) ^ set(wanted)}
@@ -274,32 +299,13 @@ def test_assembly_that_cannot_know_how_c_is_compiled_is_refused(tmp_path, option
     assert (done.returncode != 0) == is_refused and ("FXL_COMPACT, 0 or 1" in done.stderr) == is_refused
 
 
-STUDY = """#include <fixel.h>
-#include <study/study.h>
-int main(void)
-{
-    return fxl_clipper_near.workspace_size != sizeof(fxl_volume_workspace) || fxl_palette_spans.flat == 0;
-}
-"""
-
-
 @pytest.mark.parametrize("chosen", ["ON", "OFF"])
-def test_a_cmake_project_gets_the_study_where_it_asks_for_it(tmp_path, chosen):
-    (tmp_path / "main.c").write_text(STUDY, encoding="utf-8")
-    (tmp_path / "CMakeLists.txt").write_text(f"""cmake_minimum_required(VERSION 3.16)
-project(study LANGUAGES C)
-add_subdirectory({CHECKOUT} fixel)
-if(TARGET fixel::study)
-    add_executable(program main.c)
-    target_link_libraries(program PRIVATE fixel::study)
-endif()
-""", encoding="utf-8")
+def test_a_cmake_project_has_the_study_where_it_asks_for_it(tmp_path, chosen):
+    """And the target without it has none of its sources."""
+    (tmp_path / "CMakeLists.txt").write_text(f"cmake_minimum_required(VERSION 3.16)\nproject(study LANGUAGES C)\nadd_subdirectory({CHECKOUT} fixel)\n"
+                                             "if(TARGET fixel::study)\nfile(WRITE ${CMAKE_BINARY_DIR}/target \"\")\nendif()\n", encoding="utf-8")
     code, text = run(["cmake", "-S", tmp_path, "-B", tmp_path / "build", f"-DFIXEL_STUDY={chosen}", QUICKLY])
     assert code == 0, text
-    assert (tmp_path / "build" / "fixel" / "CMakeFiles" / "fixel_study.dir").exists() == (chosen == "ON")
+    assert (tmp_path / "build" / "target").exists() == (tmp_path / "build" / "fixel" / "CMakeFiles" / "fixel_study.dir").exists() == (chosen == "ON")
     sources = (tmp_path / "build" / "fixel" / "CMakeFiles" / "fixel.dir" / "build.make").read_text(encoding="utf-8")
     assert "lib/draw/render.c" in sources and "lib/study/" not in sources
-    if chosen == "ON":
-        code, text = run(["cmake", "--build", tmp_path / "build", "--parallel", "2"])
-        assert code == 0 and "warning" not in text.lower(), text
-        assert run([tmp_path / "build" / "program"]) == (0, "")
