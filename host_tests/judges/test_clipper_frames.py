@@ -14,7 +14,7 @@ from conftest import CHECKOUT, sampled
 from host_frames import judged, pixels
 
 from fixel.scene import making
-from fixel.image import image, image_lens
+from fixel.image import image, image_header
 
 CLIPPERS = (*clipper_names(), "near-box")
 SCENES = ("tiny", "cube", "plaza", "w1", "w3", "adversarial", "beam")
@@ -139,9 +139,9 @@ def test_a_run_says_beforehand_that_the_inset_hides_pixels(build, tmp_path, near
     """Where a half pixel of border is hidden at the near plane, where the room's walls are, there are unexplained ones."""
     told = border_of(build, tmp_path, f', inset = "{inset}/65536"', near=near)[1]["pixels_unexplained"]
     scene = image.load(tmp_path / "room.fxls")
-    note = image_lens.note_of_inset(scene)
-    assert (note is not None) == (told > 0) == (image_lens.hidden_border(scene) > 0.5)
-    assert note is None or f"{image_lens.hidden_border(scene):.2f} pixel" in note and "view.inset" in note
+    note = image_header.note_of_inset(scene)
+    assert (note is not None) == (told > 0) == (image_header.hidden_border(scene) > 0.5)
+    assert note is None or f"{image_header.hidden_border(scene):.2f} pixel" in note and "view.inset" in note
 
 
 # --- faces in the near or the far plane, to within the rounding of the camera's matrix (section 4.3) ----------

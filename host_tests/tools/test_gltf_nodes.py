@@ -13,7 +13,7 @@ from fixel.base.errors import ToolError
 from fixel.image import image
 from fixel.model import gltf
 from fixel.model.gltf_motion import between
-from fixel.model.turning import matrix
+from fixel.model.quantity import matrix
 from fixel.scene import compiler, look, toml_scene, tracks
 from node_files import CORNERS, WHEELS, File, about_x, car
 

@@ -10,7 +10,7 @@ from fixel.base.errors import ToolError
 from fixel.image import image
 from fixel.model import solids
 from fixel.model.mesh import FACES_MAX, shape
-from fixel.model.turning import matrix
+from fixel.model.quantity import matrix
 from fixel.scene import parts
 
 SPHERES = [(suffix, count) for suffix in ("obj", "glb", "stl") for count in (40_000, 65_535)]

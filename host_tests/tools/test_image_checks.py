@@ -7,7 +7,7 @@ import pytest
 
 from fixel.base.errors import ToolError
 from fixel.image import image_billboard, image_models, image_placement, image_surface
-from fixel.image.image_ranges import Ranges
+from fixel.image.image_tables import Ranges
 from fixel.image.image_surface import BITS_4, BITS_8
 from fixel.image.image_placement import COORDINATE_MAX, DEPTH_MAX, SCALE_MAX, SCALE_MIN, SLACK, Key, Motion
 

@@ -7,7 +7,7 @@ from PIL import Image
 
 from fixel.image import image, image_surface
 from fixel.model import texture_image
-from fixel.scene import compiler, image_cut, image_parts, look
+from fixel.scene import compiler, image_cut, look
 from fixel.scene.palette import rgb565
 from model_files import glb, gltf, png
 from test_model_files import colours, compiled
@@ -91,7 +91,7 @@ def test_a_small_part_of_a_large_image_keeps_its_texels(tmp_path):
 
 @pytest.mark.parametrize("by, plain", [(4, True), (5, False)])
 def test_how_far_the_texels_of_one_colour_may_differ(by, plain):
-    found = image_parts.colours(texture([[(100, 100, 100), (100 + by, 100, 100)]]), [[(0, 0), (1, 0), (1, 1), (0, 1)]])
+    found = image_cut.colours(texture([[(100, 100, 100), (100 + by, 100, 100)]]), [[(0, 0), (1, 0), (1, 1), (0, 1)]])
     assert found == [(102, 100, 100) if plain else None]
 
 
@@ -102,8 +102,8 @@ def test_a_texel_between_the_places_of_a_sample_is_seen():
     for x, y in ((0, 0), (3, 190), (101, 77), (199, 199)):
         changed = pixels.copy()
         changed[y, x] = 200
-        assert image_parts.colours(texture(changed), [square, [(0, 0), (0.001, 0), (0, 0.001)]])[0] is None
-    assert image_parts.colours(texture(pixels), [square]) == [(90, 90, 90)]
+        assert image_cut.colours(texture(changed), [square, [(0, 0), (0.001, 0), (0, 0.001)]])[0] is None
+    assert image_cut.colours(texture(pixels), [square]) == [(90, 90, 90)]
 
 
 def test_texels_beside_a_triangle_do_not_count():
@@ -117,10 +117,10 @@ def test_texels_beside_a_triangle_do_not_count():
             x, y = three[0] + s * (three[1] - three[0]) + t * (three[2] - three[0])
             touched[int(y), int(x)] = True
         pixels = numpy.where(touched[..., None], 50, 200) * numpy.ones(3)
-        found = image_parts.colours(texture(pixels), [(three / 12).tolist()])[0]
+        found = image_cut.colours(texture(pixels), [(three / 12).tolist()])[0]
         grown = numpy.pad(touched, 1)
         near = sum(grown[1 + a:13 + a, 1 + b:13 + b] for a in (-1, 0, 1) for b in (-1, 0, 1)) > 0
-        near_alone = image_parts.colours(texture(numpy.where(near[..., None], 50, 200) * numpy.ones(3)), [(three / 12).tolist()])[0]
+        near_alone = image_cut.colours(texture(numpy.where(near[..., None], 50, 200) * numpy.ones(3)), [(three / 12).tolist()])[0]
         assert near_alone == (50, 50, 50) and found in ((50, 50, 50), None)
 
 
@@ -174,7 +174,7 @@ def test_all_cells_of_a_palette_of_256_colours_have_their_own(tmp_path, pixels):
 
 def test_what_is_clear_keeps_its_texture():
     clear = [[(9, 9, 9, 0)] * 4] * 4
-    assert image_parts.colours(texture(clear), [[(0, 0), (1, 0), (1, 1)]]) == [None]
+    assert image_cut.colours(texture(clear), [[(0, 0), (1, 0), (1, 1)]]) == [None]
 
 
 def cut_of(pixels, outlines, size=256, clamp=False):
@@ -240,7 +240,7 @@ def test_texels_that_no_face_shows_mix_with_none():
     for _ in range(8):
         three = rng.uniform(0, 600, (3, 2))
         columns, rows = numpy.arange(600), numpy.arange(600)
-        inside = image_parts.touched(three.tolist(), columns, rows)
+        inside = image_cut.touched(three.tolist(), columns, rows)
         pixels = numpy.where(inside[..., None], (40 + columns % 50)[None, :, None], 255) * numpy.ones(3)
         shown = canvas_of(pixels, [(three / 600).tolist()], 64)
         assert shown.max() < 90 and shown.shape[0] <= 64
@@ -268,7 +268,7 @@ def test_an_image_that_clamps_is_cut_and_flat_too():
     pixels = numpy.zeros((64, 64, 3), dtype=numpy.uint8)
     pixels[:, 32:] = numpy.random.default_rng(11).integers(0, 256, (64, 32, 3))
     beyond = [(-3, 0.2), (0.4, 0.2), (0.4, 0.9), (-3, 0.9)]
-    assert image_parts.colours(texture(pixels), [beyond], True) == [(0, 0, 0)] and image_parts.colours(texture(pixels), [beyond]) == [None]
+    assert image_cut.colours(texture(pixels), [beyond], True) == [(0, 0, 0)] and image_cut.colours(texture(pixels), [beyond]) == [None]
     shown = [(0.75, 0.25), (1.5, 0.25), (1.5, 0.5), (0.75, 0.5)]
     ((cut, _),), found = cut_of(pixels, [shown], clamp=True)
     assert (cut.across.first, cut.across.end, cut.down.first, cut.down.end) == (48, 64, 16, 32)

@@ -13,7 +13,7 @@ from fixel.base.errors import ToolError
 from fixel.board import firmware, model_look, order_check
 from fixel.image import image
 from fixel.model.mesh import cross, dot
-from fixel.scene import compiler, corner_normals, look, making, target, toml_scene, toml_text
+from fixel.scene import compiler, corner_normals, look, making, target, toml_scene, toml_table
 from model_files import glb, gltf, png, stl, stl_text
 from test_model_files import grid
 
@@ -204,10 +204,10 @@ def test_text_of_a_scene():
     from fixel.model import quantity
     for number, written in ((Fraction(4, 5), "0.8"), (Fraction(-3, 8), "-0.375"), (Fraction(1, 3), '"1/3"'), (Fraction(7), "7"),
                             (Fraction(1, 2 ** 14), "0.00006103515625"), (Fraction(1, 2 ** 15), '"1/32768"'), (Fraction(0), "0")):
-        assert toml_text.text({"x": number}) == f"x = {written}\n"
+        assert toml_table.text({"x": number}) == f"x = {written}\n"
         assert quantity.fraction(tomllib.loads(f"x = {written}", parse_float=quantity.decimal)["x"], "x") == number
     data = {"a": "q\"\\\n\x7fü𝄞", "v": {"x": Fraction(1, 3), "y": Fraction(4), "z": True}, "o": [{"b": [1, "c"], "d": {"e": 2.5}}, {"b": []}]}
-    assert tomllib.loads(toml_text.text(data)) == {**data, "v": {"x": "1/3", "y": 4, "z": True}}
+    assert tomllib.loads(toml_table.text(data)) == {**data, "v": {"x": "1/3", "y": 4, "z": True}}
 
 
 # --- smooth = degrees ---------------------------------------------------------------------

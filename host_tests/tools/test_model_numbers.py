@@ -8,7 +8,7 @@ import struct
 import pytest
 
 from fixel.base.errors import ToolError
-from fixel.model import number_text
+from fixel.model import model_text
 from fixel.scene import compiler
 from model_files import glb, gltf, png, stl, stl_text
 
@@ -113,10 +113,10 @@ def test_numbers_of_toml(tmp_path, word):
 
 @pytest.mark.parametrize("text, value", [("1", 1), ("-1.5", -1.5), ("+.5", 0.5), ("5.", 5), ("1e3", 1000), ("2.5E-1", 0.25)])
 def test_numbers_that_are_taken(text, value):
-    assert number_text.decimal(text) == value
+    assert model_text.decimal(text) == value
 
 
 @pytest.mark.parametrize("text", ["", ".", "-", "+", "e5", "1e", "1.2.3", "--1", "0x10", " 1", "1 ", "1e999"])
 def test_what_is_no_number(text):
     with pytest.raises(ValueError):
-        number_text.decimal(text)
+        model_text.decimal(text)

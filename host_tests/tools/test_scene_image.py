@@ -9,7 +9,7 @@ from hypothesis import given, settings, strategies as st
 import pytest
 from conftest import run_cli
 
-from fixel.image import fields, image, image_keys, image_lens
+from fixel.image import fields, image, image_header, image_models
 from fixel.base.errors import ToolError
 from fixel.image.image import Face, Model, Object, SceneImage
 # place field: images that are broken, for the tools
@@ -79,7 +79,7 @@ def test_the_centre_of_a_lens_is_a_section_of_its_own():
 @pytest.mark.parametrize("changes, status", [
     ({"centre": ((640 << 16) + 1, 0)}, "range"), ({"centre": (0, (-240 << 16) - 1)}, "range"),
     ({"centre": (0, 0), "inset": 1}, "range"), ({"centre": (160 << 16, 120 << 16)}, "reserved"),
-    ({"centre": (500 << 16, 0), "fov": image_lens.FOV_MAX}, "range")])
+    ({"centre": (500 << 16, 0), "fov": image_header.FOV_MAX}, "range")])
 def test_a_centre_out_of_range_is_refused(changes, status):
     with pytest.raises(ToolError, match=f"^{status}:"):
         image.pack(scene(**{"inset": 0, **changes}))
@@ -111,10 +111,10 @@ def test_any_flipped_bit_breaks_the_checksum(offset, bit):
 
 @pytest.mark.parametrize("offset, data, status", [
     (16, b"\0\0", "range"), (16, struct.pack("<H", 1025), "range"),
-    (20, struct.pack("<I", image_lens.FOV_MIN - 1), "range"),
-    (20, struct.pack("<I", image_lens.FOV_MAX + 1), "range"),
+    (20, struct.pack("<I", image_header.FOV_MIN - 1), "range"),
+    (20, struct.pack("<I", image_header.FOV_MAX + 1), "range"),
     (24, struct.pack("<i", 255), "range"), (28, struct.pack("<i", 65536), "range"),
-    (28, struct.pack("<i", image_lens.FAR_MAX + 1), "range"), (32, struct.pack("<i", -1), "range"),
+    (28, struct.pack("<i", image_header.FAR_MAX + 1), "range"), (32, struct.pack("<i", -1), "range"),
     (40, struct.pack("<i", image.COORDINATE_MAX + 1), "range"),
     (64, struct.pack("<i", -1), "range"), (76, struct.pack("<I", (1 << 30) + 1), "range"),
     # of the palette's entry at 92 and the vertices' at 104
@@ -145,29 +145,29 @@ def test_table_entries_out_of_contract(number, offset, data, status):
 
 
 def test_a_screen_and_a_lens_at_the_ends_of_their_ranges():
-    ends = {"width": (1, image_lens.SCREEN_MAX), "height": (1, image_lens.SCREEN_MAX),
-            "fov": (image_lens.FOV_MIN, image_lens.FOV_MAX)}
-    sound = {"width": 320, "height": 240, "fov": 1 << 30, "near": 256, "far": image_lens.FAR_MAX, "inset": 0}
-    image_lens.check(**sound)
+    ends = {"width": (1, image_header.SCREEN_MAX), "height": (1, image_header.SCREEN_MAX),
+            "fov": (image_header.FOV_MIN, image_header.FOV_MAX)}
+    sound = {"width": 320, "height": 240, "fov": 1 << 30, "near": 256, "far": image_header.FAR_MAX, "inset": 0}
+    image_header.check_lens(**sound)
     for name, (least, most) in ends.items():
         for value in (least, most):
-            image_lens.check(**{**sound, name: value})
+            image_header.check_lens(**{**sound, name: value})
         for value in (least - 1, most + 1):
             with pytest.raises(ToolError, match="^range:"):
-                image_lens.check(**{**sound, name: value})
+                image_header.check_lens(**{**sound, name: value})
 
 
-@pytest.mark.parametrize("fov, least", [(1 << 30, 3 * 320 << 15), (image_lens.FOV_MIN, 3 * 320 << 15),
-                                        (image_lens.FOV_MAX, round(4 * 160 * 65536 / math.tan(image_lens.FOV_MAX * math.pi / 2 ** 32)))])
+@pytest.mark.parametrize("fov, least", [(1 << 30, 3 * 320 << 15), (image_header.FOV_MIN, 3 * 320 << 15),
+                                        (image_header.FOV_MAX, round(4 * 160 * 65536 / math.tan(image_header.FOV_MAX * math.pi / 2 ** 32)))])
 def test_the_centre_of_a_lens_is_at_most_one_and_a_half_screens_and_four_focal_lengths_away(fov, least):
-    middle_x, middle_y = image_lens.middle(320, 240)
+    middle_x, middle_y = image_header.middle(320, 240)
     for away in (least - 2, 2 - least):
-        image_lens.check_centre(320, 240, fov, 0, (middle_x + away, middle_y))
+        image_header.check_centre(320, 240, fov, 0, (middle_x + away, middle_y))
     for away in (least + 2, -2 - least):
         with pytest.raises(ToolError, match="the centre's x"):
-            image_lens.check_centre(320, 240, fov, 0, (middle_x + away, middle_y))
+            image_header.check_centre(320, 240, fov, 0, (middle_x + away, middle_y))
     with pytest.raises(ToolError, match="the centre's y"):
-        image_lens.check_centre(320, 240, 1 << 30, 0, (middle_x, middle_y + (3 * 240 << 15) + 1))
+        image_header.check_centre(320, 240, 1 << 30, 0, (middle_x, middle_y + (3 * 240 << 15) + 1))
 
 
 def test_values_at_the_ends_are_taken():
@@ -221,7 +221,7 @@ def test_sorted_models_have_face_bounds():
                 min_size=3, max_size=6), st.tuples(*[st.integers(-(1 << 30), 1 << 30)] * 3))
 def test_a_key_is_the_plane_and_the_box(vertices, normal):
     corners = tuple(range(len(vertices)))
-    height, *box = image_keys.key_of(Model(vertices, []), Face(normal, corners, 0))
+    height, *box = image_models.key_of(Model(vertices, []), Face(normal, corners, 0))
     assert height == sum(n * c for n, c in zip(normal, vertices[0]))
     assert box == [min(v[i] for v in vertices) + max(v[i] for v in vertices) for i in range(3)]
 

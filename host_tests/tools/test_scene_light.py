@@ -7,7 +7,7 @@ import pytest
 
 from conftest import CHECKOUT
 from fixel.image import image, image_light
-from fixel.scene import light_palette, toml_scene
+from fixel.scene import palette, toml_scene
 from fixel.base.errors import ToolError
 # place field: images that are broken, for the tools
 from scene_sections import section
@@ -59,7 +59,7 @@ def test_a_ramp_goes_from_dark_to_the_colour_itself(tmp_path):
     [colour] = colours_of(scene)
     shades = [scene.palette[level[colour]] for level in scene.light.ramp]
     assert shades[0] == (0x10, 0x20, 0x30) and shades[-1] == (0xE0, 0x80, 0x40)
-    assert shades == [light_palette.between(shades[0], shades[-1], level, 8) for level in range(9)]
+    assert shades == [palette.between(shades[0], shades[-1], level, 8) for level in range(9)]
     other = next(i for i in range(256) if i != colour)
     assert all(level[other] == other for level in scene.light.ramp)
 
@@ -93,7 +93,7 @@ def test_levels_are_the_nearest_entries(tmp_path):
     assert len(colours_of(scene)) == 90
     for colour in colours_of(scene):
         for number, level in enumerate(scene.light.ramp[:-1]):
-            wanted = light_palette.between((0, 0, 0), scene.palette[colour], number, 8)
+            wanted = palette.between((0, 0, 0), scene.palette[colour], number, 8)
             assert level[colour] == nearest(scene.palette, wanted)
         assert scene.light.ramp[-1][colour] == colour
 
@@ -150,7 +150,7 @@ def test_too_many_colours_share_the_entries_by_how_many_there_are_of_each_kind()
         return number % 256, number // 2 % 256, number // 3 % 256
     light = types.SimpleNamespace(dark=(0, 0, 0), levels=2)
     wanted = {**{grey(number): 1 for number in range(300)}, **{(*grey(number), 1): 1 for number in range(300, 400)}}
-    _, indices, merged, _, _ = light_palette.allocate((0, 0, 0), wanted, (), light, None)
+    _, indices, merged, _, _ = palette.allocate_lit((0, 0, 0), wanted, (), light, None)
     plain, lit = ({index for colour, index in indices.items() if len(colour) == length} for length in (3, 4))
     assert len(plain) <= 255 * 3 // 4 and len(lit) <= 255 - 255 * 3 // 4 and not plain & lit
     assert len(plain) > 180 and len(lit) > 60

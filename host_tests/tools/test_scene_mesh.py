@@ -9,7 +9,7 @@ from hypothesis import assume, given, settings, strategies as st
 import pytest
 
 from fixel.image import image
-from fixel.model import convex, island, mesh, solids
+from fixel.model import convex, mesh, solids
 from fixel.scene import palette
 from fixel.model.mesh import UNIT, Mesh
 from fixel.scene.toml_object import matrix
@@ -122,13 +122,13 @@ def test_a_seed_gives_the_same_island_for_ever(options, crc):
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_an_island_rises_from_the_sea_to_the_top_of_the_cube(seed):
-    rows = island.heights((12, 8), seed, 0.25)
+    rows = solids.heights((12, 8), seed, 0.25)
     assert (len(rows), len(rows[0])) == (9, 13)
     assert max(map(max, rows)) == 1 and min(map(min, rows)) == 0
     assert {rows[0][0], rows[0][12], rows[8][0], rows[8][12]} == {0}, "corners lie in the sea"
-    assert sum(height > 0 for row in island.heights((12, 8), seed, 0.0) for height in row) > \
+    assert sum(height > 0 for row in solids.heights((12, 8), seed, 0.0) for height in row) > \
         sum(height > 0 for row in rows for height in row) > 12
-    made = island.make((12, 8), seed, 0.25)
+    made = solids.island((12, 8), seed, 0.25)
     assert len(made.vertices) == 13 * 9 and len(made.faces) <= 2 * 12 * 8
     assert all(mesh.newell([made.vertices[corner] for corner in face])[1] > 0 for face in made.faces), "all look up"
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from hypothesis import given, settings, strategies as st
 
 from fixel.model import quantity
-from fixel.scene import default_path, path
+from fixel.scene import path
 from fixel.scene.path import Key
 
 TURN = 1 << 32
@@ -116,7 +116,7 @@ def test_a_scene_without_a_path_is_circled_about_the_middle_of_all_that_it_has()
     unit = types.SimpleNamespace(vertices=[(-65536, 0, 0), (65536, 0, 0)])
     placed = [types.SimpleNamespace(centre=(x << 16, 2 << 16, -3 << 16), model=0) for x in (10, 14)]
     scene = types.SimpleNamespace(models=[unit], objects=placed, placements=[], fov=1 << 30, width=160, height=120, far=8 << 16)
-    poses, notes = default_path.about(scene, 4, "s.toml")
+    poses, notes = path.about(scene, 4, "s.toml")
     for one, other in ((0, 2), (1, 3)):
         assert [(poses[one][axis] + poses[other][axis]) / 2 ** 17 for axis in (0, 2)] == [12, -3]
     # The ball about both has a radius of 3. Its half angle's tangent is 3/4, of the lower half of the screen, so its sine is

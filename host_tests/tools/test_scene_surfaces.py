@@ -10,7 +10,7 @@ from PIL import Image
 
 from conftest import CHECKOUT, run_cli
 from fixel.image import image, image_surface
-from fixel.scene import light_palette, surfaces, texture, toml_scene
+from fixel.scene import palette, surfaces, texture, toml_scene
 from fixel.base.errors import ToolError
 # place field: images that are broken, for the tools
 from scene_sections import section
@@ -331,7 +331,7 @@ def test_a_blend_table_has_the_nearest_entries(tmp_path):
     assert len(made.blend) == 1 and scene.palette[made.blend_first] == (0x40, 0xC0, 0xE0)
     assert [each.sixteenths for each in made.surfaces] == [0, 5]      # in RGB565
     for beneath, shown in enumerate(made.blend[0]):
-        wanted = light_palette.between(scene.palette[beneath], (0x40, 0xC0, 0xE0), 5, 16)
+        wanted = palette.between(scene.palette[beneath], (0x40, 0xC0, 0xE0), 5, 16)
         distances = [sum((a - b) ** 2 for a, b in zip(entry, wanted)) for entry in scene.palette]
         assert beneath == made.blend_first == shown or distances[shown] == min(distances)
 

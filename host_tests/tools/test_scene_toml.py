@@ -11,8 +11,8 @@ import sys
 
 import pytest
 
-from fixel.image import c_scene, image, image_lens
-from fixel.scene import toml_object, toml_places, toml_scene
+from fixel.image import c_scene, image, image_header
+from fixel.scene import toml_motion, toml_object, toml_scene
 from fixel.base.errors import ToolError
 from fixel.scene.toml_table import Table
 
@@ -104,10 +104,10 @@ def test_rationals_and_turns_are_exact(tmp_path):
 
 def test_focal_and_range_ends_of_the_field_of_view(tmp_path):
     assert build(tmp_path, "[view]\nfocal = 160\n" + BOX + PATH)[0].fov == 1 << 30
-    assert build(tmp_path, "[view]\nfov = 10\n" + BOX + PATH)[0].fov == image_lens.FOV_MIN
-    assert build(tmp_path, "[view]\nfov = 150\n" + BOX + PATH)[0].fov == image_lens.FOV_MAX
+    assert build(tmp_path, "[view]\nfov = 10\n" + BOX + PATH)[0].fov == image_header.FOV_MIN
+    assert build(tmp_path, "[view]\nfov = 150\n" + BOX + PATH)[0].fov == image_header.FOV_MAX
     scene, _ = build(tmp_path, "[view]\nfocal = 277.25\nnear = 1\n" + BOX + PATH)
-    assert round(image_lens.focal_pixels(320, scene.fov) * 65536) == 277.25 * 65536
+    assert round(image_header.focal_pixels(320, scene.fov) * 65536) == 277.25 * 65536
 
 
 def test_the_centre_of_the_lens(tmp_path):
@@ -342,7 +342,7 @@ def test_plaza_is_what_it_promises():
     assert all(m.kind == image.CONVEX for m in scene.models)
     # Frames 0 and 15 look along +z with vertices exactly on the far and the near
     # plane, inset and all, and inside the screen.
-    slope = 160 / image_lens.focal_pixels(320, scene.fov)
+    slope = 160 / image_header.focal_pixels(320, scene.fov)
     for frame, depth in ((0, scene.far - scene.inset), (15, scene.near + scene.inset)):
         x, y, z, *turn = scene.path[frame]
         assert turn == [0, 0, 0]
@@ -435,10 +435,10 @@ def test_an_unwritable_out_leaves_nothing(tmp_path):
     ({"repeat": {"count": [1, 1000, 1], "step": [0, 0, 0]}}, 1000), ({"ring": {"count": 1000, "radius": 1}}, 1000),
     ({"ring": {"count": 2, "radius": 1}, "repeat": {"count": [3, 4, 5], "step": [1, 0, 0]}, "positions": [[0, 0, 0]] * 2}, 240)])
 def test_how_many_copies_there_may_be(text, most):
-    assert toml_places.count(Table(text, "here", set(text))) == most
+    assert toml_motion.count(Table(text, "here", set(text))) == most
 
 
 @pytest.mark.parametrize("text", [{"repeat": {"count": [1, 1001, 1], "step": [0, 0, 0]}}, {"ring": {"count": 1001, "radius": 1}}])
 def test_more_copies_than_there_may_be(text):
     with pytest.raises(ToolError, match="1000"):
-        toml_places.count(Table(text, "here", set(text)))
+        toml_motion.count(Table(text, "here", set(text)))

@@ -11,7 +11,7 @@ from test_surface_frames import built, drawn, judged
 
 from fixel.board import dump
 from fixel.image import image
-from fixel.model import island, mesh, solids
+from fixel.model import mesh, solids
 from fixel.scene import corner_normals, parts, toml_scene
 from fixel.base.errors import ToolError
 from fixel.board.programs import HostPrograms
@@ -211,21 +211,21 @@ def test_wrong_parts_are_refused(tmp_path, text, word):
 # --- solids -----------------------------------------------------------------------------
 
 def test_heights_of_an_island():
-    rows = island.heights((16, 12), 7, 0.25)
+    rows = solids.heights((16, 12), 7, 0.25)
     assert len(rows) == 13 and {len(row) for row in rows} == {17}
     border = rows[0] + rows[-1] + [row[0] for row in rows] + [row[-1] for row in rows]
     assert set(border) == {0} and max(map(max, rows)) == 1 and min(map(min, rows)) == 0
-    assert rows == island.heights((16, 12), 7, 0.25) != island.heights((16, 12), 8, 0.25)
+    assert rows == solids.heights((16, 12), 7, 0.25) != solids.heights((16, 12), 8, 0.25)
 
 
 def test_more_sea_leaves_fewer_faces():
-    counts = [len(island.make((16, 16), 3, sea).faces) for sea in (0, 0.3, 0.6)]
+    counts = [len(solids.island((16, 16), 3, sea).faces) for sea in (0, 0.3, 0.6)]
     assert 512 >= counts[0] > counts[1] > counts[2] > 0
 
 
 def test_an_island_has_the_colours_of_its_heights():
-    made = island.make((16, 16), 3, 0.2)
-    colours = island.by_height(made, ("low", "middle", "high"))
+    made = solids.island((16, 16), 3, 0.2)
+    colours = solids.by_height(made, ("low", "middle", "high"))
     height = {c: [] for c in colours}
     for face, colour in zip(made.faces, colours):
         height[colour].append(sum(made.vertices[c][1] for c in face))

@@ -14,9 +14,9 @@ from fixel.base import interpreter
 from fixel.base.errors import ToolError
 from fixel.board import flash_memory
 from fixel.image import image
-from fixel.model import deviation, obj, simplify
+from fixel.model import obj, simplify
 from fixel.model.mesh import UNIT
-from fixel.scene import compiler, look, simplified
+from fixel.scene import compiler, look, toml_model
 from model_files import png
 
 SET_UP = pytest.mark.skipif(simplify.module() is None, reason="tools/setup.sh simplify has not set up meshoptimizer")
@@ -194,7 +194,7 @@ def test_no_group_goes_where_very_few_faces_are_asked_for(tmp_path):
 
 def test_numbers_of_any_size_are_said_in_digits(tmp_path):
     """Pixels of a surface that moved very far had an exponent; and that nothing was done was not said."""
-    found = [simplified._short(number) for number in (0.0123456, 0.5, 12.345, 99.96, 163.2, 12345.6)]
+    found = [toml_model._short(number) for number in (0.0123456, 0.5, 12.345, 99.96, 163.2, 12345.6)]
     assert found == ["0.0123", "0.5", "12.3", "100", "163", "12,346"]
     ball(tmp_path)
     _, notes = compiler.compile_scene(str(tmp_path / "m.obj"), 2, look=look.Look(simplify=5000))
@@ -253,9 +253,9 @@ def test_the_deviation_of_a_bump():
     """A pyramid of 0.25 in height on a square, and the square."""
     points = numpy.array([(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (1, 1, 0.25)], dtype=float)
     pyramid, square = numpy.array([(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]), numpy.array([(0, 1, 2), (0, 2, 3)])
-    assert deviation.between((points, pyramid), (points, square)) == pytest.approx(0.25)
+    assert simplify.between((points, pyramid), (points, square)) == pytest.approx(0.25)
     # Of the second mesh the middles are measured: its vertices are those of the first one.
-    assert deviation.between((points, square), (points, pyramid)) == pytest.approx(0.125)
+    assert simplify.between((points, square), (points, pyramid)) == pytest.approx(0.125)
 
 
 def test_distances_are_those_of_all_pairs():
@@ -265,9 +265,9 @@ def test_distances_are_those_of_all_pairs():
     weights = chance.dirichlet((1, 1, 1), 4000)     # places of every triangle, which are no nearer than the nearest
     places = numpy.einsum("pk,tkc->tpc", weights, vertices[triangles]).reshape(-1, 3)
     near = numpy.array([numpy.sqrt(((places - point) ** 2).sum(axis=1)).min() for point in points])
-    found = numpy.array([deviation.largest(point[None], vertices, triangles) for point in points])
+    found = numpy.array([simplify.largest(point[None], vertices, triangles) for point in points])
     assert (found <= near + 1e-9).all() and numpy.abs(found - near).max() < 0.08
-    assert deviation.largest(points, vertices, triangles) == pytest.approx(found.max())
+    assert simplify.largest(points, vertices, triangles) == pytest.approx(found.max())
 
 
 # --- commands and scene files ----------------------------------------------------------------

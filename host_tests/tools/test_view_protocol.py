@@ -10,7 +10,7 @@ from conftest import COUNTERS_OF_A_FRAME, dump_bytes, random_frames
 
 from fixel.board import firmware
 from fixel.base.errors import ToolError
-from fixel.view.view_stream import KeyFile, Stream
+from fixel.view.view_window import KeyFile, Stream
 from fixel.view.view_window import Window
 from view_bench import HELLO, bench_test, frame, read_frame, settled
 

@@ -13,7 +13,7 @@ from view_bench import Bench, HEIGHT, HELLO, WIDTH, bench_test, frame, read_fram
 
 from fixel.view import view_guard
 from fixel.base.errors import ToolError
-from fixel.view.view_pump import Pump
+from fixel.view.view_board import Pump
 from fixel.view.view_server import MESSAGE_MAX, Server, UNSEEN_MAX
 from fixel.view.view_reference import Answer
 

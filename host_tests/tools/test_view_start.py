@@ -14,7 +14,7 @@ from fixel.board import firmware, flash_memory, qmp
 from fixel.base.errors import ToolError
 from fixel.board.session import Session
 from fixel.view.view_board import Board, Buttons
-from fixel.view.view_stream import Stream
+from fixel.view.view_window import Stream
 
 DELAY = 2.0     # seconds; 0.05 were enough for the FIFO to fill
 

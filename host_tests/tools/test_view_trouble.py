@@ -14,9 +14,9 @@ import zlib
 import pytest
 from view_bench import Bench, bench_test, frame, read_frame, settled
 
-from fixel.view import view_trouble
+from fixel.view import view_guard
 from fixel.view.view_server import MESSAGE_MAX
-from fixel.view.view_trouble import Troubles
+from fixel.view.view_guard import Troubles
 
 KEY = base64.b64encode(bytes(16))
 UPGRADE = (b"Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: " + KEY +
@@ -278,7 +278,7 @@ async def test_an_error_of_the_server_itself_is_one_line(bench):
 
 def test_the_loggers_are_given_back():
     def state():
-        return [(logging.getLogger(name).propagate, len(logging.getLogger(name).handlers)) for name in view_trouble.LOGGERS]
+        return [(logging.getLogger(name).propagate, len(logging.getLogger(name).handlers)) for name in view_guard.LOGGERS]
 
     before, one, other = state(), Troubles(), Troubles()
     one.listen()

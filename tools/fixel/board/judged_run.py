@@ -9,7 +9,7 @@ import numpy
 from fixel.base import kept, output, picture, scratch, spent
 from fixel.board import counted, drawing, dump, emulator, firmware, frame_crc, methods, model_look, order_check, own_run, spilled, wires
 from fixel.model import close_faces
-from fixel.image import image as scene_image, image_lens
+from fixel.image import image as scene_image, image_header
 from fixel.base.errors import ToolError, one_line
 from fixel.board.programs import HostPrograms
 from fixel.base.progress import Progress, steps
@@ -188,7 +188,7 @@ def say_what_will_differ(image, options):
     """Notes about faces that a depth buffer cannot tell apart, if one draws, and about what an inset hides."""
     scene = scene_image.load(image)
     bits = methods.depth_bits(options, scene)
-    for note in (close_faces.note(scene, bits) if bits else None, image_lens.note_of_inset(scene)):
+    for note in (close_faces.note(scene, bits) if bits else None, image_header.note_of_inset(scene)):
         if note:
             print(f"  {one_line(note)}", file=sys.stderr)
 

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Scene images: written, read and checked; scenes and fonts as C.
 
-Scene images, for `fixel build`, `info`, `export` and `font`. `image.py` packs and reads a whole image, and the
-modules `image_*.py` its sections. `image_ranges.py` says what values a section may hold. The modules `c_*.py` write
-scenes and fonts as C, and `bdf.py` reads fonts. `font.py` is the command. `fields.py` states every field of an image once;
-`formats.py`, the command `fixel formats`, writes of it what C and docs/formats.md say.
-"""
+For `fixel build`, `info`, `export` and `font`. `image.py` packs and reads a whole image, and the modules `image_*.py` its sections. The
+modules `c_*.py` write scenes and fonts as C, and `bdf.py` reads fonts. `font.py` is the command. `fields.py` states every field of an image
+once; `formats.py`, the command `fixel formats`, writes of it what C and docs/formats.md say."""

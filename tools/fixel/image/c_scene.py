@@ -6,8 +6,7 @@ scene links no check."""
 
 import itertools
 
-from fixel.image import (c_billboards, c_names, c_setup, c_surfaces, c_text, image, image_beam, image_keys,
-                         memory_needed)
+from fixel.image import c_names, c_setup, c_surfaces, c_text, image, image_beam, image_models, memory_needed
 from fixel.image.c_text import braces, comment, record, split64, table
 from fixel.base.errors import ToolError
 from fixel.base.table import count_of
@@ -37,7 +36,7 @@ class _Tables:
             self.faces.append(braces(braces(*face.normal), len(self.indices), len(face.corners), face.colour, len(face.whole)))
             self.indices += map(str, face.corners + face.whole)
             if model.kind == SORTED:
-                height, *box = image_keys.key_of(model, face)
+                height, *box = image_models.key_of(model, face)
                 self.bounds.append(braces(*split64(height), *box))
 
     def _table(self, kind, what, items, about):
@@ -265,11 +264,11 @@ def header(scene, name, source, frames=False):
     holds = ", ".join([count_of(len(tables.vertices), "vertex"), count_of(len(tables.faces), "face"),
                        count_of(len(tables.models), "model"), count_of(len(scene.objects), "instance")])
     includes = ["fixel.h", *([c_surfaces.INCLUDE] if scene.surfaces else []),
-                *([c_billboards.INCLUDE] if scene.billboards else []), c_setup.INCLUDE]
+                *([c_surfaces.BILLBOARDS_INCLUDE] if scene.billboards else []), c_setup.INCLUDE]
     return c_text.header(
         f"Written by tools/scene.py from {printable(source)}: {holds}. The tool has checked the scene, so no program need "
         "call fxl_scene_check.", f"{name.upper()}_SCENE_H", includes,
         [_memory(scene, name), _capacity(scene, name), *tables.text(), tables.record(),
          *c_names.text(scene, name), *_motions(scene, name), *_light(scene, name), *c_surfaces.text(scene, name),
-         *c_billboards.text(scene, name), *_view(scene, name, frames), _palette(scene, name), *_reserved(scene, name),
+         *c_surfaces.billboards_text(scene, name), *_view(scene, name, frames), _palette(scene, name), *_reserved(scene, name),
          *c_setup.text(scene, name, frames)])

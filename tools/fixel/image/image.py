@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 import zlib
 
 from fixel.base import reading
-from fixel.image import (image_beam, image_billboard, image_cluster, image_header, image_keys, image_lens,
-                         image_light, image_models, image_placement, image_surface, image_tables)
+from fixel.image import (image_beam, image_billboard, image_cluster, image_header, image_light, image_models, image_placement,
+                         image_surface, image_tables)
 from fixel.base.errors import ToolError
 from fixel.image.fields import HEAD, IMAGE_MAX, MAGIC, VERSION
 from fixel.image.image_header import POSES, STRIDES
@@ -83,7 +83,7 @@ def pack(image):
     tables["beams"] = [beam.pack() for beam in image.beams]
     tables["lit"] = bytes(image.lit) if image.beams else b""
     tables |= image.light.tables() if image.light else {}
-    tables["centre of the lens"] = [image_lens.CENTRE.pack(*image.centre)] if image.centre else []
+    tables["centre of the lens"] = [image_header.CENTRE.pack(*image.centre)] if image.centre else []
     count, body = image_tables.pack(tables)
     size = HEAD.size + len(body)
     if size > IMAGE_MAX:
@@ -124,8 +124,8 @@ def _centre(head, tables):
     if not tables["centre of the lens"]:
         return None
     (centre,) = tables["centre of the lens"]
-    image_lens.check_centre(head.width, head.height, head.fov, head.inset, centre)
-    if centre == image_lens.middle(head.width, head.height):
+    image_header.check_centre(head.width, head.height, head.fov, head.inset, centre)
+    if centre == image_header.middle(head.width, head.height):
         fail("reserved", "the image gives the middle of the screen as the centre of its lens")
     return centre
 
@@ -143,7 +143,7 @@ def unpack(blob):
     """The scene of an image; ToolError names what is wrong, as the loader would."""
     head = image_header.read(blob)
     tables, unknown = image_tables.read(blob, head)
-    image_lens.check(head.width, head.height, head.fov, head.near_z, head.far_z, head.inset)
+    image_header.check_lens(head.width, head.height, head.fov, head.near_z, head.far_z, head.inset)
     centre = _centre(head, tables)
     check_coordinates(head.start, "the start")
     gait = (*head.acceleration, head.turn)
@@ -157,7 +157,7 @@ def unpack(blob):
     image_models.check_radii(models, extras)
     for i, model in enumerate(models):
         check_planes(model, i)
-    image_keys.check(models, [first for _, first, _ in extras], tables["keys"])
+    image_models.check_keys(models, [first for _, first, _ in extras], tables["keys"])
     radii = [extras[item.model][0] for item in objects]
     placements = image_placement.read_placements(tables["placements"], objects, radii)
     image_cluster.read(models, [first for *_, first in extras], tables["clusters"])

@@ -4,7 +4,7 @@
 from dataclasses import dataclass, field
 
 from fixel.image.fields import entry
-from fixel.image.image_ranges import Ranges
+from fixel.image.image_tables import Ranges
 from fixel.image.image_tree import COORDINATE_MAX, SORTED, fail
 
 BOARDS_MAX = 65535

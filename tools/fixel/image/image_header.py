@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The header of a scene image (docs/formats.md, section 1.1), checked."""
+"""The header of a scene image (docs/formats.md, section 1.1), checked, and its lens: the ranges that the loader asks for (SPEC.md, section 3.1)."""
 
+import math
 import zlib
 from types import SimpleNamespace
 
-from fixel.image.fields import ENTRY, HEAD, HEADER, IMAGE_MAX, MAGIC, VERSION
+from fixel.image.fields import ENTRY, entry, HEAD, HEADER, IMAGE_MAX, MAGIC, VERSION
 from fixel.image.image_tree import fail
 
 POSES, STRIDES = 0, 1            # kinds of path
@@ -66,3 +67,63 @@ def retargeted(blob, scene):
     made[_offset("target")] = target(scene)
     made[crc:crc + 4] = zlib.crc32(made[16:scene.size]).to_bytes(4, "little")
     return bytes(made)
+
+
+SCREEN_MAX = 1024
+FOV_MIN, FOV_MAX = 119304647, 1789569707
+NEAR_MIN, FAR_MAX, INSET_MAX = 256, 32767 << 16, 1 << 16
+CENTRE = entry("centre of the lens")
+
+
+def focal_pixels(width, fov):
+    """The focal length that the library will use, in pixels."""
+    return width / 2 / math.tan(fov * math.pi / 2 ** 32)
+
+
+def hidden_border(scene):
+    """The widest border in pixels that the inset hides, at the near plane (docs/accuracy.md, 4.1)."""
+    focal, half = focal_pixels(scene.width, scene.fov), max(scene.width, scene.height) / 2
+    return focal * scene.inset * math.hypot(1, half / focal) / (scene.near + scene.inset)
+
+
+def note_of_inset(scene):
+    """A sentence about an inset that hides centres of pixels; None where it hides none."""
+    border = hidden_border(scene)
+    if border <= 0.5:
+        return None
+    return (f"view.inset = {scene.inset / 65536:g} hides a border of up to {border:.2f} pixel of {scene.width}x{scene.height} (near = "
+            f"{scene.near / 65536:g}): pixels there count as unexplained, since double has no inset; a smaller one ends that, 0 is enough")
+
+
+def middle(width, height):
+    """The middle of the screen in the image's integers: the centre of every other lens."""
+    return width << 15, height << 15
+
+
+def check_centre(width, height, fov, inset, centre):
+    """The range of the centre (x, y), in the image's integers."""
+    if inset:
+        fail("range", f"inset = {inset / 65536:.6g}: a lens that is off-centre has no inset")
+    focal = round(focal_pixels(width, fov) * 65536)
+    for value, at, extent, name in zip(centre, middle(width, height), (width, height), "xy"):
+        most = min(3 * extent << 15, 4 * focal)
+        if abs(value - at) > most:
+            fail("range", f"the centre's {name} = {value / 65536:.6g} is farther from the middle of the screen, "
+                 f"{at / 65536:g}, than {most / 65536:.6g} pixels: one and a half screens, or four focal lengths")
+
+
+def check_lens(width, height, fov, near, far, inset):
+    """The lens's ranges, in the image's integers."""
+    if not (1 <= width <= SCREEN_MAX and 1 <= height <= SCREEN_MAX):
+        fail("range", f"a screen of {width}x{height} is outside 1..{SCREEN_MAX}")
+    if not FOV_MIN <= fov <= FOV_MAX:
+        fail("range", f"a field of view of {fov * 360 / 2**32:.4g} degrees is outside 10..150")
+    if near < NEAR_MIN:
+        fail("range", f"near = {near / 65536:.6g} is below 1/256")
+    if far > FAR_MAX:
+        fail("range", f"far = {far / 65536:.6g} is above 32767")
+    if not 0 <= inset <= INSET_MAX:
+        fail("range", f"inset = {inset / 65536:.6g} is outside 0..1")
+    if near + 2 * inset >= far:
+        fail("range", f"near + 2 inset = {(near + 2 * inset) / 65536:.6g} is not below "
+             f"far = {far / 65536:.6g}")

@@ -4,7 +4,7 @@
 from dataclasses import dataclass, field
 
 from fixel.image.fields import entry
-from fixel.image.image_lens import FAR_MAX
+from fixel.image.image_header import FAR_MAX
 from fixel.image.image_tree import COORDINATE_MAX, NORMAL_SQUARE_MAX_ERROR, fail
 
 POINTS_MAX = 4

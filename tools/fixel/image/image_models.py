@@ -1,15 +1,64 @@
 # SPDX-License-Identifier: MIT
-"""The models and objects of a scene image: their records, packed, read and checked."""
+"""The models and objects of a scene image: their records, packed, read and checked, and their keys: what ordering asks of a sorted model's
+faces (docs/formats.md, section 1)."""
 
+import itertools
+import struct
 from dataclasses import dataclass, field
 from math import isqrt
-import struct
 
 import numpy as np
 
-from fixel.image import image_keys, image_surface
+from fixel.image import image_surface
 from fixel.image.fields import entry
-from fixel.image.image_tree import COORDINATE_MAX, NORMAL_SQUARE_MAX_ERROR, RADIUS_MAX, SORTED, fail
+from fixel.image.image_tree import COORDINATE_MAX, fail, NORMAL_SQUARE_MAX_ERROR, RADIUS_MAX, SORTED
+
+AT_ONCE = 64        # faces: of fewer, one after the other is faster
+KEY = entry("keys")
+
+
+def points_of(model):
+    """The points of all corners of a model's faces, one face after the other, as 64-bit integers; of each face where its
+    points begin, and how many there are."""
+    sizes = np.array([len(face.corners) for face in model.faces], dtype=np.int64)
+    corners = np.fromiter(itertools.chain.from_iterable(face.corners for face in model.faces), np.int64, int(sizes.sum()))
+    return np.array(model.vertices, dtype=np.int64)[corners], np.cumsum(sizes) - sizes, sizes
+
+
+def keys_of(model):
+    """key_of of all faces. Their normals are of unit length, so 64 bits hold the heights."""
+    if len(model.faces) < AT_ONCE:
+        return [key_of(model, face) for face in model.faces]
+    points, starts, _ = points_of(model)
+    normals = np.array([face.normal for face in model.faces], dtype=np.int64)
+    heights = (normals * points[starts]).sum(axis=1)
+    ends = np.minimum.reduceat(points, starts) + np.maximum.reduceat(points, starts)
+    return list(zip(heights.tolist(), *ends.T.tolist()))
+
+
+def key_of(model, face):
+    """A face's height over the model's origin, and minimum + maximum of its box."""
+    xs, ys, zs = zip(*[model.vertices[corner] for corner in face.corners])
+    u, v, w = face.normal
+    return (u * xs[0] + v * ys[0] + w * zs[0], min(xs) + max(xs), min(ys) + max(ys), min(zs) + max(zs))
+
+
+def check_keys(models, first_keys, keys):
+    """The keys of sorted models, in turn: what the faces say. An image may have none at all."""
+    first = 0
+    for i, (model, first_key) in enumerate(zip(models, first_keys)):
+        has = keys and model.kind == SORTED
+        wanted = keys_of(model) if has else []
+        if not wanted and first_key:
+            fail("reserved", f"model {i} has no face bounds, but gives their place")
+        if wanted and (first_key != first or first + len(wanted) > len(keys)):
+            fail("index", f"model {i}: its face bounds do not follow those of the model before, or some are missing")
+        if wanted != keys[first:first + len(wanted)]:
+            fail("face bounds", f"model {i}: the bounds of a face differ from those of its vertices and its normal")
+        first += len(wanted)
+    if first != len(keys):
+        fail("count", f"{len(keys)} face bounds, but the sorted models have {first} faces")
+
 
 CONVEX = 0
 FACE_VERTICES_MAX = 24
@@ -62,7 +111,7 @@ def tables(models_of_scene):
             faces.append(FACE.pack(*face.normal, len(corners), len(face.corners), face.colour, len(face.whole)))
             corners += face.corners + face.whole
         if model.kind == SORTED:
-            keys += [image_keys.KEY.pack(*key) for key in image_keys.keys_of(model)]
+            keys += [KEY.pack(*key) for key in keys_of(model)]
         clusters += [cluster.pack() for cluster in model.clusters]
     return {"vertices": vertices, "corners": struct.pack(f"<{len(corners)}H", *corners), "faces": faces, "models": models,
             "keys": keys, "clusters": clusters}
@@ -91,7 +140,7 @@ def _are_sound(model):
     normals = np.array([face.normal for face in model.faces], dtype=np.int64)
     if (np.abs((normals.astype(float) ** 2).sum(axis=1) - (1 << 60)) > 1 << 40).any():   # or 64 bits would not hold the squares
         return False
-    points, starts, sizes = image_keys.points_of(model)
+    points, starts, sizes = points_of(model)
     heights = (np.repeat(normals, sizes, axis=0) * (points - np.repeat(points[starts], sizes, axis=0))).sum(axis=1)
     return bool((np.abs((normals ** 2).sum(axis=1) - (1 << 60)) <= NORMAL_SQUARE_MAX_ERROR).all() and
                 (np.abs(heights) <= PLANARITY_MAX << 30).all())
@@ -99,7 +148,7 @@ def _are_sound(model):
 
 def check_planes(model, number):
     """check_plane of each face of a model."""
-    if len(model.faces) < image_keys.AT_ONCE or not _are_sound(model):
+    if len(model.faces) < AT_ONCE or not _are_sound(model):
         for i, face in enumerate(model.faces):
             check_plane(face.normal, [model.vertices[c] for c in face.corners], f"face {i} of model {number}")
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 from fixel.base.errors import ToolError
 from fixel.image.fields import entry
-from fixel.image.image_ranges import Ranges
+from fixel.image.image_tables import Ranges
 from fixel.image.image_tree import NORMAL_SQUARE_MAX_ERROR, TooLarge, fail
 
 TABLE_MAX = 65535

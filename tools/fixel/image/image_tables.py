@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The sections of a scene image: where they lie, and how long they are (docs/formats.md, section 1.2)."""
+"""The sections of a scene image: where they lie, and how long they are (docs/formats.md, section 1.2); and the ranges of bytes that records
+name, of texels, of sprite pixels, of their colours. Records may name the same range, and ranges may overlap; none is copied."""
 
 import struct
 
-from fixel.image.fields import ALWAYS, ENTRY, HEAD, KINDS, SECTIONS, TOGETHER, entry
+from fixel.base.errors import ToolError
+from fixel.image.fields import ALWAYS, ENTRY, entry, HEAD, KINDS, SECTIONS, TOGETHER
 from fixel.image.image_tree import fail
 
 PALETTE, POSE, STRIDE = map(entry, ("palette", "poses", "strides"))
@@ -125,3 +127,25 @@ def read(blob, head):
         tables[name] = _unpacked(one, blob[offset:offset + count * one.size], count)
     _check_counts(tables)
     return tables, unknown
+
+
+class Ranges:
+    """The ranges of one table, each made once."""
+
+    def __init__(self, blob):
+        self.blob, self.made = memoryview(blob or b""), {}
+
+    def at(self, first, size):
+        if (first, size) not in self.made:
+            self.made[first, size] = self.blob[first:first + size]
+        return self.made[first, size]
+
+
+def check_apart(scene, name):
+    """Each range of an image becomes a table of its own in C. What overlaps would make a small image a large text."""
+    records = [(one.texels, one.colours) for one in (scene.surfaces.textures if scene.surfaces else ())]
+    records += [(one.pixels, one.colours) for one in (scene.billboards.boards if scene.billboards else ())]
+    ranges = {id(blob): len(blob) for record in records for blob in record}
+    if sum(ranges.values()) > scene.size:
+        raise ToolError(f"{name}: its textures and sprites overlap: they have {sum(ranges.values()):,} bytes in an image of "
+                        f"{scene.size:,}, and in C each is a table of its own; build the image anew from its scene file")

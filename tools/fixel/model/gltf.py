@@ -10,10 +10,10 @@ import math
 
 import numpy as np
 
-from fixel.model import gltf_check, gltf_left_out, gltf_skins
+from fixel.model import gltf_check, gltf_skins
 from fixel.base.errors import ToolError
 from fixel.base.notes import Usual
-from fixel.model.gltf_glow import srgb
+from fixel.model.gltf_material import srgb
 from fixel.model.gltf_material import Materials
 from fixel.model.gltf_nodes import Nodes
 from fixel.model.mesh import FILE_FACES_MAX, Mesh
@@ -89,7 +89,7 @@ def _positions(checked, part, where):
         checked.fail(where, "it has no POSITION: the file is damaged")
     points = checked.accessor(number, where, ("VEC3",), _PARTS)
     if "bufferView" not in checked.rows("accessors")[number]:
-        gltf_left_out.refuse_compressed(checked, part, where)
+        gltf_check.refuse_compressed(checked, part, where)
     return points
 
 
@@ -281,7 +281,7 @@ def read(path, name=None, progress=None, sources=None):
         notes.append(f"{name}: {TINT_NOTE}")
     if reader.left_out:
         notes.append(f"{name}: left out points and lines: {reader.left_out:,} primitives")
-    left_out, more = gltf_left_out.notes(checked)
+    left_out, more = gltf_check.notes(checked)
     left_out |= known.skins_note()
     notes += checked.notes + checked.left_out.notes(name, "left out:") + reader.materials.left_out.notes(name, "left out of materials:") + [*left_out.values()] + more
     return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces, groups=known.groups(),

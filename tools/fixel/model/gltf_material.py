@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Materials of glTF: base colour, image with its transform and its wrapping, alpha modes, unlit and emissive ones.
+"""Materials of glTF: base colour, image with its transform and its wrapping, alpha modes, unlit and emissive ones; and sums of light, of
+base colours and emissive ones.
 
 An emissive material whose base is black, and an unlit one, has its colour whatever the light. Of other emissive
 materials colour and image are added to the base. What is not read is counted, and told once."""
@@ -9,9 +10,54 @@ import math
 
 import numpy as np
 
-from fixel.model import gltf_check, gltf_glow, gltf_left_out, model_text
-from fixel.model.gltf_glow import srgb
-from fixel.model.surface import WHITE, Material
+from fixel.model import gltf_check, model_text
+from fixel.model.surface import Material, WHITE
+
+_STEPS = 4096           # of light between none and all
+_ROWS = 64              # of an image at a time
+
+
+def srgb(linear):
+    """A part 0..1 of light as 0..255 of a screen."""
+    linear = min(max(linear, 0.0), 1.0)
+    return round(255 * (12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055))
+
+
+def _linear(screen):
+    """The inverse of srgb."""
+    part = screen / 255
+    return part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4
+
+
+_LIGHT = np.array([_linear(screen) for screen in range(256)], dtype=np.float32)
+_SCREEN = np.array([srgb(step / (_STEPS - 1)) for step in range(_STEPS)], dtype=np.uint8)
+
+
+def _light(pixels, factor):
+    """The light of rows of pixels, times a factor; pixels None: white."""
+    return np.asarray(factor, dtype=np.float32) * (1 if pixels is None else _LIGHT[pixels[..., :3]])
+
+
+def added(base, factor, other, glow):
+    """The image base times factor, and the image other times glow added. Either image may be None, which is white; not both. The alpha is
+    that of base. An image that is black adds nothing."""
+    if other is not None and base is not None and not other.pixels[..., :3].any():
+        other, glow = None, (0.0, 0.0, 0.0)
+
+    def make():
+        size = [max(getattr(image, side) for image in (base, other) if image is not None) for side in ("width", "height")]
+        one, two = (image and image.scaled(*size) for image in (base, other))
+        made = np.full((size[1], size[0], 4), 255, dtype=np.uint8)
+        for row in range(0, size[1], _ROWS):
+            rows = slice(row, row + _ROWS)
+            light = sum(_light(None if image is None else image[rows], part) for image, part in ((one, factor), (two, glow)))
+            made[rows, :, :3] = _SCREEN[(np.clip(light, 0, 1) * (_STEPS - 1)).round().astype(int)]
+        if one is not None:
+            made[..., 3] = one[..., 3]
+        return made
+    first = base if base is not None else other
+    return first.once(("added", tuple(factor), other and id(other), tuple(glow)), make)
+
 
 _TRANSFORM, _UNLIT = "KHR_texture_transform", "KHR_materials_unlit"
 _STRENGTH, _GLOSS = "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness"
@@ -70,9 +116,9 @@ class Materials:
         source = texture
         if "source" not in texture:
             source, others = self._extension(texture, _WEBP, where), self._table(texture, "extensions", where)
-            known = next(filter(others.__contains__, gltf_left_out.IMAGES), None)
+            known = next(filter(others.__contains__, gltf_check.IMAGES), None)
             if source is None and known:
-                return self.checked.sources.image(lambda: self.checked.fail(where, gltf_left_out.image_text(known)), self.checked.notes)
+                return self.checked.sources.image(lambda: self.checked.fail(where, gltf_check.image_text(known)), self.checked.notes)
             if source is None:
                 self.left_out.add("images of formats that are not read" + (f" ({', '.join(sorted(others))[:60]})" if others else ""), where)
                 return None
@@ -145,7 +191,7 @@ class Materials:
         image = texture and texture[0]
         if image is None and shines is None:
             return [min(1, a + b) for a, b in zip(factor, glow)] + [factor[3]], None
-        return [1, 1, 1, factor[3]], (gltf_glow.added(image, factor[:3], shines, glow), *(texture or other)[1:])
+        return [1, 1, 1, factor[3]], (added(image, factor[:3], shines, glow), *(texture or other)[1:])
 
     def _let_through(self, entry, where):
         """What part of the light a material lets through, 0..GLASS_MOST."""

@@ -1,17 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""The nodes of a glTF file by name, with their animation (docs/scenes.md, "Parts of a glTF file").
+"""The nodes of a glTF file by name, with their animation (docs/scenes.md, "Parts of a glTF file"), its cameras, and its lights
+(KHR_lights_punctual).
 
-A node has its own name, or its mesh's, or "node" and its number. Of several of one name the second gets _2, and so on."""
+A node has its own name, or its mesh's, or "node" and its number. Of several of one name the second gets _2, and so on. A light whose
+values make no sense is refused; a kind that is not known is left out. A camera whose values make no sense has no perspective: only who
+asks for it learns of it."""
 
 import functools
+import math
 
 import numpy as np
 
 from fixel.base.errors import ToolError
-from fixel.model import gltf_motion, gltf_scenery, gltf_skins
-from fixel.model.mesh import UNIT
-from fixel.model.nodes import FRAMES_MAX, RATE, Node, Scenery
 from fixel.base.reading import shortened
+from fixel.model import gltf_motion, gltf_skins
+from fixel.model.mesh import UNIT
+from fixel.model.nodes import Camera, FRAMES_MAX, Light, Node, RATE, Scenery
 
 _FLIP = np.diag([1.0, 1.0, -1.0, 1.0])     # z is negated
 _MOVES_MAX = 1 << 22    # matrices of nodes, one a frame
@@ -157,7 +161,7 @@ class Nodes:
     def scenery(self, left_out):
         """The Scenery of the nodes. left_out: as there."""
         return Scenery(self._nodes(None), len(self.names), left_out, gltf_motion.names(self.checked), self._play,
-                       self._all(gltf_scenery.camera), self._all(gltf_scenery.light))
+                       self._all(camera), self._all(light))
 
     def _all(self, read):
         """What is read of each node that has it."""
@@ -275,3 +279,69 @@ class _Moves:
         """Of each frame the matrix that takes what was read to its place."""
         back = np.linalg.inv(self.nodes.worlds[number])
         return (_FLIP @ (self.world(number) @ back) @ _FLIP)[:, :3, :]
+
+
+_EXTENSION = "KHR_lights_punctual"
+_KINDS = ("directional", "point", "spot")
+_GREY = (0.2126, 0.7152, 0.0722)    # what red, green and blue are of a brightness
+
+
+def _placed(world):
+    """A matrix of 3x4 from a node to the vertices as they are read: its z looks where the node's -z does, and axes have unit
+    length."""
+    made = (_FLIP @ world @ _FLIP)[:3]
+    lengths = np.linalg.norm(made[:, :3], axis=0)
+    return np.column_stack([made[:, :3] / np.where(lengths > 0, lengths, 1), made[:, 3]])
+
+
+def _number(checked, table, key, default, where, least=0.0):
+    value = table.get(key, default)
+    if value is None:
+        return None
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not least <= value <= 1e12:
+        checked.fail(where, f"{key} must be a number from {least:g} to 1e12: the file is damaged")
+    return float(value)
+
+
+def camera(checked, number, name, world):
+    """The Camera at a node; None where it has none, or one without perspective."""
+    node = checked.rows("nodes")[number]
+    if "camera" not in node:
+        return None
+    chosen, entry = checked.entry("cameras", node, "camera", checked.label("node", number))
+    table, where = entry.get("perspective"), checked.label("camera", chosen)
+    if not isinstance(table, dict):
+        return Camera(name, None, None, _placed(world))
+    try:
+        angle, near = (_number(checked, table, key, 0.0, where) for key in ("yfov", "znear"))
+    except ToolError:
+        angle, near = 0.0, 0.0
+    return Camera(name, math.degrees(angle) if 0 < angle < math.pi else None, near, _placed(world))
+
+
+def _entries(checked):
+    """The lights at the top of the file."""
+    extensions = checked.data.get("extensions")
+    table = extensions.get(_EXTENSION) if isinstance(extensions, dict) else None
+    rows = table.get("lights") if isinstance(table, dict) else None
+    return rows if isinstance(rows, list) else []
+
+
+def light(checked, number, name, world):
+    """The Light at a node, or None."""
+    extensions, where = checked.rows("nodes")[number].get("extensions"), checked.label("node", number)
+    table = extensions.get(_EXTENSION) if isinstance(extensions, dict) else None
+    if not isinstance(table, dict):
+        return None
+    rows, chosen = _entries(checked), checked.whole(table, "light", where)
+    if chosen >= len(rows) or not isinstance(rows[chosen], dict):
+        checked.fail(where, f"light {chosen} does not exist; there are {len(rows)}")
+    entry, where = rows[chosen], f"light {chosen}"
+    colour = entry.get("color", [1, 1, 1])
+    if not isinstance(colour, list) or len(colour) != 3 or not all(isinstance(c, (int, float)) and 0 <= c <= 1e6 for c in colour):
+        checked.fail(where, "color must be three numbers: the file is damaged")
+    if entry.get("type") not in _KINDS:
+        return None
+    strength = _number(checked, entry, "intensity", 1.0, where) * sum(c * g for c, g in zip(colour, _GREY))
+    reach = _number(checked, entry, "range", None, where)
+    return Light(name, entry["type"], strength, reach, max(colour) - min(colour) > 0.02 * max(colour), _placed(world))

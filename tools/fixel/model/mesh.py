@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Meshes: turned, scaled, rounded to 16.16, and cut into faces that the
-library takes: flat, convex, of 3 to 24 vertices, with exact normals.
+library takes: flat, convex, of 3 to 24 vertices, with exact normals. Neighbours that disagree about the front are turned until they agree.
 
 Everything is done in integers on the rounded vertices, so that what is decided
 here holds for the numbers that the library sees."""
@@ -10,9 +10,8 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import isqrt, lcm
 
-from fixel.model import mend
 from fixel.base.errors import ToolError
-from fixel.image.image import COORDINATE_MAX, FACE_VERTICES_MAX, PLANARITY_MAX, Face
+from fixel.image.image import COORDINATE_MAX, Face, FACE_VERTICES_MAX, PLANARITY_MAX
 from fixel.model.triangles import triangulate
 
 FACES_MAX = 65535       # of a model
@@ -278,7 +277,7 @@ def _check_size(points, name):
 
 def _mend(result, name):
     """Turns faces that disagree with their neighbours about the front."""
-    wrong = mend.faces_to_turn(result.faces)
+    wrong = faces_to_turn(result.faces)
     if wrong:
         result.faces = [turned(face) if number in wrong else face for number, face in enumerate(result.faces)]
         result.notes.append(f"{name}: {len(wrong):,} faces were turned round: they faced the other way than their "
@@ -327,3 +326,50 @@ def _used(points, faces, sources, notes):
     high = [max(axis) for axis in zip(*vertices)]
     middle = tuple((a + b) // 2 for a, b in zip(low, high))
     return Shape(vertices, faces, sources, notes, middle, middle[1] - low[1])
+
+
+def _edges(faces):
+    """{(low, high): [(face, whether it runs from low to high)]}."""
+    found = {}
+    for number, face in enumerate(faces):
+        for a, b in zip(face.corners, face.corners[1:] + face.corners[:1]):
+            found.setdefault((min(a, b), max(a, b)), []).append((number, a < b))
+    return found
+
+
+def _agree(faces):
+    """Whether no two faces run along an edge in the same direction."""
+    ways = [way for face in faces for way in zip(face.corners, face.corners[1:] + face.corners[:1])]
+    return len(set(ways)) == len(ways)
+
+
+def faces_to_turn(faces):
+    """Numbers of the faces to be turned round so that all neighbours agree; a set. Neighbours are two faces that
+    share an edge no third face has. Of each connected part the smaller half is turned. A part that cannot agree, such
+    as a Moebius band, is left as it is."""
+    if _agree(faces):
+        return set()
+    pairs = {}
+    for both in _edges(faces).values():
+        if len(both) == 2 and both[0][0] != both[1][0]:
+            (one, up), (other, down) = both
+            pairs.setdefault(one, []).append((other, up == down))
+            pairs.setdefault(other, []).append((one, up == down))
+    turned, result = {}, set()
+    for start in range(len(faces)):
+        if start in turned:
+            continue
+        turned[start], part, sound = False, [start], True
+        for number in part:
+            for neighbour, differs in pairs.get(number, []):
+                wanted = turned[number] != differs
+                if neighbour not in turned:
+                    turned[neighbour] = wanted
+                    part.append(neighbour)
+                sound = sound and turned[neighbour] == wanted
+        chosen = [number for number in part if turned[number]]
+        if 2 * len(chosen) > len(part):
+            chosen = [number for number in part if not turned[number]]
+        if sound:
+            result.update(chosen)
+    return result

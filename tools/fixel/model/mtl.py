@@ -12,8 +12,8 @@ from fixel.base import reading
 from fixel.base.errors import ToolError
 from fixel.base.notes import Usual
 from fixel.base.reading import quoted
-from fixel.model import model_text, named_file, number_text
-from fixel.model.sources import PLAIN_FACES
+from fixel.model import model_text
+from fixel.model.sources import PLAIN_FACES, find_named, plain
 from fixel.model.surface import GREY, WHITE, Material
 from fixel.model.texture_image import Texture
 
@@ -39,7 +39,7 @@ _READ = {word.lower(): word for word in ("newmtl", "Kd", "map_Kd", "map_d", "Ke"
 
 def _number(words, where, what):
     try:
-        return number_text.decimal(words[0])
+        return model_text.decimal(words[0])
     except (IndexError, ValueError):
         raise ToolError(f"{where}: {what} needs a number, found {quoted(words[0] if words else '')}") from None
 
@@ -71,9 +71,9 @@ def _numbers(words, least):
     """(three numbers that words begin with, how many there are). least: what those left out are."""
     found = []
     for word in words[:3]:
-        if not number_text.is_decimal(word):
+        if not model_text.is_decimal(word):
             break
-        found.append(number_text.decimal(word))
+        found.append(model_text.decimal(word))
     return found + [least] * (3 - len(found)), len(found)
 
 
@@ -115,7 +115,7 @@ class Reader:
 
     def _find(self, name):
         if name not in self.known:
-            self.known[name] = named_file.find(self.folder, name)
+            self.known[name] = find_named(self.folder, name)
         return self.known[name]
 
     def _image(self, name, where, without):
@@ -191,7 +191,7 @@ class Reader:
         if len(known) < len(name):
             left_out.add(name[0], where)
         lies = {option: options[option] for option in ("-s", "-o") if option in options}
-        return _Map(self._image(named_file.plain(" ".join(known)), where, without), lies, options.get("-clamp") == [_ON])
+        return _Map(self._image(plain(" ".join(known)), where, without), lies, options.get("-clamp") == [_ON])
 
     def _known(self, words):
         """The words of a name; only the last ones if there is a file of these, and options that nobody knows stand before them."""

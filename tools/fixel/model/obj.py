@@ -13,7 +13,7 @@ and its corners are taken in reverse."""
 from decimal import Decimal, InvalidOperation
 import re
 
-from fixel.model import creases, model_text, number_text, obj_colours, obj_materials
+from fixel.model import creases, model_text, obj_materials
 from fixel.base.errors import ToolError
 from fixel.base.notes import Usual
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh, without_unused
@@ -45,7 +45,7 @@ _LINES_A_WORD = 4096        # lines between two words about the progress
 def _coordinate(words, where):
     """u and v, v downward as in an image. What cannot be used is 0, 0."""
     try:
-        u, v = number_text.decimal(words[0]), number_text.decimal(words[1]) if len(words) > 1 else 0.0
+        u, v = model_text.decimal(words[0]), model_text.decimal(words[1]) if len(words) > 1 else 0.0
     except ValueError:
         raise ToolError(f"{where}: {quoted(' '.join(words[:2]))} is not a texture coordinate") from None
     return (u, 1 - v) if abs(u) <= _UV_MAX and abs(v) <= _UV_MAX else (0.0, 0.0)
@@ -61,7 +61,7 @@ def _vertex(words, where):
             value = int(whole + part) * 10 ** (_PLACES - len(part))
             point.append(-value if sign else value)
             continue
-        if not number_text.is_decimal(word):
+        if not model_text.is_decimal(word):
             raise ToolError(f"{where}: {quoted(word)} is not a number")
         try:
             value = Decimal(word)
@@ -78,7 +78,7 @@ def _vertex(words, where):
 def _index(text, counts, kind, where):
     """An index, from 1 or negative from the end, as a number from 0. One of a vt or vn that does not exist is None."""
     try:
-        index = number_text.whole(text)
+        index = model_text.whole(text)
     except ValueError:
         raise ToolError(f"{where}: {quoted(text)} is not an index") from None
     count = counts[kind]
@@ -93,7 +93,7 @@ def _index(text, counts, kind, where):
 def _normal(words):
     """x, y, z of a vn, z negated; None for what is no direction: it is no fault."""
     try:
-        x, y, z = map(number_text.decimal, words[:3])
+        x, y, z = map(model_text.decimal, words[:3])
     except ValueError:
         return None
     return (x, y, -z) if NORMAL_MIN < max(map(abs, (x, y, z))) < NORMAL_MAX else None
@@ -171,7 +171,7 @@ class _Parser:
         self.counts = {"v": 0, "vt": 0, "vn": 0}
         self.ignored, self.unknown, self.left_out = (model_text.LeftOut() for _ in range(3))
         self.smoothing, self.group = [], None       # of each face; of the next one
-        self.materials, self.groups, self.colours = obj_materials.Materials(path, name, sources), _Groups(), obj_colours.Colours(name)
+        self.materials, self.groups, self.colours = obj_materials.Materials(path, name, sources), _Groups(), obj_materials.Colours(name)
 
     def _add_face(self, rest, where):
         if len(rest) < 3:

@@ -2,7 +2,7 @@
 """Reading PLY. y is upward, as in OBJ, and outlines run counter-clockwise.
 
 The header's counts are checked against the file's size and the limits of the other formats before a table is read
-(ply_header.py); afterwards every number of a table is. So a refusal names the line, the vertex or the face."""
+(ply_tables.py); afterwards every number of a table is. So a refusal names the line, the vertex or the face."""
 
 import functools
 import os
@@ -12,12 +12,12 @@ import numpy as np
 from fixel.base.errors import ToolError
 from fixel.base.notes import Usual
 from fixel.base.reading import quoted, shortened
-from fixel.model import model_text, named_file, ply_binary, ply_header, ply_strips, ply_text
+from fixel.model import model_text, ply_tables
 from fixel.model.mesh import FILE_FACES_MAX, Mesh, without_unused
 from fixel.model.obj import CORNERS_MAX, NORMAL_MAX, NORMAL_MIN
-from fixel.model.sources import Sources
+from fixel.model.sources import Sources, find_named
 from fixel.model.stl import COORDINATE_LIMIT, exact
-from fixel.model.surface import GREY, MEAN_NOTE, WHITE, Material, Surfaces, mean_tint
+from fixel.model.surface import GREY, Material, MEAN_NOTE, mean_tint, Surfaces, WHITE
 
 FILE_MAX = 64 << 20         # bytes
 _UV_MAX = 1e6               # images across
@@ -47,8 +47,8 @@ def _check_counts(header, name):
 def _tables(header, name):
     """({element: its table} of a file, notes)."""
     try:
-        found, more = ply_text.tables(header, name) if not header.end else ply_binary.tables(header)
-    except ply_binary.Damaged as error:
+        found, more = ply_tables.tables(header, name) if not header.end else ply_tables.binary_tables(header)
+    except ply_tables.Damaged as error:
         raise ToolError(f"{name}: this PLY file cannot be read ({shortened(str(error))}): it is damaged; save it again, or as "
                         "text") from None
     kind = "bytes" if header.end else "words"
@@ -76,7 +76,7 @@ def _with_strips(tables, name):
         return tables, []
     if "face" in tables:
         return tables, [f"{name}: left out triangle strips beside the faces: {len(lists):,}"]
-    made = ply_strips.triangles(lists)
+    made = triangles(lists)
     if len(made) > FILE_FACES_MAX:
         raise ToolError(f"{name}: {len(made):,} triangles of strips are more than the limit of {FILE_FACES_MAX:,}; a scene image has "
                         "room for fewer, so simplify the model")
@@ -186,7 +186,7 @@ def _materials(images, folder, name, sources):
     """The Material of each image that a file names, white without one; and notes."""
     materials, notes = [], []
     for image in images or [None]:
-        file, said = named_file.find(folder, image) if image else (None, "")
+        file, said = find_named(folder, image) if image else (None, "")
         if said:
             notes.append(f"{name}: {said}")
         found = sources.image(functools.partial(sources.image_named, file, image, name), notes) if image else None
@@ -235,7 +235,7 @@ def _surfaces(tables, faces, uvs, images, where):
 def read(path, name=None, progress=None, sources=None):
     """(mesh, notes). The name stands in messages. sources: those of the scene."""
     name, sources = name or str(path), sources or Sources()
-    header = ply_header.read(bytes(sources.read(path, FILE_MAX, "simplify the model")), name)
+    header = ply_tables.read(bytes(sources.read(path, FILE_MAX, "simplify the model")), name)
     _check_counts(header, name)
     if progress:
         progress(f"{name}: {header.rows('face') or header.rows('vertex'):,} " + ("faces" if header.rows("face") else "vertices"))
@@ -255,3 +255,25 @@ def read(path, name=None, progress=None, sources=None):
     places = [f"{name}: face {number}" for number in range(len(faces))]
     return Mesh(vertices, outlines, places, surfaces, uvs or [], normals=normals), \
         [Usual(f"{name}: {_CONVENTION}"), *notes, *more, *few, *said]
+
+
+_BREAK = -1         # stands between two strips of a list
+
+
+def triangles(strips):
+    """The triangles of lists of vertices, an array of three columns. Of a strip every second triangle is turned round; one that names a
+    vertex twice only goes on to the next."""
+    found = [_of_one(np.atleast_1d(np.asarray(strip, dtype=float))) for strip in strips]
+    return np.concatenate(found) if found else np.zeros((0, 3))
+
+
+def _of_one(strip):
+    if len(strip) < 3:
+        return np.zeros((0, 3))
+    places = np.arange(len(strip))
+    begun = np.maximum.accumulate(np.where(strip == _BREAK, places + 1, 0))      # of the strip that a vertex belongs to
+    three = np.column_stack([strip[:-2], strip[1:-1], strip[2:]])
+    is_odd = (places - begun)[:-2] % 2 == 1
+    three[is_odd] = three[is_odd][:, [1, 0, 2]]
+    a, b, c = three.T
+    return three[(three != _BREAK).all(axis=1) & (a != b) & (b != c) & (c != a)]

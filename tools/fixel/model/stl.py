@@ -13,7 +13,7 @@ import numpy as np
 
 from fixel.base.errors import ToolError
 from fixel.base.notes import Usual
-from fixel.model import model_text, number_text
+from fixel.model import model_text
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh
 from fixel.base.reading import quoted
 from fixel.model.sources import Sources
@@ -88,7 +88,7 @@ def _binary(blob, name, count):
 
 def _number(word, where):
     try:
-        value = number_text.decimal(word)
+        value = model_text.decimal(word)
     except ValueError:
         raise ToolError(f"{where}: {quoted(word)} is not a number") from None
     if not abs(value) <= COORDINATE_LIMIT:

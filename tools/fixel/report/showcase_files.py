@@ -56,7 +56,7 @@ def ply(folder, name, shape, colours):
     (folder / f"{name}.ply").write_bytes(head.encode() + vertices.tobytes() + faces.tobytes())
 
 
-def ply_text(folder, name, shape, colours):
+def ply_tables(folder, name, shape, colours):
     """A text PLY file with colours of faces."""
     points, triangles, _ = shape
     lines = ["ply", "format ascii 1.0", f"element vertex {len(points)}", *(f"property float {axis}" for axis in "xyz"),

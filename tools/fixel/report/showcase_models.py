@@ -166,7 +166,7 @@ def _terrain(folder, chance):
 def _gem(folder, chance):
     points, triangles, uvs = lathe([(0, 0.42), (0.45, 0.42), (0.8, 0.2), (0.8, 0.12), (0, -0.8)], 8)
     light = chance.uniform(0.55, 1, (len(triangles), 1))
-    files.ply_text(folder, "gem", (points, triangles, uvs), (np.array([90, 210, 230]) * light).astype(int))
+    files.ply_tables(folder, "gem", (points, triangles, uvs), (np.array([90, 210, 230]) * light).astype(int))
 
 
 # --- glTF ------------------------------------------------------------------------------------

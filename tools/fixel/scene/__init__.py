@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: MIT
 """From a scene file to a scene image: objects, places, motions, paths, colours, textures, light, trees.
 
-From a scene file to the contents of a scene image, for `fixel build`, `export`, `texture` and all commands that take
-a scene. `command.py` has the commands of scenes, `fixel info` too, which `summary.py` prints. `making.py` starts a
-process under limits, in which `compiler.py` compiles. Of other commands that take a scene, `scene_options.py` has the
-options, and `scene_image.py` the image. The modules `toml_*.py` read the tables of a scene file. `tree*.py` build BSP
-trees. `framing.py` frames a model without a scene file, `look.py` has the options of how it looks, and `toml_text.py` writes it as a
-scene file. `image_parts.py` finds what faces show of an image, `image_cut.py` cuts that out of it, `corner_normals.py` the normals
-at their corners.
-"""
+For `fixel build`, `export`, `texture` and all commands that take a scene. `command.py` has the commands of scenes, `fixel info` too, which
+`summary.py` prints. `making.py` starts a process under limits, in which `compiler.py` compiles. Of other commands that take a scene,
+`scene_options.py` has the options, and `scene_image.py` the image. The modules `toml_*.py` read the tables of a scene file. `tree*.py`
+build BSP trees. `framing.py` frames a model without a scene file, `look.py` has the options of how it looks, and `toml_table.py` writes it
+as a scene file. `image_cut.py` finds what faces show of an image, `corner_normals.py` the normals at their corners."""

@@ -4,7 +4,7 @@
 import dataclasses
 
 from fixel.image import image
-from fixel.model import content, suffixes
+from fixel.model import model_file, suffixes
 from fixel.scene import framing, look as looks, target, toml_scene, tree
 from fixel.base.job import Quiet
 from fixel.base.errors import ToolError
@@ -21,7 +21,7 @@ def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", r
     report = report or Quiet()
     is_model = suffixes.is_model(scene)
     if not is_model and suffixes.suffix_of(scene) != ".toml":
-        content.refuse_by_all(scene, scene)
+        model_file.refuse_by_all(scene, scene)
     suffixes.check_scene(scene)
     if frames is not None and not 1 <= frames <= toml_scene.FRAMES_MAX:
         raise ToolError(f"--frames {frames} is outside 1..{toml_scene.FRAMES_MAX}")

@@ -11,7 +11,7 @@ import numpy as np
 
 from fixel.image import image
 from fixel.model import creases, model_file
-from fixel.scene import model_parts, model_scenery, texture_size, toml_images, toml_model, toml_object, toml_scene, toml_text
+from fixel.scene import model_parts, model_scenery, texture_size, toml_images, toml_model, toml_object, toml_scene, toml_table
 from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT, dot, newell, open_edges
 from fixel.model.surface import MEAN_NOTE, MISSING_NOTE, TINT_NOTE
@@ -320,4 +320,4 @@ def _first_of_a_kind(notes):
 def _text_of(data, path, write):
     """The scene file of a model that is to stand at a place."""
     model = os.path.relpath(path, os.path.dirname(write) or ".")
-    return toml_text.text({**data, "objects": [{**thing, "model": model} for thing in data["objects"]]})
+    return toml_table.text({**data, "objects": [{**thing, "model": model} for thing in data["objects"]]})

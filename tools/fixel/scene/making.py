@@ -11,7 +11,7 @@ from fixel.base import bounded, output
 from fixel.base.errors import ToolError, one_line
 from fixel.base.reading import quoted
 from fixel.base.table import count_of
-from fixel.image import c_names, image_lens
+from fixel.image import c_names, image_header
 from fixel.scene.look import PLAIN
 
 WORKER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worker.py")
@@ -73,8 +73,8 @@ def parse_screen(text):
     """Width and height from "128x64"."""
     match = re.fullmatch(r"([0-9]{1,4})x([0-9]{1,4})", text)
     screen = tuple(map(int, match.groups())) if match else ()
-    if not screen or not all(1 <= side <= image_lens.SCREEN_MAX for side in screen):
-        raise ToolError(f"SCREEN is {quoted(text)}; it must be like 128x64, both from 1 to {image_lens.SCREEN_MAX}")
+    if not screen or not all(1 <= side <= image_header.SCREEN_MAX for side in screen):
+        raise ToolError(f"SCREEN is {quoted(text)}; it must be like 128x64, both from 1 to {image_header.SCREEN_MAX}")
     return screen
 
 

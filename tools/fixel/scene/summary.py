@@ -4,7 +4,7 @@
 import json
 
 from fixel.base.errors import one_line
-from fixel.image import image, image_lens, image_surface
+from fixel.image import image, image_header, image_surface
 from fixel.scene import path
 
 
@@ -22,8 +22,8 @@ def summary(scene):
         "bytes": scene.size, "crc32": f"{scene.crc:08x}",
         "width": scene.width, "height": scene.height,
         "fov_degrees": round(scene.fov * 360 / 2 ** 32, 6),
-        "focal_pixels": round(image_lens.focal_pixels(scene.width, scene.fov), 6),
-        "centre": [value / 65536 for value in scene.centre or image_lens.middle(scene.width, scene.height)],
+        "focal_pixels": round(image_header.focal_pixels(scene.width, scene.fov), 6),
+        "centre": [value / 65536 for value in scene.centre or image_header.middle(scene.width, scene.height)],
         "near": scene.near / 65536, "far": scene.far / 65536, "inset": scene.inset / 65536,
         "objects": len(scene.objects), "convex_objects": kinds.count(image.CONVEX),
         "sorted_objects": kinds.count(image.SORTED), "layers": layers,

@@ -10,7 +10,7 @@ import functools
 from math import ceil, floor, lcm
 
 from fixel.image import image_surface
-from fixel.scene import light_palette, palette
+from fixel.scene import palette
 from fixel.base.errors import ToolError
 from fixel.image.image import Face
 from fixel.image.image_surface import Mapped, Surface, Surfaces, Texture
@@ -298,8 +298,8 @@ def _texture(paint, entries):
 # place stipple: a blend: the table that the tools make
 def blend_table(colours, sixteenths, blended):
     """For each of these entries of the palette 256 others: what it shows over each, as fxl_blend_make_table has it."""
-    nearest = light_palette.Nearest(colours)
-    rows = [nearest.of_all([light_palette.between(under, colours[number], sixteenths, 16) for under in colours])
+    nearest = palette.Nearest(colours)
+    rows = [nearest.of_all([palette.between(under, colours[number], sixteenths, 16) for under in colours])
             for number in blended]
     return [[number if beneath == number else shown for beneath, shown in enumerate(row)] for number, row in zip(blended, rows)]
 

@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from fixel.image import image_surface
-from fixel.scene import image_cut, image_parts, texture
+from fixel.scene import image_cut, texture
 from fixel.base.errors import ToolError
 from fixel.model.surface import product
 from fixel.scene.surfaces import Paint
@@ -206,7 +206,7 @@ class _Parts:
         """The faces on an image that a colour multiplies."""
         image, kept = image.whole(), image
         own = [self.surfaces.uvs[face] for face in faces]
-        found = image_parts.colours(image, own, clamp)
+        found = image_cut.colours(image, own, clamp)
         self.colours.update((face, product(plain, colour)) for face, plain in zip(faces, found) if plain is not None)
         others = [face for face, plain in zip(faces, found) if plain is None]
         if not others:

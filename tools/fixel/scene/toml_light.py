@@ -8,7 +8,7 @@ from fixel.image import image_beam, image_light
 from fixel.model import quantity
 from fixel.scene import palette
 from fixel.base.errors import ToolError
-from fixel.image.image_lens import FAR_MAX
+from fixel.image.image_header import FAR_MAX
 from fixel.scene.toml_table import Table
 
 # place key: a key of [light]

@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""What an object of a scene file says of its model file: which file, how large, what is mended and merged."""
+"""What an object of a scene file says of its model file: which file, how large, what is mended and merged; and what there is to say of one
+that was given fewer faces: how many, and how far the surface moved, in world units and in pixels."""
 
 import copy
-from dataclasses import dataclass, replace
 import difflib
-from fractions import Fraction
 import itertools
 import math
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
 
 from fixel.base import reading
-from fixel.model import content, merge, model_file, simplify, suffixes, t_junctions
 from fixel.base.errors import ToolError
 from fixel.base.notes import Usual
-from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh, rounding_error, shape
-from fixel.base.reading import QUOTE_MAX, Beside, quoted
+from fixel.base.reading import Beside, QUOTE_MAX, quoted
+from fixel.image import image
+from fixel.model import merge, model_file, simplify, suffixes, t_junctions
+from fixel.model.mesh import FILE_FACES_MAX, Mesh, rounding_error, shape, UNIT
 from fixel.model.sources import Sources
 
 # place key: a key of an object's model file: obj, model, fit and others
@@ -152,7 +154,7 @@ def read(table, key, files, progress):
         raise ToolError(f"{table.at('obj')}: {quoted(name)} is no OBJ file; say model = instead of obj =")
     file, where = files.file(name), f"{table.at(key)}: {quoted(name)}"
     if key == "model" and not suffixes.is_model(name):
-        content.refuse_by_all(file, where)
+        model_file.refuse_by_all(file, where)
     suffixes.refuse_other(name, where)
     if file in files:
         return files[file], file, []
@@ -220,3 +222,44 @@ def make(mesh, rows, name, inside, wanted, progress, splits=True):
         made.notes.append(Usual(f"{name}: {len(mesh.vertices):,} vertices welded to {len(made.vertices):,}; rounded to 16.16, a "
                                 f"coordinate is at most {rounding_error(mesh, rows):.2f}/65536 unit off"))
     return made
+
+
+_UNIT = 65536
+
+
+@dataclass
+class Simplified:
+    """A model that was simplified. result: a simplify.Result; asked: faces; scale: the most world units a unit of the file;
+    balls: (centre, radius) of its instances in 1/65536, None for one that turns or moves."""
+    name: str
+    result: object
+    asked: int
+    scale: float = 0.0
+    balls: list = field(default_factory=list)
+
+
+def _nearest(scene, balls):
+    """The least distance of a pose from a ball, in world units; None where that is not known."""
+    if scene.path_kind != image.POSES or None in balls:
+        return None
+    least = min(math.dist(pose[:3], centre) - radius for pose in scene.path for centre, radius in balls)
+    return max(least, scene.near) / _UNIT
+
+
+def _short(number):
+    """A number with two or three digits that say something."""
+    return f"{number:,.0f}" if number >= 100 else f"{number:.3g}"
+
+
+def simplified_note(scene, record):
+    """One sentence; two where the model has more faces than were asked for."""
+    result = record.result
+    moved, nearest, left = result.deviation * record.scale, _nearest(scene, record.balls), len(result.mesh.faces)
+    text = f"{record.name}: simplify: {result.before:,} triangles became {left:,}; the surface moved by at most " \
+        f"{_short(moved)} units"
+    if nearest is not None:
+        focal = scene.width / 2 / math.tan(scene.fov * math.pi / 2 ** 32)
+        text += f", {_short(moved * focal / nearest)} pixels at the nearest pose"
+    if left > record.asked:
+        text += f"; {record.asked:,} cannot be had without losing a group, or moving borders of materials or groups, or seams of texture coordinates"
+    return text

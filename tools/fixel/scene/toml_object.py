@@ -7,16 +7,15 @@ from fractions import Fraction
 import math
 
 from fixel.image import image
-from fixel.model import island, quantity, solids
-from fixel.scene import (palette, parts, simplified, toml_billboard, toml_images, toml_light, toml_model, toml_motion,
-                         toml_places, toml_texture)
+from fixel.model import quantity, solids
+from fixel.scene import palette, parts, toml_billboard, toml_images, toml_light, toml_model, toml_motion, toml_texture
 from fixel.base.job import Quiet
 from fixel.base.errors import ToolError
 from fixel.model.convex import is_convex
 from fixel.model.mesh import FACES_MAX, transform, two_sided
 from fixel.base.reading import quoted
 from fixel.scene.toml_table import Table
-from fixel.model.turning import matrix
+from fixel.model.quantity import matrix
 
 # place key: a key of an object
 KEYS = {"name", "solid", "sides", "taper", "rings", "cells", "seed", "sea", "inside", "parts", "position",
@@ -144,7 +143,7 @@ class Objects:
         if name not in self.files.results or not found:
             return
         scale = toml_model.fit(table, mesh) if "fit" in table else _scale(table)
-        record = self.simplified.setdefault(name, simplified.Record(name, self.files.results[name], toml_model.faces_asked(table)))
+        record = self.simplified.setdefault(name, toml_model.Simplified(name, self.files.results[name], toml_model.faces_asked(table)))
         record.scale = max(record.scale, float(max(scale)))
         radii = {}
         for each in found:
@@ -259,7 +258,7 @@ class Objects:
                           for i, c in enumerate(table.rows("colours")))
             if table.data.get("solid") == "island":
                 mesh, _, identity = self.mesh(table)
-                colours = self._shared((identity, bases), lambda: island.by_height(mesh, bases))
+                colours = self._shared((identity, bases), lambda: solids.by_height(mesh, bases))
             else:
                 colours = self._shared((bases, look.images), lambda: bases, look)
         elif look.images and "colour" not in table:
@@ -328,13 +327,13 @@ class Objects:
 
     def _places(self, table):
         """(position, extra yaw) of every instance, in order."""
-        count = toml_places.count(table)
+        count = toml_motion.count(table)
         room = INSTANCES_MAX - self.count
         if count > room:
             raise ToolError(f"{table.where}: {count:,} copies are more than the limit allows: a scene has at most "
                             f"{INSTANCES_MAX:,} objects, and {INSTANCES_MAX - room:,} stand before these")
         self.count += count
-        return toml_places.places(table)
+        return toml_motion.places(table)
 
     def instances(self, data, number):
         """All instances of the object that stands number-th in the file."""
@@ -354,7 +353,7 @@ class Objects:
         layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table, look)
         clusters = table.switch("clusters", False)
         places = self._places(table)
-        life, turned, division = toml_motion.read(table), toml_places.ring_is_turned(table), _parts(table)
+        life, turned, division = toml_motion.read(table), toml_motion.ring_is_turned(table), _parts(table)
         if division and (life or turned):
             raise ToolError(f"{table.at('parts')}: what turns or moves is not divided; leave parts away")
         shaped, coloured, result = {}, {}, []   # by yaw, and where copies differ by number too
@@ -411,7 +410,7 @@ class Objects:
         """All instances of an object that shows a billboard. The colour of its face is the picture's mean."""
         wish = toml_billboard.of_object(table, self.billboards)
         layer, moves, life = table.whole("layer", 0, 0, 255), table.switch("moves", False), toml_motion.read(table)
-        if toml_places.ring_is_turned(table):
+        if toml_motion.ring_is_turned(table):
             raise ToolError(f"{table.at('ring')}: turned means nothing for a billboard, which looks at the eye")
         places = self._places(table)
         if wish not in self.boards:

@@ -6,11 +6,10 @@ from fractions import Fraction
 import math
 import os
 
-from fixel.image import image, image_beam, image_header, image_lens
+from fixel.image import image, image_beam, image_header
 from fixel.model import clusters, quantity
 from fixel.model.surface import MEAN_NOTE
-from fixel.scene import (default_path, light_palette, palette, simplified, target, texture, toml_billboard, toml_light, toml_model,
-                         toml_motion, toml_table, toml_texture)
+from fixel.scene import palette, target, texture, toml_billboard, toml_light, toml_model, toml_motion, toml_table, toml_texture
 from fixel.scene import path as walk
 from fixel.base.job import Quiet
 from fixel.base.errors import ToolError
@@ -38,10 +37,10 @@ def _centre(view, width, height, fov, inset):
         raise ToolError(f"{view.at('centre')}: expected [x, y] in pixels, from the upper left corner of the screen")
     centre = tuple(quantity.q16(quantity.in_range(quantity.fraction(number, view.at("centre")), -4096, 4096,
                                                   view.at("centre"), "pixels")) for number in numbers)
-    if centre == image_lens.middle(width, height):
+    if centre == image_header.middle(width, height):
         return None
     try:
-        image_lens.check_centre(width, height, fov, inset, centre)
+        image_header.check_centre(width, height, fov, inset, centre)
     except ToolError as error:
         raise ToolError(f"{view.at('centre')}: {error}") from error
     return centre
@@ -50,8 +49,8 @@ def _centre(view, width, height, fov, inset):
 def _lens(top):
     """width, height, fov, near, far, inset, centre in the image's integers."""
     screen = top.table("screen", {"width", "height"})
-    width = screen.whole("width", 320, 1, image_lens.SCREEN_MAX)
-    height = screen.whole("height", 240, 1, image_lens.SCREEN_MAX)
+    width = screen.whole("width", 320, 1, image_header.SCREEN_MAX)
+    height = screen.whole("height", 240, 1, image_header.SCREEN_MAX)
     view = top.table("view", _VIEW_KEYS)
     if "focal" in view and "fov" in view:
         raise ToolError(f"{view.where}: both fov and focal are given; keep one")
@@ -64,7 +63,7 @@ def _lens(top):
     else:
         fov = quantity.in_range(view.degrees("fov", 75), 10, 150, view.at("fov"), "degrees")
     # 10 and 150 degrees are no whole binary angles; the range ends just inside.
-    fov = min(max(quantity.angle(fov), image_lens.FOV_MIN), image_lens.FOV_MAX)
+    fov = min(max(quantity.angle(fov), image_header.FOV_MIN), image_header.FOV_MAX)
     near = view.number("near", Fraction(1, 4), Fraction(1, 256), 32767, "world units")
     far = view.number("far", 256, Fraction(1, 256), 32767, "world units")
     inset = view.number("inset", 0, 0, 1, "world units")
@@ -113,7 +112,7 @@ def _on_screen(lens, screen):
     distance from the middle grows with the width."""
     width, height, centre = *lens[:2], lens[-1]
     if centre:
-        before, after = image_lens.middle(width, height), image_lens.middle(*screen)
+        before, after = image_header.middle(width, height), image_header.middle(*screen)
         centre = tuple(at + (value - old) * screen[0] // width for value, old, at in zip(centre, before, after))
         centre = None if centre == after else centre
     return (*screen, *lens[2:-1], centre)
@@ -313,7 +312,7 @@ def _palette(background, instances, reserved, light, lit):
     at_run_time = isinstance(light, toml_light.RunTime)
     wanted = _count_colours(instances, None if at_run_time else lit)
     if at_run_time:
-        colours, indices, merged, light.image.ramp, in_beam = light_palette.allocate(background, wanted, reserved, light, lit)
+        colours, indices, merged, light.image.ramp, in_beam = palette.allocate_lit(background, wanted, reserved, light, lit)
         return colours, indices, merged, in_beam
     colours, indices, merged = palette.allocate(background, wanted, reserved)
     return colours, indices, merged, _lit_table(instances, indices, lit)
@@ -438,11 +437,11 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
     scene.dark = palette.rgb565(light.dark) if scene.light else 0
     scene.reserved = len(reserved)
     if not entries:
-        _check_poses(frames or default_path.FRAMES, name)
-        scene.path, more = default_path.about(scene, frames, name)
+        _check_poses(frames or walk.FRAMES, name)
+        scene.path, more = walk.about(scene, frames, name)
         scene.start = scene.path[0]
         notes += more
-    notes += pictures.notes + [simplified.note(scene, record) for record in objects.simplified.values()]
+    notes += pictures.notes + [toml_model.simplified_note(scene, record) for record in objects.simplified.values()]
     scene.names = [item.name for item in instances]
     scene.moving = tuple(i for i, item in enumerate(instances) if item.moves)
     if target.has_colours(scene):   # the reader of the file spoke of means

@@ -12,7 +12,7 @@ if __name__ == "__main__":
     from fixel.base import interpreter
     sys.excepthook = interpreter.explain    # of a missing package
 
-from fixel.image import c_names, c_scene, c_setup, image, image_ranges
+from fixel.image import c_names, c_scene, c_setup, image, image_tables
 from fixel.model import suffixes
 from fixel.scene import c_texture
 from fixel.base import job
@@ -61,7 +61,7 @@ def export(request, report):
         report.stage("reading the scene image")
         compiled, notes = image.load(scene), []
         target.apply(compiled, compiled.tree is not None, target.Target(**request["target"]), scene)
-        image_ranges.check_apart(compiled, scene)
+        image_tables.check_apart(compiled, scene)
     else:
         _, compiled, notes = _build(request, report)
     report.stage("writing the header")

@@ -13,7 +13,7 @@ from fixel.base.errors import ENDINGS, one_line
 from fixel.view.view import port_number
 from fixel.view import view_own
 from fixel.view.view_board import Board
-from fixel.view.view_pump import IDLE_RATE, Pump
+from fixel.view.view_board import IDLE_RATE, Pump
 from fixel.view.view_server import Hub, Server, hello
 from fixel.view.view_reference import Reference
 from fixel.image import image

@@ -20,7 +20,7 @@ from fixel.base.table import count_of
 from fixel.board import emulator, execute, firmware, methods, own_run
 from fixel.board.ending import Ending, describe, last_lines
 from fixel.view.view_board import ENDLESS, Board, ProgramEnded
-from fixel.view.view_stream import KEYS_NAME
+from fixel.view.view_window import KEYS_NAME
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 REQUEST = struct.Struct("<4H")  # WANT_..., x, y, 0

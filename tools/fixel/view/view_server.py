@@ -27,8 +27,8 @@ from aiohttp import WSCloseCode, WSMsgType, web
 from fixel.view import view_reference
 from fixel.base.errors import ToolError
 from fixel.view.view_guard import Guard
-from fixel.view.view_pump import IDLE_RATE
-from fixel.view.view_trouble import Troubles
+from fixel.view.view_board import IDLE_RATE
+from fixel.view.view_guard import Troubles
 
 HOST = "127.0.0.1"
 PORT = 8065             # after the chapter, where it is free and no other is asked for
@@ -121,7 +121,7 @@ def first_part(path):
 
 class Hub:
     """What the tabs share: the board's newest frame, the reference's newest answer, keys, rate, whether it is paused.
-    For the thread of the event loop only. The pump (view_pump.py) is set before a tab joins."""
+    For the thread of the event loop only. The pump (view_board.py) is set before a tab joins."""
 
     def __init__(self, hello, hold, ask):
         self.hello = hello
