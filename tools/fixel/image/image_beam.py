@@ -6,7 +6,9 @@ from dataclasses import dataclass
 from math import isqrt
 
 from fixel.base.errors import ToolError
+from fixel.base.vectors import cross, dot, minus
 from fixel.image.fields import entry
+from fixel.image.image_tree import fail
 
 BEAMS_MAX, PLANES_MAX = 4, 8
 FACE_VERTICES_MAX = 24
@@ -15,10 +17,6 @@ NORMAL_SQUARE_MAX_ERROR = 1 << 32
 POINT, DIRECTION = 0, 1
 BEAM = entry("beams")
 assert BEAM.size == 176
-
-
-def _fail(status, text):
-    raise ToolError(f"{status}: {text}")
 
 
 @dataclass
@@ -37,11 +35,11 @@ def unpack(fields, number):
     *source, kind, count, reserved = fields[:6]
     planes = [tuple(fields[i:i + 4]) for i in range(6, len(fields), 4)]
     if kind not in (POINT, DIRECTION) or reserved:
-        _fail("reserved", f"beam {number}: unknown kind or reserved field not zero")
+        fail("reserved", f"beam {number}: unknown kind or reserved field not zero")
     if not 1 <= count <= PLANES_MAX:
-        _fail("count", f"beam {number}: {count} planes are outside 1..{PLANES_MAX}")
+        fail("count", f"beam {number}: {count} planes are outside 1..{PLANES_MAX}")
     if any(any(plane) for plane in planes[count:]):
-        _fail("reserved", f"beam {number}: a plane that it has not is not zero")
+        fail("reserved", f"beam {number}: a plane that it has not is not zero")
     return Beam(kind, tuple(source), planes[:count])
 
 
@@ -58,36 +56,24 @@ def fits(beams, face_vertices):
 def check(beams, models):
     for i, beam in enumerate(beams):
         if beam.kind == DIRECTION and not _is_unit(beam.source):
-            _fail("normal", f"the direction of beam {i} is not of unit length")
+            fail("normal", f"the direction of beam {i} is not of unit length")
         if beam.kind == POINT and any(abs(c) > COORDINATE_MAX for c in beam.source):
-            _fail("range", f"the light of beam {i} leaves -8191..8191")
+            fail("range", f"the light of beam {i} leaves -8191..8191")
         for *normal, distance in beam.planes:
             if not _is_unit(normal):
-                _fail("normal", f"a plane of beam {i} has no normal of unit length")
+                fail("normal", f"a plane of beam {i} has no normal of unit length")
             if abs(distance) >= 1 << 61:
-                _fail("range", f"a plane of beam {i} is too far away")
+                fail("range", f"a plane of beam {i} is too far away")
     for i, model in enumerate(models):
         most = max(len(face.corners) for face in model.faces)
         if beams and not fits(beams, most):
-            _fail("capacity", f"model {i} has a face of {most} vertices, too many to be split by "
+            fail("capacity", f"model {i} has a face of {most} vertices, too many to be split by "
                   f"beams of {', '.join(str(len(beam.planes)) for beam in beams)} planes")
-
-
-def _minus(a, b):
-    return tuple(x - y for x, y in zip(a, b))
-
-
-def _dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def _cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 def unit(vector):
     """An integer vector to unit length in 2.30, each component rounded once."""
-    square = _dot(vector, vector)
+    square = dot(vector, vector)
 
     def component(c):
         twice = isqrt((c * c << 62) // square)
@@ -97,14 +83,14 @@ def unit(vector):
 
 def _plane(normal, through, inside, where):
     """Through a corner, turned so that what is inside lies there, exactly."""
-    sides = [_dot(normal, _minus(point, through)) for point in inside]
+    sides = [dot(normal, minus(point, through)) for point in inside]
     if not any(sides) or min(sides) < 0 < max(sides):
         raise ToolError(f"{where}: the window is not convex, or the light lies in the plane of "
                         "the window or of one of its sides")
     if max(sides) <= 0:
         normal = tuple(-c for c in normal)
     rounded = unit(normal)
-    return (*rounded, _dot(rounded, through))
+    return (*rounded, dot(rounded, through))
 
 
 def through_window(kind, source, window, where):
@@ -112,10 +98,10 @@ def through_window(kind, source, window, where):
     direction (2.30): a plane for each side, then the window's own."""
     planes = []
     for corner, following in zip(window, window[1:] + window[:1]):
-        way = source if kind == DIRECTION else _minus(corner, source)
-        side = _minus(following, corner)
-        planes.append(_plane(_cross(way, side), corner, window, where))
-    normal = _cross(_minus(window[1], window[0]), _minus(window[2], window[0]))
+        way = source if kind == DIRECTION else minus(corner, source)
+        side = minus(following, corner)
+        planes.append(_plane(cross(way, side), corner, window, where))
+    normal = cross(minus(window[1], window[0]), minus(window[2], window[0]))
     behind = tuple(a + b for a, b in zip(window[0], source)) if kind == DIRECTION else \
         tuple(2 * a - b for a, b in zip(window[0], source))
     planes.append(_plane(normal, window[0], [behind], where))

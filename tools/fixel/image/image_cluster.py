@@ -3,6 +3,7 @@
 
 from dataclasses import dataclass
 
+from fixel.base.vectors import dot
 from fixel.image.fields import entry
 from fixel.image.image_tree import NORMAL_SQUARE_MAX_ERROR, RADIUS_MAX, SORTED, fail
 
@@ -31,10 +32,6 @@ def _unpack(fields, number):
     if fields[12]:
         fail("reserved", f"cluster {number}: a reserved field is not zero")
     return Cluster(tuple(fields[:3]), fields[3], tuple(fields[4:7]), fields[7], tuple(fields[8:11]), fields[11])
-
-
-def dot(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def is_steep(axis, cutoff, normal):

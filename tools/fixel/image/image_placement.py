@@ -5,6 +5,7 @@
 from dataclasses import dataclass
 from math import isqrt
 
+from fixel.base.vectors import dot
 from fixel.image.fields import entry
 from fixel.image.image_tree import COORDINATE_MAX, fail
 
@@ -78,14 +79,10 @@ def tables(placements, motions):
     return {"placements": [placement.pack() for placement in placements], "motions": packed, "motion keys": keys}
 
 
-def _dot(a, b):
-    return sum(p * q for p, q in zip(a, b))
-
-
 def _is_rotation(rows):
     """x and y of unit length and at right angles, to within 2^-28, and z their cross product, to within 2^-26."""
     x, y, z = rows[:3], rows[3:6], rows[6:]
-    narrow = _dot(x, x) - (1 << 60), _dot(y, y) - (1 << 60), _dot(x, y)
+    narrow = dot(x, x) - (1 << 60), dot(y, y) - (1 << 60), dot(x, y)
     wide = [x[(i + 1) % 3] * y[(i + 2) % 3] - x[(i + 2) % 3] * y[(i + 1) % 3] - (z[i] << 30) for i in range(3)]
     return all(-TOLERANCE <= value < TOLERANCE for value in narrow) and \
         all(-4 * TOLERANCE <= value < 4 * TOLERANCE for value in wide)

@@ -8,7 +8,8 @@ from math import isqrt
 import numpy as np
 
 from fixel.image import image_beam
-from fixel.image.image_cluster import APEX_MAX, CUTOFF_MAX, NO_CONE, Cluster, dot, is_steep
+from fixel.base.vectors import dot
+from fixel.image.image_cluster import APEX_MAX, CUTOFF_MAX, Cluster, NO_CONE, is_steep
 
 _TRIES = 64     # of places for an apex, each one unit farther back
 FACES_MIN, FACES_MAX = 16, 32   # of a cluster; a model of fewer faces is one cluster

@@ -7,6 +7,8 @@ by as much at the next edge; on the part a flat face ends there."""
 import bisect
 import math
 
+from fixel.base.vectors import dot, minus
+
 LIMIT = 40              # degrees: an edge that bends by more shows
 ALWAYS = 20             # degrees: an edge that bends by no more does not show
 PAIRS_MAX = 8           # faces of an edge that are all compared; of more each with the first
@@ -16,14 +18,6 @@ _ALIKE = 2              # bends differ by this factor at most
 _SLACK = 0.01           # degrees
 _ROUNDING = 1e-6        # of a cosine
 OFF = 0                 # the smoothing group of faces whose edges show
-
-
-def _minus(one, other):
-    return [a - b for a, b in zip(one, other)]
-
-
-def _dot(one, other):
-    return sum(a * b for a, b in zip(one, other))
 
 
 def _pairs(outlines, sides):
@@ -49,7 +43,7 @@ class _Bends:
         self.points, self.outlines, self.units = points, outlines, units
         self.parents = list(range(len(outlines)))
         for one, other, _ in pairs:
-            if _dot(units[one], units[other]) >= _FLAT:
+            if dot(units[one], units[other]) >= _FLAT:
                 self.parents[self._root(one)] = self._root(other)
         self.sizes, self.about, self.ends, self.rounds, self.looked = {}, {}, {}, {}, 0     # looked: edges beside another one that were looked at
         for number, corners in enumerate(outlines):
@@ -72,16 +66,16 @@ class _Bends:
 
     def _way(self, edge):
         """The direction of an edge, of length 1."""
-        way = _minus(self.points[edge[1]], self.points[edge[0]])
-        length = math.sqrt(_dot(way, way)) or 1.0
+        way = minus(self.points[edge[1]], self.points[edge[0]])
+        length = math.sqrt(dot(way, way)) or 1.0
         return [c / length for c in way]
 
     def bend(self, one, other, edge):
         """By how many degrees two faces bend at an edge: above 0 where they are convex there."""
         corners = self.outlines[other]
         middle = [sum(axis) / len(corners) for axis in zip(*(self.points[corner] for corner in corners))]
-        angle = math.degrees(math.acos(max(-1.0, min(1.0, _dot(self.units[one], self.units[other])))))
-        return math.copysign(angle, -_dot(self.units[one], _minus(middle, self.points[edge[0]])))
+        angle = math.degrees(math.acos(max(-1.0, min(1.0, dot(self.units[one], self.units[other])))))
+        return math.copysign(angle, -dot(self.units[one], minus(middle, self.points[edge[0]])))
 
     def _goes_on(self, others, beyond, way, bend):
         """Whether one of the edges of a flat face, {what lies beyond: its edges}, goes in the direction of another one and bends the same
@@ -94,7 +88,7 @@ class _Bends:
                 continue
             for size, along in edges[bisect.bisect_left(edges, low, key=_bend_of):bisect.bisect_right(edges, high, key=_bend_of)]:
                 self.looked += 1
-                if abs(_dot(way, along)) >= _ALONG:
+                if abs(dot(way, along)) >= _ALONG:
                     return True
         return False
 
@@ -142,7 +136,7 @@ def smooth_pairs(points, outlines, units, sides, degrees=None, groups=None):
             if groups[one] == groups[other]:
                 found.add((one, other))
             continue
-        cosine = _dot(units[one], units[other])
+        cosine = dot(units[one], units[other])
         if cosine >= always:
             found.add((one, other))
         elif cosine >= least:

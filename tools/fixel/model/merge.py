@@ -4,7 +4,8 @@ every corner of the two faces stays a corner, so that the face covers the same p
 whole edges with it."""
 
 from fixel.image.image import FACE_VERTICES_MAX, Face
-from fixel.model.mesh import cross, dot, minus, newell, unit_normal
+from fixel.base.vectors import cross, dot, minus
+from fixel.model.mesh import newell, unit_normal
 
 
 def _is_convex(outline, area):

@@ -11,7 +11,8 @@ from functools import cached_property
 from math import isqrt, lcm
 
 from fixel.base.errors import ToolError
-from fixel.image.image import COORDINATE_MAX, Face, FACE_VERTICES_MAX, PLANARITY_MAX
+from fixel.base.vectors import cross, dot, minus
+from fixel.image.image import COORDINATE_MAX, FACE_VERTICES_MAX, Face, PLANARITY_MAX
 from fixel.model.triangles import triangulate
 
 FACES_MAX = 65535       # of a model
@@ -90,18 +91,6 @@ class Shape:
     open_edges: int = 0
     normals: list = None    # for each face those of its corners in 2.30, or None; None: they are not known
     smoothing: list = None  # for each face its smoothing group, as those of Mesh; None: there are none
-
-
-def minus(a, b):
-    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
-
-
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def dot(a, b):
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def newell(points):

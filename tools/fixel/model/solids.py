@@ -5,6 +5,7 @@ outside. The solid "island" is a height field of triangles that sinks into the s
 import math
 
 from fixel.base.errors import ToolError
+from fixel.base.vectors import cross, dot, minus
 from fixel.model.mesh import Mesh, UNIT
 
 SIDES_MAX = 64
@@ -83,9 +84,9 @@ def _hull(points):
             for c in range(len(points)):
                 if len({a, b, c}) < 3:
                     continue
-                normal = _cross(_minus(points[b], points[a]), _minus(points[c], points[a]))
-                sides = [_dot(normal, _minus(p, points[a])) for p in points]
-                if _dot(normal, normal) > 1e-9 and max(sides) < 1e-9:
+                normal = cross(minus(points[b], points[a]), minus(points[c], points[a]))
+                sides = [dot(normal, minus(p, points[a])) for p in points]
+                if dot(normal, normal) > 1e-9 and max(sides) < 1e-9:
                     on = [i for i, s in enumerate(sides) if s > -1e-9]
                     found.setdefault(tuple(on), normal)
     return [_clockwise(points, on, normal) for on, normal in sorted(found.items())]
@@ -93,29 +94,17 @@ def _hull(points):
 
 def _clockwise(points, on, normal):
     middle = [sum(points[i][k] for i in on) / len(on) for k in range(3)]
-    u = _minus(points[on[0]], middle)
-    v = _cross(normal, u)
-    length = math.sqrt(_dot(normal, normal))
+    u = minus(points[on[0]], middle)
+    v = cross(normal, u)
+    length = math.sqrt(dot(normal, normal))
     return sorted(on, key=lambda i: round(math.atan2(
-        _dot(_minus(points[i], middle), v) / length, _dot(_minus(points[i], middle), u)), 9)
+        dot(minus(points[i], middle), v) / length, dot(minus(points[i], middle), u)), 9)
         % (2 * math.pi))
-
-
-def _minus(a, b):
-    return [x - y for x, y in zip(a, b)]
-
-
-def _cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-
-
-def _dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
 
 
 def _regular(points):
     """A regular solid whose circumscribed sphere has diameter 1."""
-    radius = math.sqrt(_dot(points[0], points[0]))
+    radius = math.sqrt(dot(points[0], points[0]))
     points = [[0.5 * c / radius for c in point] for point in points]
     return _mesh(points, _hull(points))
 

@@ -13,7 +13,8 @@ from fixel.image import image
 from fixel.model import creases, model_file
 from fixel.scene import model_parts, model_scenery, texture_size, toml_images, toml_model, toml_object, toml_scene, toml_table
 from fixel.base.errors import ToolError
-from fixel.model.mesh import UNIT, dot, newell, open_edges
+from fixel.base.vectors import dot
+from fixel.model.mesh import UNIT, newell, open_edges
 from fixel.model.surface import MEAN_NOTE, MISSING_NOTE, TINT_NOTE
 from fixel.base.notes import Usual
 from fixel.base.reading import shortened

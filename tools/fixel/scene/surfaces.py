@@ -14,7 +14,8 @@ from fixel.scene import palette
 from fixel.base.errors import ToolError
 from fixel.image.image import Face
 from fixel.image.image_surface import Mapped, Surface, Surfaces, Texture
-from fixel.model.mesh import UNIT, cross, dot, minus, newell, transform
+from fixel.base.vectors import cross, dot, minus
+from fixel.model.mesh import UNIT, newell, transform
 
 BEND_MAX = Fraction(1, 64)      # texels: what a corner may be off the affine map of three others
 EDGE_ROUNDING = Fraction(1, 128)    # texels: so far beyond an edge of a texture a coordinate is on it

@@ -16,7 +16,8 @@ from fixel.image.image import (CONVEX, FACE_VERTICES_MAX, SORTED, Model, Object,
 from fixel.image.image_surface import Mapped
 from fixel.image.image_tree import DEPTH_MAX, NODES_MAX, NONE, Node, Tree
 from fixel.image.image_tree import PLANARITY_MAX as NEAR
-from fixel.model.mesh import FACES_MAX, dot, minus
+from fixel.base.vectors import dot, minus
+from fixel.model.mesh import FACES_MAX
 from fixel.base.reading import quoted
 
 # A vertex closer to a plane than this lies on it: in units of 2^-46. It exceeds what a face may

@@ -8,7 +8,8 @@ from math import isqrt
 from fixel.base.errors import ToolError
 from fixel.image.image import FACE_VERTICES_MAX, PLANARITY_MAX, Face
 from fixel.image.image_tree import NONE
-from fixel.model.mesh import cross, dot, minus, newell, unit_normal
+from fixel.base.vectors import cross, dot, minus
+from fixel.model.mesh import newell, unit_normal
 
 
 def share(lines, part):
