@@ -12,7 +12,7 @@ from PIL import Image
 from board_programs import ROOT, made
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 from fixel.base.errors import ToolError
-from fixel.board import dump, frame_crc
+from fixel.board import frame_crc
 from fixel.check import frozen_frames
 from fixel.image import image as images
 from fixel.report import showcase_models
@@ -267,15 +267,18 @@ PAIR = "".join(f"v {x + at} {y} {z}\n" for at in (0, 1.5) for x, y, z in ((0, 0,
     "".join(f"f {a + n} {b + n} {c + n}\n" for n in (0, 4) for a, b, c in ((1, 3, 2), (1, 2, 4), (1, 4, 3), (2, 3, 4)))
 
 
-@pytest.mark.parametrize("board, options, shown", [
-    ("microbit", [], "fxl_palette"), ("microbit", ["--frames", "24"], "fxl_palette"), ("microbit", ["--screen", "64x48"], "fxl_rgb565_depth_16"),
-    ("mps2-an385", [], "fxl_rgb565_depth_16"), (None, ["--frames", "24"], "fxl_rgb565_depth_16")])
-def test_a_model_is_exported_as_a_board_draws_it(tmp_path, board, options, shown):
+@pytest.mark.parametrize("board, options, shown, rows", [
+    ("microbit", [], "fxl_palette", 8), ("microbit", ["--frames", "24"], "fxl_palette", 8),
+    ("microbit", ["--screen", "64x48"], "fxl_rgb565_depth_16", 16), ("stm32vldiscovery", [], "fxl_palette", 3),
+    ("mps2-an385", [], "fxl_rgb565_depth_16", 16), (None, ["--frames", "24"], "fxl_rgb565_depth_16", 16)])
+def test_a_model_is_exported_as_a_board_draws_it(tmp_path, board, options, shown, rows):
+    """Its program has no more rows in a band than the board has room for."""
     (tmp_path / "pair.obj").write_text(PAIR, encoding="utf-8")
-    done = run_cli("export", "--c", tmp_path / "pair.obj", "-o", tmp_path / "pair.h", *(["--board", board] if board else []), *options)
+    done = run_cli("export", "--c", tmp_path / "pair.obj", "-o", tmp_path / "pair.h", "--program", tmp_path / "main.c",
+                   *(["--board", board] if board else []), *options)
     assert done.returncode == 0, done.stderr
     config = re.search(r"fxl_config pair_config = \{(.*?)\}", (tmp_path / "pair.h").read_text(encoding="utf-8"), re.DOTALL)[1]
-    assert f"&{shown}," in config
+    assert f"&{shown}," in config and f"#define ROWS {rows} " in (tmp_path / "main.c").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("scene, board, said", [

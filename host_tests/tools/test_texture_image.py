@@ -1,18 +1,26 @@
 # SPDX-License-Identifier: MIT
-"""Images of textures: which way up, greys of 16 bits, and those that cannot be read."""
+"""Textures: their images, which way up, greys of 16 bits, and those that cannot be read; what they show at the edges of faces, and which have
+levels by default; and how large they are, as the path shows or as an option says."""
 
 import base64
 import io
+import math
+import random
 import struct
 import zlib
+from fractions import Fraction
 
 import numpy
 import pytest
 from PIL import Image
 
 from conftest import assert_one_sentence, run_cli
+from fixel.base.errors import ToolError
+from fixel.image import image, image_surface
 from fixel.model import texture_image
-from model_files import SQUARE, glb, gltf
+from fixel.scene import compiler, look, surfaces, texture_size
+from fixel.scene.target import Target
+from model_files import SQUARE, build, glb, gltf, png
 
 PICTURE = Image.fromarray(numpy.array([[(250, 0, 0), (0, 250, 0), (0, 0, 250)], [(90, 90, 90), (0, 0, 0), (250, 250, 250)]], dtype=numpy.uint8))
 
@@ -116,7 +124,7 @@ MODELS = {
     "data.glb": _gltf(lambda blob: "data:image/png;base64," + base64.b64encode(blob).decode())}
 
 
-def build(folder, model, blob, *options):
+def built_model(folder, model, blob, *options):
     """fixel build of a model with an image."""
     (folder / "m.mtl").write_text("newmtl a\nKd 0 1 0\nmap_Kd skin.png\n")
     (folder / "skin.png").write_bytes(blob)
@@ -127,23 +135,22 @@ def build(folder, model, blob, *options):
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.parametrize("kind", UNREADABLE)
 def test_an_image_that_cannot_be_read_is_a_note(tmp_path, model, kind):
-    """The model is drawn in the colour of its material. --no-textures needs no image, and so no note."""
+    """The model is drawn in the colour of its material: with --no-textures in the place of the image's mean colour."""
     blob, words = UNREADABLE[kind]
-    done = build(tmp_path, model, blob)
-    assert done.returncode == 0, done.stderr
-    notes = [line for line in done.stderr.splitlines() if "colour of their material" in line]
-    assert len(notes) == 1 and all(word in notes[0] for word in words), done.stderr
-    assert model in notes[0] or "m.mtl:3" in notes[0]
-    assert "no image is named" not in done.stderr
-    done = build(tmp_path, model, blob, "--no-textures")
-    assert done.returncode == 0 and "colour of their material" not in done.stderr
+    for options in ((), ("--no-textures",)):
+        done = built_model(tmp_path, model, blob, *options)
+        assert done.returncode == 0, done.stderr
+        notes = [line for line in done.stderr.splitlines() if "colour of their material" in line]
+        assert len(notes) == 1 and all(word in notes[0] for word in words), done.stderr
+        assert model in notes[0] or "m.mtl:3" in notes[0]
+        assert "no image is named" not in done.stderr
 
 
 @pytest.mark.parametrize("model", MODELS)
 def test_a_scene_that_asks_for_an_image_that_cannot_be_read_is_told_why(tmp_path, model):
     """It is the only one of the model."""
     blob, words = UNREADABLE[next(iter(UNREADABLE))]
-    build(tmp_path, model, blob)
+    built_model(tmp_path, model, blob)
     (tmp_path / "scene.toml").write_text(f'[[objects]]\nmodel = "{model}"\nimages = true\n')
     done = run_cli("build", tmp_path / "scene.toml", "-o", tmp_path / "other.fxls")
     assert_one_sentence(done, "scene.toml", "images", *words)
@@ -179,7 +186,210 @@ def test_of_several_frames_the_first_is_shown_and_said(tmp_path, kind):
     for blob, count in ((several, 1), (file_of(frames[0], kind), 0)):
         found = texture_image.decode(blob, "m")
         assert len(found.notes) == count and found.pixels[0, 0, 0] > 200
-        done = build(tmp_path, "m.obj", blob)
+        done = built_model(tmp_path, "m.obj", blob)
         assert done.returncode == 0 and done.stderr.count("several frames") == count
         done = run_cli("texture", tmp_path / "skin.png", "-o", tmp_path / "out.h")
         assert done.returncode == 0 and done.stderr.count("several frames") == count
+
+
+# --- sizes ------------------------------------------------------------------------------------
+
+NOISE = [[((37 * x + 91 * y) % 256 & 0xC0, (53 * x * y) % 256 & 0xC0, (11 * x + 7 * y * y) % 256 & 0xC0) for x in range(256)] for y in range(256)]
+FOCAL = 160 / math.tan(math.radians(37.5))
+WALL = """
+[[textures]]
+name = "noise"
+file = "noise.png"
+{size}
+[[objects]]
+solid = "tile"
+rotation = [0, -90, 0]
+scale = [4, 1, 4]
+texture = "noise"
+{more}
+[path]
+keys = [{{ position = [0, 0, -{far}], frames = 20 }}, {{ position = [0, 0, -{near}] }}]
+"""
+
+
+def sides(scene):
+    """Of each texture."""
+    return [(1 << each.log_width, 1 << each.log_height) for each in scene.surfaces.textures]
+
+
+def wall(tmp_path, size, far, near, more="", pixels=256):
+    (tmp_path / "noise.png").write_bytes(png([row[:pixels] for row in NOISE[:pixels]]))
+    (tmp_path / "s.toml").write_text(WALL.format(size=size, far=far, near=near, more=more))
+    made, notes = compiler.compile_scene(str(tmp_path / "s.toml"))
+    assert image.unpack(image.pack(made)) == made
+    return sides(made), notes
+
+
+@pytest.mark.parametrize("shown, side", [(300, 256), (129, 256), (127, 128), (65, 128), (63, 64), (9, 16)])
+def test_a_wall_has_as_many_texels_as_the_nearest_pose_shows_pixels(tmp_path, shown, side):
+    near = 4 * FOCAL / shown        # a wall of 4 units is so many pixels wide
+    found, notes = wall(tmp_path, 'size = "path"', 1.5 * near, near)
+    assert found == [(side, side)] and any(f"no more than {side} texels a side" in note for note in notes)
+
+
+def test_without_a_size_a_file_keeps_its_own(tmp_path):
+    assert wall(tmp_path, "", 90, 60)[0] == [(256, 256)]
+
+
+@pytest.mark.parametrize("pixels, size, side", [(256, 64, 64), (200, 256, 256), (100, 32, 32), (16, 64, 16)])
+def test_a_size_is_the_most_of_a_side(tmp_path, pixels, size, side):
+    assert wall(tmp_path, f"size = {size}", 9, 6, pixels=pixels)[0] == [(side, side)]
+
+
+@pytest.mark.parametrize("size, more, words", [
+    ("size = 48", "", ["48", "power of two"]), ('size = "all"', "", ['"all"', "power of two"]), ("size = [64, 64]", "", ["power of two"]),
+    ('size = "path"', "texels_per_unit = 4", ["texels_per_unit", '"noise"', "object 0"]),
+    ('size = "path"', "texel_offset = [1, 2]", ["texel_offset", "number"])])
+def test_sizes_that_are_wrong(tmp_path, size, more, words):
+    with pytest.raises(ToolError) as caught:
+        wall(tmp_path, size, 9, 6, more)
+    assert all(word in str(caught.value) for word in words)
+
+
+def test_what_moves_and_what_a_player_walks_keeps_its_size(tmp_path):
+    for more in ("spin = { yaw = 3 }", ""):
+        text = WALL.format(size='size = "path"', far=90, near=60, more=more)
+        if not more:
+            text = text.partition("[path]")[0] + '[path]\nstart = { position = [0, 0, -90] }\nsteps = [{ keys = ["forward"], frames = 4 }]\n'
+        (tmp_path / "noise.png").write_bytes(png(NOISE))
+        (tmp_path / "s.toml").write_text(text)
+        assert sides(compiler.compile_scene(str(tmp_path / "s.toml"))[0]) == [(256, 256)]
+
+
+def model(tmp_path):
+    """A square with a picture of 256 x 256."""
+    (tmp_path / "m.glb").write_bytes(glb(*gltf(*SQUARE, uvs=[(0, 0), (1, 0), (1, 1), (0, 1)], image=png(NOISE))))
+    return tmp_path / "m.glb"
+
+
+def test_a_model_alone_has_what_its_circle_shows(tmp_path):
+    file = model(tmp_path)
+    for screen, side in (((320, 240), 256), ((160, 120), 128), ((64, 48), 64)):
+        made, _ = compiler.compile_scene(str(file), 4, screen, look=look.Look())
+        assert sides(made) == [(side, side)]
+    made, _ = compiler.compile_scene(str(file), 4, (64, 48), look=look.of(look.Asked(texture=128), "rgb565", 16, 128))
+    assert sides(made) == [(128, 128)]
+    assert texture_size.needed(made) == {1: (64, 64)}
+
+
+def test_the_option_gives_the_most_and_no_more_is_tried(tmp_path):
+    file, out = model(tmp_path), tmp_path / "out.fxls"
+    for words, side in ((["--texture", "32"], 32), (["--look", "--texture 8"], 8), ([], 256)):
+        done = run_cli("build", file, "-o", out, *words)
+        assert done.returncode == 0, done.stderr
+        assert sides(image.load(out)) == [(side, side)]
+    wanted = look.smaller(look.Asked(texture=64), "rgb565", 16)
+    assert [(each.texels, each.is_fixed) for each in wanted] == [(64, True), (32, False), (16, False), (0, False), (0, False), (0, False)]
+    assert [each.animation for each in wanted] == [""] * 5 + ["none"], "what moves is left out last"
+    assert look.best(look.Asked(texture=64), Target(), False).texels == 64
+
+
+def test_the_scene_file_of_a_model_has_the_size(tmp_path):
+    file = model(tmp_path)
+    done = run_cli("build", file, "-o", tmp_path / "a.fxls", "--screen", "64x48", "--write", tmp_path / "s.toml")
+    assert done.returncode == 0, done.stderr
+    assert run_cli("build", tmp_path / "s.toml", "-o", tmp_path / "b.fxls").returncode == 0
+    assert (tmp_path / "a.fxls").read_bytes() == (tmp_path / "b.fxls").read_bytes() and "size = 64" in (tmp_path / "s.toml").read_text()
+
+
+@pytest.mark.parametrize("words, said", [(["--texture", "48"], "power of two"), (["--texture", "512"], "power of two"),
+                                         (["--texture", "64", "--no-textures"], "exclude each other")])
+def test_options_that_are_wrong(tmp_path, words, said):
+    done = run_cli("build", model(tmp_path), "-o", tmp_path / "out.fxls", *words)
+    assert done.returncode == 2 and said in done.stderr
+
+
+def test_two_textures_of_one_file_have_a_size_each(tmp_path):
+    """The second had one texel; and where both need the same, one is stored."""
+    (tmp_path / "noise.png").write_bytes(png(NOISE))
+    near = 4 * FOCAL / 200
+    for far, found in ((4, [(256, 256), (64, 64)]), (1, [(256, 256)])):
+        rows = "".join(f'[[textures]]\nname = "{name}"\nfile = "noise.png"\nsize = "path"\n' for name in "ab")
+        walls = "".join(f'[[objects]]\nsolid = "tile"\nrotation = [0, -90, 0]\nscale = [4, 1, 4]\nposition = [{x}, 0, {(away - 1) * near}]\n'
+                        f'texture = "{name}"\nshade = false\n' for name, x, away in (("a", -2, 1), ("b", 2, far)))
+        (tmp_path / "s.toml").write_text(rows + walls + f"[path]\nkeys = [{{ position = [0, 0, -{near}] }}]\n")
+        assert sides(compiler.compile_scene(str(tmp_path / "s.toml"))[0]) == found
+
+
+def test_the_file_of_a_texture_may_have_as_many_pixels_as_an_image(tmp_path):
+    """A file of more than 4 MiB, which was refused."""
+    Image.fromarray(numpy.zeros((1500, 1200, 3), dtype=numpy.uint8)).save(tmp_path / "large.bmp")
+    assert (tmp_path / "large.bmp").stat().st_size > 5 << 20
+    (tmp_path / "s.toml").write_text('[[textures]]\nname = "t"\nfile = "large.bmp"\n[[objects]]\nsolid = "box"\ntexture = "t"\nshade = false\n')
+    assert sides(compiler.compile_scene(str(tmp_path / "s.toml"))[0]) == [(256, 256)]
+
+
+# --- edges and levels -------------------------------------------------------------------------
+
+TEXTURE = '[[textures]]\nname = "t"\npattern = "checker"\nsize = [16, 8]\n'
+TILE = '[[objects]]\nsolid = "tile"\nposition = [0, -1, 5]\ntexture = "t"\n'
+CORNERS = [(0, 0, 0), (9, 0, 0), (9, 9, 0), (0, 9, 0)]
+MARGIN = surfaces.edge_margin(16, 1, image_surface.DIVIDE_16)
+
+
+def kept(*coordinates, margin=MARGIN):
+    """Those of a face of three or four corners on a texture of 16 x 8 texels that repeats."""
+    values = [tuple(map(Fraction, corner)) for corner in coordinates]
+    return surfaces.within_edges(CORNERS[:len(values)], values, (0, 1, 2), (16, 8), margin)
+
+
+@pytest.mark.parametrize("division, between", [(image_surface.DIVIDE_16, 0.3), (image_surface.DIVIDE_8, 0.075), (image_surface.DIVIDE_1, 0)])
+def test_a_margin_is_what_a_coordinate_may_be_off(division, between):
+    """What SPEC.md, 9.2, allows between two divisions, and rounding, which grows with the texture and with its levels."""
+    for side, levels in ((8, 1), (64, 4), (256, 4), (256, 8)):
+        rounding = surfaces.edge_margin(side, levels, division) - Fraction(between)
+        assert 9 * side / 65536 + 2 ** (levels - 1) / 256 < rounding < 20 * side / 65536 + 2 ** levels / 256
+
+
+def test_what_ends_at_an_edge_of_a_texture_that_repeats_stays_on_its_side():
+    m = MARGIN
+    assert kept((0, 0), (16, 0), (16, 8), (0, 8)) == [(m, m), (16 - m, m), (16 - m, 8 - m), (m, 8 - m)]
+    assert kept((-16, 8), (32, 8), (32, 24)) == [(m - 16, 8 + m), (32 - m, 8 + m), (32 - m, 24 - m)]     # three times, from its edges on
+    assert kept((0, 1), (5, 1), (5, 7)) == [(m, 1), (5, 1), (5, 7)]
+    assert kept((Fraction(-1, 200), 1), (5, 1), (5, 7))[0] == (m, 1)     # a file's rounding beyond the edge
+    for crosses in ([(3, 1), (20, 1), (20, 7)], [(-1, 1), (15, 1), (15, 7)], [(8, 1), (Fraction(161, 10), 1), (12, 7)]):
+        assert kept(*crosses) == crosses                                 # it shows both sides
+
+
+def test_what_lies_on_an_edge_or_within_its_margin_shows_one_column():
+    narrow = Fraction(1, 10)
+    assert kept((0, 1), (narrow, 1), (0, 7)) == [(MARGIN, 1), (MARGIN, 1), (MARGIN, 7)]
+    assert kept((16, 1), (16 - narrow, 1), (16, 7)) == [(16 - MARGIN, 1), (16 - MARGIN, 1), (16 - MARGIN, 7)]
+    assert {u for u, _ in kept((0, 1), (0, 2), (0, 7))} == {MARGIN} and {u for u, _ in kept((16, 1), (16, 2), (16, 7))} == {16 - MARGIN}
+
+
+def test_kept_coordinates_are_affine_and_hardly_move():
+    """Also where a parallelogram has one corner at an edge. Faces of three corners that share one agree about it."""
+    chance, touched = random.Random(48), 0
+    for _ in range(300):
+        (a, b), (c, d), (e, f) = ((chance.choice((0, 1, 4, 8, 12, 16)), chance.choice((0, 1, 3, 6, 8))) for _ in range(3))
+        face = [(a, b), (c, d), (c + e - a, d + f - b), (e, f)]
+        found = kept(*face)
+        touched += found != face
+        (p, q), (r, s), (t, u), (v, w) = found
+        assert abs(p + t - r - v) <= surfaces.BEND_MAX and abs(q + u - s - w) <= surfaces.BEND_MAX
+        assert all(abs(x - y) <= MARGIN for one, other in zip(face, found) for x, y in zip(one, other))
+    assert touched > 100
+    one, other = kept((0, 1), (5, 0), (9, 3)), kept((0, 1), (9, 3), (2, 8))
+    assert one[0] == other[0] == (MARGIN, 1) and one[2] == other[1]
+
+
+def test_a_texture_that_clamps_keeps_its_coordinates(tmp_path):
+    whole, moved = ([(u / 65536, v / 65536) for u, v in build(tmp_path, TEXTURE + says + TILE).models[0].faces[0].mapped.texels]
+                    for says in ('wrap = "clamp"\n', ""))
+    assert {u for u, _ in whole} == {0, 16} and {v for _, v in whole} == {0, 8}
+    assert all(0.3 < u < 15.7 and 0.3 < v < 7.7 for u, v in moved)
+
+
+@pytest.mark.parametrize("shown", ['texture = "t"', 'textures = ["", "t"]'])
+@pytest.mark.parametrize("solid, said, levels", [("floor", "", 5), ("floor", "levels = 1\n", 1), ("floor", "levels = 3\n", 3), ("tile", "", 1)])
+def test_a_texture_of_a_floor_has_levels_unless_it_says_otherwise(tmp_path, solid, said, levels, shown):
+    """A texture that another solid shows has one level."""
+    shown = shown if solid == "floor" else 'texture = "t"'
+    scene = build(tmp_path, TEXTURE + said + f'[[objects]]\nsolid = "{solid}"\nscale = [8, 1, 8]\nposition = [0, -1, 5]\n{shown}\n')
+    assert [each.levels for each in scene.surfaces.textures] == [levels]

@@ -148,8 +148,8 @@ def room_of(options):
                            "surfaces" not in without, frozenset(targets), core, board["ram_size"])
 
 
-def look_of(board, arguments, screen, asked, wanted):
-    """The Look in which make run draws a bare model on a board. arguments: those of the command that names the model, its frames and
+def drawn_of(board, arguments, screen, asked, wanted):
+    """The model_look.Drawn in which make run draws a bare model on a board. arguments: those of the command that names the model, its frames and
     the limits; screen: width and height or None, asked: a target.Target, wanted: a look.Asked."""
     options = predict_command.parser().parse_args([f"--board={board}"])
     for name in ("scene", "frames", "cpu_limit", "memory_limit", "allow_outside"):
@@ -160,7 +160,7 @@ def look_of(board, arguments, screen, asked, wanted):
         _refuse_unknown(board, arguments.scene)
         predict_command.complete(options)
     with scratch.folder("look") as folder:
-        return model_look.look_for(options, model_look.room_of(elf) if elf.is_file() else room_of(options), options.build, folder)
+        return model_look.drawn_for(options, model_look.room_of(elf) if elf.is_file() else room_of(options), options.build, folder)
 
 
 def _refuse_unknown(board, scene):

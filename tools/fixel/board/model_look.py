@@ -292,11 +292,11 @@ def _chosen(options, room, build, folder):
     return chooser, drawn
 
 
-def look_for(options, room, build, folder):
-    """The Look in which make run draws a bare model where there is so much room."""
+def drawn_for(options, room, build, folder):
+    """The Drawn in which make run draws a bare model where there is so much room."""
     drawn = _chosen(options, room, build, folder)[1]
     print(f"  {one_line(options.scene)}: {_line(drawn, None, '', room.ram)}", file=sys.stderr)
-    return drawn.look
+    return drawn
 
 
 def choose(options, room, build, folder):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What fxl_setup_init reads of an exported scene, as text of C: lib/include/fixel/setup.h."""
 
-from fixel.image import image_surface, memory_needed
+from fixel.image import image_surface
 from fixel.image.c_text import comment, record, table
 
 INCLUDE = "fixel/setup.h"
@@ -117,7 +117,7 @@ def text(scene, name, frames):
 
 PROGRAM = """/* Written by tools/scene.py export --c --program: draws %(source)s. It is yours to change. */
 #include "%(header)s"
-#define ROWS 16 /* of a band, 1..%(height)d: more rows take more memory and fewer instructions; all of them: fxl_render */
+#define ROWS %(rows)d /* of a band, 1..%(height)d: more rows take more memory and fewer instructions; all of them: fxl_render */
 static fxl_setup it;
 static uint64_t memory[%(capital)s_SETUP_MEMORY(ROWS)]; /* in bands more of it takes fewer instructions: docs/setup.md */
 static %(pixel)s pixels[ROWS][%(width)d]; /* %(about)s */
@@ -153,10 +153,11 @@ int main(void)
 """
 
 
-def program(scene, name, header, source, frames):
-    """The text of a program that draws an exported scene. header: the file's name; source: that of the scene, for a comment."""
+def program(scene, name, header, source, frames, rows):
+    """The text of a program that draws an exported scene in bands of so many rows. header: the file's name; source: that of the scene,
+    for a comment."""
     is_565 = scene.pixel_bits == 16
     return PROGRAM % {
-        "source": source, "header": header, "name": name, "capital": name.upper(), "width": scene.width, "height": scene.height,
+        "source": source, "header": header, "name": name, "rows": rows, "capital": name.upper(), "width": scene.width, "height": scene.height,
         "pixel": "uint16_t" if is_565 else "uint8_t", "about": "RGB565" if is_565 else f"entries of {name}_palette",
         "frames": f"{name.upper()}_FRAMES" if frames else "1"}

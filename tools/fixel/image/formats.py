@@ -6,7 +6,7 @@ import pathlib
 import re
 
 from fixel.base import output
-from fixel.image.fields import ENTRY, HEADER, HEAD, SECTIONS, VERSION
+from fixel.image.fields import ENTRY, HEAD, HEADER, SECTIONS, VERSION
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 DOCUMENT = "docs/formats.md"

@@ -10,9 +10,9 @@ from fixel.image import (image_beam, image_billboard, image_cluster, image_heade
 from fixel.base.errors import ToolError
 from fixel.image.fields import HEAD, IMAGE_MAX, MAGIC, VERSION
 from fixel.image.image_header import POSES, STRIDES
-from fixel.image.image_models import (CONVEX, FACE_VERTICES_MAX, PLACED_MAX, PLANARITY_MAX, Face, Model, Object,
-                                check_coordinates, check_plane, check_planes, radius_of)
-from fixel.image.image_tree import COORDINATE_MAX, NORMAL_SQUARE_MAX_ERROR, RADIUS_MAX, SORTED, Node, TooLarge, Tree, check_tree, fail
+from fixel.image.image_models import (CONVEX, FACE_VERTICES_MAX, Face, Model, Object, PLACED_MAX, PLANARITY_MAX, check_coordinates,
+                                      check_plane, check_planes, radius_of)
+from fixel.image.image_tree import COORDINATE_MAX, NORMAL_SQUARE_MAX_ERROR, Node, RADIUS_MAX, SORTED, TooLarge, Tree, check_tree, fail
 
 # What the tools name as image.X, of the modules that an image is made of.
 __all__ = ["CONVEX", "COORDINATE_MAX", "FACE_VERTICES_MAX", "Face", "IMAGE_MAX", "KEYS", "Model", "NORMAL_SQUARE_MAX_ERROR",

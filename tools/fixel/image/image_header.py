@@ -5,7 +5,7 @@ import math
 import zlib
 from types import SimpleNamespace
 
-from fixel.image.fields import ENTRY, entry, HEAD, HEADER, IMAGE_MAX, MAGIC, VERSION
+from fixel.image.fields import ENTRY, HEAD, HEADER, IMAGE_MAX, MAGIC, VERSION, entry
 from fixel.image.image_tree import fail
 
 POSES, STRIDES = 0, 1            # kinds of path

@@ -11,7 +11,7 @@ import numpy as np
 
 from fixel.image import image_surface
 from fixel.image.fields import entry
-from fixel.image.image_tree import COORDINATE_MAX, fail, NORMAL_SQUARE_MAX_ERROR, RADIUS_MAX, SORTED
+from fixel.image.image_tree import COORDINATE_MAX, NORMAL_SQUARE_MAX_ERROR, RADIUS_MAX, SORTED, fail
 
 AT_ONCE = 64        # faces: of fewer, one after the other is faster
 KEY = entry("keys")

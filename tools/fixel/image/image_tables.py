@@ -5,7 +5,7 @@ name, of texels, of sprite pixels, of their colours. Records may name the same r
 import struct
 
 from fixel.base.errors import ToolError
-from fixel.image.fields import ALWAYS, ENTRY, entry, HEAD, KINDS, SECTIONS, TOGETHER
+from fixel.image.fields import ALWAYS, ENTRY, HEAD, KINDS, SECTIONS, TOGETHER, entry
 from fixel.image.image_tree import fail
 
 PALETTE, POSE, STRIDE = map(entry, ("palette", "poses", "strides"))

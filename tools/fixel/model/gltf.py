@@ -19,7 +19,7 @@ from fixel.model.gltf_nodes import Nodes
 from fixel.model.mesh import FILE_FACES_MAX, Mesh
 from fixel.model.sources import Sources
 from fixel.model.stl import COORDINATE_LIMIT, exact
-from fixel.model.surface import MEAN_NOTE, TINT_NOTE, WHITE, Surfaces
+from fixel.model.surface import MEAN_NOTE, Surfaces, TINT_NOTE, WHITE
 
 _CONVENTION = ("right-handed and counter-clockwise, as glTF is: z was negated and every outline reversed")
 # Of a place, a coordinate or a colour: the whole ones normalised, or as they are (KHR_mesh_quantization).

@@ -14,7 +14,7 @@ from fixel.base.notes import Usual
 from fixel.base.reading import quoted
 from fixel.model import model_text
 from fixel.model.sources import PLAIN_FACES, find_named, plain
-from fixel.model.surface import GREY, WHITE, Material
+from fixel.model.surface import GREY, Material, WHITE
 from fixel.model.texture_image import Texture
 
 FILE_MAX = 1 << 20          # bytes

@@ -16,7 +16,7 @@ import re
 from fixel.model import creases, model_text, obj_materials
 from fixel.base.errors import ToolError
 from fixel.base.notes import Usual
-from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh, without_unused
+from fixel.model.mesh import FILE_FACES_MAX, Mesh, UNIT, without_unused
 from fixel.base.reading import quoted
 from fixel.model.sources import Sources
 

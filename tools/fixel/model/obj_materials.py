@@ -10,7 +10,7 @@ import re
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
 from fixel.model import model_text, mtl
-from fixel.model.surface import GREY, Material, MEAN_NOTE, mean_tint, MISSING_NOTE, Surfaces, WHITE
+from fixel.model.surface import GREY, MEAN_NOTE, MISSING_NOTE, Material, Surfaces, WHITE, mean_tint
 
 LIBRARIES_MAX = 256         # of a file
 _WORDS_MAX = 64             # of one mtllib

@@ -17,7 +17,7 @@ from fixel.model.mesh import FILE_FACES_MAX, Mesh, without_unused
 from fixel.model.obj import CORNERS_MAX, NORMAL_MAX, NORMAL_MIN
 from fixel.model.sources import Sources, find_named
 from fixel.model.stl import COORDINATE_LIMIT, exact
-from fixel.model.surface import GREY, Material, MEAN_NOTE, mean_tint, Surfaces, WHITE
+from fixel.model.surface import GREY, MEAN_NOTE, Material, Surfaces, WHITE, mean_tint
 
 FILE_MAX = 64 << 20         # bytes
 _UV_MAX = 1e6               # images across

@@ -16,7 +16,7 @@ import numpy as np
 from fixel.base import children, interpreter
 from fixel.base.errors import ToolError
 from fixel.model import t_junctions
-from fixel.model.mesh import Mesh, newell, UNIT
+from fixel.model.mesh import Mesh, UNIT, newell
 from fixel.model.surface import Surfaces, WHITE
 from fixel.model.triangles import triangulate
 

@@ -101,11 +101,11 @@ def _once(known, key, make):
 
 
 class Sources:
-    """Reads files, and decodes each image once, by whatever name it is asked for. wants_images: whether a note tells of an image
-    that cannot be read. unread: what is wrong with each such image."""
+    """Reads files, and decodes each image once, by whatever name it is asked for. unread: what is wrong with each image that cannot
+    be read."""
 
-    def __init__(self, wants_images=True):
-        self.by_path, self.by_content, self.wants_images, self.unread = {}, {}, wants_images, []
+    def __init__(self):
+        self.by_path, self.by_content, self.unread = {}, {}, []
 
     def read(self, path, most, advice):
         """The bytes of a file of a model; one of more than so many is refused."""
@@ -123,8 +123,7 @@ class Sources:
         except ToolError as error:
             said = [f"{error.message}. {without}"]
             self.unread.append(error.message)
-        if self.wants_images:
-            notes += [note for note in said if note not in notes]
+        notes += [note for note in said if note not in notes]
         return found
 
     def image_named(self, file, name, where):

@@ -14,10 +14,10 @@ import numpy as np
 from fixel.base.errors import ToolError
 from fixel.base.notes import Usual
 from fixel.model import model_text
-from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh
+from fixel.model.mesh import FILE_FACES_MAX, Mesh, UNIT
 from fixel.base.reading import quoted
 from fixel.model.sources import Sources
-from fixel.model.surface import GREY, WHITE, Material, Surfaces
+from fixel.model.surface import GREY, Material, Surfaces, WHITE
 
 FILE_MAX = 64 << 20         # bytes
 COORDINATE_LIMIT = 10 ** 9

@@ -7,8 +7,7 @@ import numpy as np
 
 from fixel.report import showcase_files as files
 from fixel.report.showcase_files import Gltf, image_bytes
-from fixel.report.showcase_shapes import (ball, box, clouds, cloth, flat, joined, lathe, mixed, noise, placed, planks, surface, tube,
-                                          wheel)
+from fixel.report.showcase_shapes import ball, box, cloth, clouds, flat, joined, lathe, mixed, noise, placed, planks, surface, tube, wheel
 
 SEED = 2026
 SCAN_FACES = 200_000

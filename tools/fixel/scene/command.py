@@ -135,17 +135,18 @@ def main(argv):
     look.check(wanted, arguments.scene, is_model)
     has_tree = arguments.tree not in (None, "none")
     how = {"looks": look.smaller(wanted, *look.targets(wanted, asked, has_tree)[0]), "write": wanted.write, "writes": True} if is_model else {}
-    board = getattr(arguments, "board", None)
+    board, rows = getattr(arguments, "board", None), making.ROWS
     if board and not is_model:
         raise ToolError(f"--board is for a model without a scene file; {arguments.scene} says itself how it is drawn")
     if board and board != "host":
         from fixel.bench import prediction
-        how["looks"] = [prediction.look_of(board, arguments, screen, asked, wanted)]
+        drawn = prediction.drawn_of(board, arguments, screen, asked, wanted)
+        how["looks"], rows = [drawn.look], min(rows, drawn.rows)
     common = arguments.frames, screen, arguments.tree, limits, asked
     if arguments.command == "export":
         if arguments.program and wanted.write:
             raise ToolError("--program and --write are for one command each: leave out one of them")
-        made = making.export(arguments.scene, arguments.out, arguments.name, *common, verbose=wanted.verbose, program=arguments.program, **how)
+        made = making.export(arguments.scene, arguments.out, arguments.name, *common, verbose=wanted.verbose, program=arguments.program, rows=rows, **how)
     else:
         made = making.build(arguments.scene, arguments.out, *common, verbose=wanted.verbose, **how)
     has_path = arguments.command == "build" or arguments.frames is not None or (arguments.program and made.frames > 0)

@@ -270,7 +270,7 @@ def compile_model(path, frames=None, progress=None, screen=None, framing=WALK, l
     """A bare model file -> (SceneImage, notes). look: a look.Look. write: where the scene file is to stand that gives the
     same frames; it is then scene.text."""
     folder, name = os.path.split(path)
-    files = toml_model.Files(folder, look.wants_images)
+    files = toml_model.Files(folder)
     file = files.file(name)
     mesh, read_notes = model_file.reader_of(name)(path, str(file), progress, files.sources)
     mesh = toml_model.near_origin(mesh)

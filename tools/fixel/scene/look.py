@@ -26,8 +26,7 @@ class Look:
     animation: a pattern of the name of the one that is played; "": the first, NO_ANIMATION: none. camera: a pattern of the name of the one that
     makes the path; "": a circle. whole: whether the model is one object, and nothing of it moves. simplify: how many faces it
     has at most, None for its own. baked: whether the tool computes the light. normals: whether those of the file and
-    its smoothing groups make smooth light where it has some, and its shape where it has none. colours: whether those of its faces and vertices show.
-    wants_images: whether an image that cannot be read is worth a note."""
+    its smoothing groups make smooth light where it has some, and its shape where it has none. colours: whether those of its faces and vertices show."""
     pixels: str = "rgb565"
     depth: int = 16
     texels: int = TEXELS[0]
@@ -41,7 +40,6 @@ class Look:
     baked: bool = False
     normals: bool = True
     colours: bool = True
-    wants_images: bool = True
 
     @property
     def bits(self):
@@ -187,7 +185,7 @@ def of(asked, pixels, depth, texels=TEXELS[0], smooth=True):
     return Look(pixels, depth, 0 if asked.no_textures else texels, crease if smooth and not asked.flat and not asked.bake_light else 0,
                 asked.texture is not None and texels == asked.texture, asked.keep, asked.animation,
                 asked.camera, simplify=asked.simplify, normals=asked.smooth is None, baked=asked.bake_light,
-                colours=not asked.no_colours, wants_images=not asked.no_textures)
+                colours=not asked.no_colours)
 
 
 def best(asked, target, has_tree):

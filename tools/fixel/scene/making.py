@@ -14,6 +14,7 @@ from fixel.base.table import count_of
 from fixel.image import c_names, image_header
 from fixel.scene.look import PLAIN
 
+ROWS = 16       # of a band of a program that is written, where no board has room for fewer
 WORKER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worker.py")
 
 
@@ -52,13 +53,16 @@ def build(scene, out, frames=None, screen=None, layers=None, limits=None, asked=
     return Made(**_make(out, request, scene, limits, writes))
 
 
-def export(scene, out, name=None, frames=None, screen=None, layers=None, limits=None, asked=None, looks=(PLAIN,), write=None, verbose=False, writes=False, program=None):
+def export(scene, out, name=None, frames=None, screen=None, layers=None, limits=None, asked=None, looks=(PLAIN,), write=None, verbose=False,
+           writes=False, program=None, rows=ROWS):
     """Writes a scene, a model or a scene image as a C header; answers a Made. frames: with so many poses of the path. program: where
-    a program that draws it is to stand; then the header has the path."""
+    a program that draws it is to stand, in bands of so many rows; then the header has the path."""
     own = c_names.name_of_file(scene)
     beside = os.path.relpath(out, os.path.dirname(program) or ".") if program else None
     request = {"job": "export", "scene": os.fspath(scene), "name": own if name is None else name, "frames": frames,
-               "screen": screen, "layers": layers, "framed": "walk" if program else "program", "target": vars(asked) if asked else {}, "looks": [vars(look) for look in looks], "write": write, "verbose": verbose, "program": beside}
+               "screen": screen, "layers": layers, "framed": "walk" if program else "program",
+               "target": vars(asked) if asked else {}, "looks": [vars(look) for look in looks], "write": write, "verbose": verbose,
+               "program": beside, "rows": rows}
     return Made(**_make(out, request, scene, limits, writes, program))
 
 

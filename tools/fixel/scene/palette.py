@@ -133,6 +133,7 @@ def allocate(background, wanted, reserved=()):
 _CHUNK = 1024       # colours at a time
 
 
+# place light: between: the formula of fxl_mix_colours in the tools; Light.bake: light that the tools bake into colours
 # light 3.3
 def between(dark, full, level, top):
     """A level of a colour: dark at 0, full at top; to the nearest, halves upward, as fxl_light_make_ramp has it."""

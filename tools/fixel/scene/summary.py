@@ -4,6 +4,7 @@
 import json
 
 from fixel.base.errors import one_line
+# place field: a field of the header: who uses it in the tools
 from fixel.image import image, image_header, image_surface
 from fixel.scene import path
 

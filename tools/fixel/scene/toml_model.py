@@ -15,7 +15,7 @@ from fixel.base.notes import Usual
 from fixel.base.reading import Beside, QUOTE_MAX, quoted
 from fixel.image import image
 from fixel.model import merge, model_file, simplify, suffixes, t_junctions
-from fixel.model.mesh import FILE_FACES_MAX, Mesh, rounding_error, shape, UNIT
+from fixel.model.mesh import FILE_FACES_MAX, Mesh, UNIT, rounding_error, shape
 from fixel.model.sources import Sources
 
 # place key: a key of an object's model file: obj, model, fit and others
@@ -28,9 +28,8 @@ class Files:
     """The meshes of a scene's model files. A file is one however its name is spelled, so it is read once. Its key is its
     name, or the Beside that stands for it in messages."""
 
-    def __init__(self, folder, wants_images=True):
-        """wants_images: as for Sources."""
-        self.folder, self.sources = folder, Sources(wants_images)
+    def __init__(self, folder):
+        self.folder, self.sources = folder, Sources()
         self.by_name, self.by_path, self.meshes, self.parts, self.moved = {}, {}, {}, {}, {}
         self.simpler, self.results = {}, {}     # keys of meshes of fewer faces; what made them, a simplify.Result
         self.plain_ones = {}                    # keys of meshes without colours

@@ -15,7 +15,7 @@ from fixel.model import quantity
 from fixel.model.quantity import matrix, sine_cosine
 from fixel.scene.toml_table import Table
 
-# place key: a key of an object's places: ring, repeat, position
+# place key: a key of an object's places or motion: ring, repeat, position; motion, turn, spin, parent
 _RING = {"count", "radius", "start", "turn", "turned"}
 
 
@@ -82,7 +82,6 @@ def places(table):
             for point in _repeated(map(operator.add, base, out), step, repeat)]
 
 
-# place key: a key of an object's motion: motion, turn, spin, parent
 KEYS = {"turn", "size", "spin", "motion", "parent"}
 SIZE_MIN, SIZE_MAX = Fraction(1, 256), 256
 FRAMES_MAX = image_placement.FRAME_MAX

@@ -16,7 +16,7 @@ from fixel.base.errors import ToolError
 from fixel.image.image import Face, Model, Object, SceneImage
 from fixel.base.reading import quoted, shortened
 from fixel.scene.surfaces import Records
-from fixel.scene.toml_object import SORTED_NOTE, Objects
+from fixel.scene.toml_object import Objects, SORTED_NOTE
 from fixel.scene.toml_table import Table
 
 FRAMES_MAX = 1_000_000      # of a path
@@ -190,7 +190,7 @@ def _shortened(strides, frames):
 
 def _path(top, frames):
     """(kind, entries, start, gait); no more than frames of them where asked. Without a path there are no entries: see
-    default_path."""
+    path.about."""
     if "path" not in top:
         return image.POSES, [], (0,) * 6, _gait(Table({}, top.at("path"), set()))
     table = top.table("path", {"keys", "steps", "orbit", "start", "gait", "interpolation"})

@@ -68,7 +68,7 @@ def export(request, report):
     frames = request["frames"] is not None or (bool(request["program"]) and compiled.path_kind == image.POSES)
     text = c_scene.header(compiled, request["name"], os.path.basename(scene), frames)
     program = c_setup.program(compiled, request["name"], request["program"], c_scene.printable(os.path.basename(scene)),
-                              frames) if request["program"] else None
+                              frames, request["rows"]) if request["program"] else None
     return {**_given(request, report, text.encode(), compiled, notes), "program": program}
 
 

@@ -17,10 +17,10 @@ import time
 from fixel.base import limits
 from fixel.base.errors import ToolError
 from fixel.board import emulator, execute, qemu
-from fixel.board.ending import describe, Ending, exit_status, last_lines
-from fixel.board.execute import kill, OUTPUT_MAX
+from fixel.board.ending import Ending, describe, exit_status, last_lines
+from fixel.board.execute import OUTPUT_MAX, kill
 from fixel.board.symbols import Symbols
-from fixel.view.view_window import KeyFile, KEYS_NAME, Stream
+from fixel.view.view_window import KEYS_NAME, KeyFile, Stream
 from fixel.view.view_window import Window
 
 ENDLESS = 0xFFFFFFFF    # frames

@@ -19,7 +19,7 @@ from fixel.base.errors import ToolError, one_line, printable
 from fixel.base.table import count_of
 from fixel.board import emulator, execute, firmware, methods, own_run
 from fixel.board.ending import Ending, describe, last_lines
-from fixel.view.view_board import ENDLESS, Board, ProgramEnded
+from fixel.view.view_board import Board, ENDLESS, ProgramEnded
 from fixel.view.view_window import KEYS_NAME
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
