@@ -23,7 +23,7 @@ from fixel.scene import toml_billboard, toml_light, toml_model, toml_motion, tom
 from fixel.scene import compiler
 from model_files import glb, gltf, png, stl, stl_text
 from test_checkers import mutant
-from test_ply import binary as ply_binary, text as ply_tables
+from test_ply import binary as ply_binary, text as ply_text
 
 
 def check(name, data, *beside, layers=None):
@@ -75,7 +75,7 @@ GLTF = gltf(uvs=[(0, 0), (1, 0), (1, 1), (0, 1)], colours=[(9, 99, 199, 255)] * 
             image=png([[(1, 2, 3), (40, 50, 60)]]), nodes=[{"children": [1], "scale": [1, 2, 3]}, {"mesh": 0, "matrix": [
                 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1]}])
 # Corners, colours of vertices and of faces, texture coordinates.
-PLY_TEXT = ply_tables(vertex=(("uchar red", "uchar green", "uchar blue", "float u", "float v"), [(1, 2, 3, 0.5, 1)] * 4),
+PLY_TEXT = ply_text(vertex=(("uchar red", "uchar green", "uchar blue", "float u", "float v"), [(1, 2, 3, 0.5, 1)] * 4),
                     face=(("float red", "float green", "float blue"), [(0.5, 0.25, 1)] * 4))
 PLY_BINARY = ply_binary()
 JSON = st.recursive(st.one_of(st.none(), st.booleans(), st.integers(-3, 9), st.floats(), st.sampled_from([

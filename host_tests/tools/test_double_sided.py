@@ -9,8 +9,7 @@ from conftest import run_cli
 from fixel.base.errors import ToolError
 from fixel.image import image
 from fixel.scene import compiler, look, toml_scene
-from model_files import SQUARE, TETRAHEDRON, glb, gltf
-from node_files import File
+from model_files import File, SQUARE, TETRAHEDRON, glb, gltf
 
 
 def faces(path, wanted=look.Look()):

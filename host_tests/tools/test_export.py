@@ -17,7 +17,7 @@ from fixel.bench import frame_costs, prediction
 from fixel.image import c_names, c_scene, c_text, image, memory_needed
 from fixel.base.errors import ToolError
 from fixel.scene import compiler, making
-from scene_text import build
+from model_files import build
 
 CUBE = ROOT / "examples" / "cube" / "cube.obj"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wmissing-field-initializers", "-Wredundant-decls", "-Werror"]

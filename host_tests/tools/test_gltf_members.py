@@ -11,8 +11,7 @@ import pytest
 from fixel.base.errors import ToolError
 from fixel.model import gltf
 from fixel.scene import framing, look
-from model_files import glb, png
-from node_files import File, about_x
+from model_files import File, about_x, glb, png
 
 LOOKS = (look.Look(), look.Look(camera="*", animation="*", keep="*"))
 FRAMED = ("animations", "cameras", "extensions", "nodes", "skins")

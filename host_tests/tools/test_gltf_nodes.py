@@ -15,7 +15,7 @@ from fixel.model import gltf
 from fixel.model.gltf_motion import between
 from fixel.model.quantity import matrix
 from fixel.scene import compiler, look, toml_scene, tracks
-from node_files import CORNERS, WHEELS, File, about_x, car
+from model_files import CORNERS, File, WHEELS, about_x, car
 
 
 def compiled(path, **wanted):

@@ -11,7 +11,7 @@ from conftest import run_cli
 from fixel.base.errors import ToolError
 from fixel.image import image
 from fixel.scene import compiler, look, toml_scene
-from node_files import File, about_x, car
+from model_files import File, about_x, car
 
 LIGHTS = "KHR_lights_punctual"
 

@@ -1,14 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""Limits of programs: CPU time and sleep, never wall time."""
+"""Limits of programs: CPU time and sleep, never wall time; and jobs in a process of their own, under limits: however the process ends, there
+is its answer or one sentence."""
 
+import os
 import subprocess
 import sys
 import time
+import types
 
+import numpy as np
 import pytest
-from viewers import runs
 
-from fixel.base import limits
+from conftest import CHECKOUT, TOOLS, assert_one_sentence, environment, run_cli
+from fixel.base import bounded, job, limits, reading
+from fixel.base.errors import ToolError
+from fixel.model import stl
+from viewers import runs
 
 BURN = "while :; do :; done"
 HOUR = 3600.0
@@ -152,3 +159,175 @@ def test_cpu_time_counts_from_the_news(monkeypatch):
     watch.renew()
     assert later(1.0) is None       # the look from which it counts
     assert later(4.5) is None and later(1.0) == "it used 5 s of CPU time"
+
+
+# --- jobs in a process of their own -----------------------------------------------------------
+
+HEAD = f"import json, os, signal, sys, time\nsys.path.insert(0, {str(TOOLS)!r})\nfrom fixel.base import errors, job\n"
+SMALL = bounded.Limits(cpu=1, memory=200)
+NAMED = r"x\.toml: at the stage '{}' .*{}.*; the limits are 1 s of CPU time \(--cpu-limit\) and 200 MiB of memory \(--memory-limit\)$"
+
+
+def run(folder, body, limits=SMALL, subject="x.toml"):
+    """A job of these lines, which may use request and report."""
+    (folder / "worker.py").write_text(HEAD + "def do(request, report):\n" +
+                                      "".join(f"    {line}\n" for line in body.splitlines()) + "job.serve(do)\n")
+    return bounded.run(str(folder / "worker.py"), {"asked": 5}, subject, limits)
+
+
+def test_a_job_answers(tmp_path):
+    assert run(tmp_path, 'print("noise", flush=True)\nreturn [request["asked"], "ä\\n"]') == ([5, "ä\n"], b"")
+
+
+def test_a_job_gives_bytes_of_any_size(tmp_path):
+    assert run(tmp_path, 'report.give(bytes(range(256)) * 40_000)\nreturn 7') == (7, bytes(range(256)) * 40_000)
+    assert run(tmp_path, 'report.give(b"")') == (None, b"")
+
+
+def test_the_files_that_a_job_read_are_known(tmp_path):
+    (tmp_path / "in").write_text("x")
+    run(tmp_path, f"from fixel.base import reading\nreading.read_all({str(tmp_path / 'in')!r})", subject=str(tmp_path / "x.toml"))
+    assert reading.identity(tmp_path / "in") in reading.opened()
+
+
+def test_a_job_reads_no_file_outside_the_folder_of_its_subject(tmp_path):
+    folder = tmp_path / "scenes"
+    folder.mkdir()
+    for file in (folder / "in", tmp_path / "out"):
+        file.write_text("x")
+    body = "from fixel.base import reading\nreturn reading.read_all({!r}).decode()"
+    assert run(folder, body.format(str(folder / "in")), subject=str(folder / "x.toml"))[0] == "x"
+    outside = body.format(str(tmp_path / "out"))
+    with pytest.raises(ToolError, match="is outside .*, the folder of .*x.toml"):
+        run(folder, outside, subject=str(folder / "x.toml"))
+    allowed = bounded.Limits(cpu=1, memory=200, outside=True)
+    assert run(folder, outside, allowed, subject=str(folder / "x.toml"))[0] == "x"
+
+
+def test_a_refusal_comes_as_it_is(tmp_path):
+    with pytest.raises(ToolError) as refused:
+        run(tmp_path, 'raise errors.ToolError("x.toml: is wrong", 1, "words\\nof another")')
+    assert (refused.value.message, refused.value.exit_code, refused.value.words) == ("x.toml: is wrong", 1, "words\nof another")
+
+
+@pytest.mark.parametrize("body, words", [
+    ("while True:\n    pass", "took the limit of 1 s of CPU time"),
+    ("try:\n    while True:\n        pass\nexcept BaseException:\n    return 1", "took the limit of 1 s of CPU time"),
+    ("return len(bytes(1 << 30))", "needs more than the limit of 200 MiB of memory"),
+    ("made = []\nwhile True:\n    made.append([made] * 10)", "needs more than the limit of 200 MiB of memory"),
+    ("raise OSError(12, 'x')", "needs more than the limit of 200 MiB of memory"),
+    ("raise ImportError('failed to map segment from shared object')", "needs more than the limit of 200 MiB of memory"),
+    ("os.kill(os.getpid(), signal.SIGKILL)", "was killed"),
+    ("os.kill(os.getpid(), signal.SIGSEGV)", "was ended by SIGSEGV"),
+    ("os._exit(0)", "ended without an answer"),
+    ("os._exit(3)", "ended without an answer"),
+    ("os.closerange(0, 100)\ntime.sleep(600)", "was killed"),
+    ("report.send({'unknown': 1})\ntime.sleep(600)", "sent a damaged answer"),
+    ("report.send({'done': 1})\ntime.sleep(600)", "sent a damaged answer"),
+    ("report.send({'done': [1, 9]})\nos.write(1, b'short')\nos._exit(0)", "without an answer"),
+    ("report.send([1])\ntime.sleep(600)", "sent a damaged answer"),
+    ("return {}[0]", r"defect of the tool \(KeyError in worker.py, line 6\)")])
+def test_each_end_is_one_sentence(tmp_path, body, words):
+    """It names the file, the stage, the limits and their options."""
+    with pytest.raises(ToolError, match=NAMED.format("face 9", words)) as refused:
+        run(tmp_path, "report.stage('face 9')\n" + body)
+    assert refused.value.exit_code == 2 and not refused.value.words
+
+
+def test_a_process_that_cannot_begin(tmp_path):
+    (tmp_path / "worker.py").write_text("syntax error")
+    with pytest.raises(ToolError, match=NAMED.format("its start", "ended without an answer")):
+        bounded.run(str(tmp_path / "worker.py"), {}, "x.toml", SMALL)
+
+
+def test_what_is_being_done_is_told_now_and_then(tmp_path, capfd, monkeypatch):
+    monkeypatch.setattr(bounded, "QUIET_SECONDS", 0)
+    run(tmp_path, "job.PAUSE = 1e9\nreport.stage('a\\x1b')\nfor i in range(100):\n    report(f'face {i}')\nreport.stage('b')\nreport.stage('b')")
+    assert capfd.readouterr().err == "scene: a\\x1b\nscene: b\n"
+
+
+def test_how_far_a_stage_is_is_told_when_the_last_words_are_some_time_old(monkeypatch):
+    now, told = [100.0], []
+    monkeypatch.setattr(job, "time", types.SimpleNamespace(monotonic=lambda: now[0]))
+    report = job.Report(told.append)
+    report.stage("reading the file")
+    for passed, words in ((job.PAUSE / 2, "1 of 3"), (job.PAUSE, "2 of 3"), (job.PAUSE / 2, "3 of 3")):
+        now[0] += passed
+        report(words)
+    assert told == [{"stage": "reading the file"}, {"stage": "2 of 3"}]
+
+
+def test_a_limit_that_a_system_lacks_is_said_once(tmp_path, capfd, monkeypatch):
+    monkeypatch.setattr(bounded, "_told_without", False)
+    body = "report.send({'without': 'memory'})\nreturn 1"
+    assert run(tmp_path, body) == run(tmp_path, body) == (1, b"")
+    assert capfd.readouterr().err == "note: this system has no limit of memory for a process: scenes are compiled without\n"
+
+
+def test_which_limits_a_system_lacks():
+    """In a process of its own, which they would bind."""
+    code = ("import resource\nfrom fixel.base import job\nreal = resource.setrlimit\n"
+            "def refuse(kind, limits):\n    if kind == resource.RLIMIT_AS:\n        raise ValueError\n    real(kind, limits)\n"
+            "resource.setrlimit = refuse\nprint(job._limit(7, 1 << 30), resource.getrlimit(resource.RLIMIT_CPU)[0])\n"
+            "resource.setrlimit = real\nprint(job._limit(6, 1 << 30), resource.getrlimit(resource.RLIMIT_AS)[0])")
+    done = subprocess.run([sys.executable, "-c", code], cwd=TOOLS, env=environment(), capture_output=True, text=True, check=True)
+    assert done.stdout == f"['memory'] 7\n[] {1 << 30}\n"
+
+
+def test_limits_that_hold_already_are_kept():
+    code = ("import resource\nfrom fixel.base import bounded\nresource.setrlimit(resource.RLIMIT_CPU, (9, 20))\n"
+            "print(bounded.Limits(cpu=30).effective()[0], bounded.Limits(cpu=5).effective()[0])")
+    done = subprocess.run([sys.executable, "-c", code], cwd=TOOLS, env=environment(), capture_output=True, text=True, check=True)
+    assert done.stdout == "9 5\n"
+
+
+def test_the_defaults(monkeypatch):
+    """60 s, and 2 GiB or half of the machine's memory."""
+    monkeypatch.setattr(bounded, "_at_most_present", lambda kind, wanted: wanted)
+    for pages, memory in ((1 << 24, 2 << 30), (1 << 18, 512 << 20), (1, 64 << 20)):
+        monkeypatch.setattr(os, "sysconf", {"SC_PHYS_PAGES": pages, "SC_PAGE_SIZE": 4096}.get)
+        assert bounded.Limits().effective() == (60, memory)
+
+
+@pytest.mark.parametrize("option", ["--cpu-limit", "--memory-limit"])
+@pytest.mark.parametrize("text", ["0", "-1", "1_0", "٣", "nan", "9" * 5000, ""])
+def test_limits_that_are_none(tmp_path, option, text):
+    done = run_cli("build", CHECKOUT / "scenes" / "tiny.toml", "-o", tmp_path / "out", option, text)
+    assert_one_sentence(done, option, "must be a whole number from")
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("command", [["build"], ["export", "--c"]])
+@pytest.mark.parametrize("option, words", [(("--cpu-limit", "1"), "took the limit of 1 s of CPU time"),
+                                           (("--memory-limit", "100"), "more than the limit of 100 MiB of memory")])
+def test_a_scene_beyond_a_limit_leaves_nothing(tmp_path, command, option, words):
+    head, triangles = bytes(80) + (65_000).to_bytes(4, "little"), np.zeros(65_000, stl._TRIANGLE)
+    triangles["corners"] = np.random.default_rng(5).random((65_000, 3, 3))
+    (tmp_path / "m.stl").write_bytes(head + triangles.tobytes())
+    (tmp_path / "out").write_text("old")
+    done = run_cli(*command, tmp_path / "m.stl", "-o", tmp_path / "out", *option)
+    assert_one_sentence(done, "m.stl", "at the stage", words, option[0])
+    assert (tmp_path / "out").read_text() == "old" and sorted(os.listdir(tmp_path)) == ["m.stl", "out"]
+
+
+def test_it_ends_with_the_tool(tmp_path):
+    """A tool that is killed leaves no process that goes on to compile."""
+    code = HEAD + f"from fixel.base import bounded\nbounded.run({str(tmp_path / 'worker.py')!r}, {{}}, 'x')"
+    (tmp_path / "worker.py").write_text(HEAD + f"def do(request, report):\n    open({str(tmp_path / 'pid')!r}, 'w').write(str(os.getpid()))\n"
+                                        "    time.sleep(600)\njob.serve(do)\n")
+    tool = subprocess.Popen([sys.executable, "-c", code], env=environment())
+    while not (tmp_path / "pid").exists() or not (tmp_path / "pid").read_text():
+        time.sleep(0.02)
+    worker = int((tmp_path / "pid").read_text())
+    tool.kill()
+    tool.wait()
+    while _runs(worker):
+        time.sleep(0.02)
+
+
+def _runs(process):
+    try:
+        with open(f"/proc/{process}/stat", encoding="utf-8") as file:
+            return file.read().rpartition(")")[2].split()[0] not in "ZX"
+    except FileNotFoundError:
+        return False

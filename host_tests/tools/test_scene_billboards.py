@@ -13,7 +13,7 @@ from fixel.image import image
 from fixel.base.errors import ToolError
 # place field: images that are broken, for the tools
 from scene_sections import section
-from scene_text import build
+from model_files import build
 
 BOARD = '[[billboards]]\nname = "b"\npattern = "tree"\npixels = [5, 6]\nsize = [2, 3]\n'
 OBJECT = '[[objects]]\nbillboard = "b"\nposition = [0, 0, 9]\n'

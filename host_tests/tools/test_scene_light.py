@@ -1,17 +1,24 @@
 # SPDX-License-Identifier: MIT
-"""Scene files that are lit at run time: what becomes of each key, the ramp, and each refusal."""
+"""Light and colours of scenes: what becomes of each key of light at run time, the ramp, and each refusal; light that the tool bakes into
+textures, in however many directions their faces look; and how many colours become few."""
 
+import json
 import types
+import zlib
 
+import numpy
 import pytest
 
-from conftest import CHECKOUT
-from fixel.image import image, image_light
-from fixel.scene import palette, toml_scene
+from board_programs import BOARD
+from conftest import CHECKOUT, run_cli
 from fixel.base.errors import ToolError
+from fixel.image import image, image_light
+from fixel.report import showcase_models
+from fixel.scene import compiler, look, palette, toml_scene, toml_texture
+from model_files import build, glb, gltf, png
 # place field: images that are broken, for the tools
 from scene_sections import section
-from scene_text import build
+from test_model_files import grid
 
 BOX = '[[objects]]\nsolid = "box"\nposition = [0, 0, 5]\ncolour = "#e08040"\n'
 LIGHT = "[light]\nlevels = 9\n"
@@ -155,3 +162,162 @@ def test_too_many_colours_share_the_entries_by_how_many_there_are_of_each_kind()
     assert len(plain) <= 255 * 3 // 4 and len(lit) <= 255 - 255 * 3 // 4 and not plain & lit
     assert len(plain) > 180 and len(lit) > 60
     assert merged == 400
+
+
+# --- light that is baked into textures --------------------------------------------------------
+
+CHECKS = png([[(255, 255, 255) if (x + y) % 2 else (200, 200, 200) for x in range(16)] for y in range(16)])
+
+
+def hill(tmp_path):
+    """A textured hill whose faces look in many directions."""
+    points, triangles = grid(12, lambda x, y: x * y / 9)
+    file = tmp_path / "m.glb"
+    data, blob = gltf(points, triangles, uvs=[(x / 12, y / 12) for x, y, _ in points], image=CHECKS)
+    data["materials"][0]["doubleSided"] = True
+    file.write_bytes(glb(data, blob))
+    return file
+
+
+def baked(file, **more):
+    """The scene of a model with baked light."""
+    made, notes = compiler.compile_scene(str(file), 4, look=look.of(look.Asked(bake_light=True, **more), "rgb565", 16, 16))
+    assert image.unpack(image.pack(made)) == made
+    return made, notes
+
+
+def test_a_model_has_no_light_at_run_time_and_at_most_16_textures(tmp_path):
+    made, notes = baked(hill(tmp_path))
+    faces = made.models[0].faces
+    assert made.light is None and not any("directions" in note for note in notes)
+    assert len({face.normal for face in faces}) > 50 and 4 < len(made.surfaces.textures) <= toml_texture.DIRECTIONS_MAX
+    assert all(face.mapped.normals == (0, 0, 0) for face in faces)
+    plain, _ = compiler.compile_scene(str(hill(tmp_path)), 4, look=look.Look())
+    assert plain.light is not None and len(plain.surfaces.textures) == 1
+
+
+def test_each_texture_is_as_bright_as_its_faces_are_lit(tmp_path):
+    """Within half of a level of the light, and the rounding of RGB565."""
+    made, _ = baked(hill(tmp_path))
+    light = palette.Light([0.8, -1, 0.4], 1 / 3, (0xFF, 0xF2, 0xDC), (0xC4, 0xD4, 0xFF))
+    wanted = {face: light.bake((255, 255, 255), face.normal) for model in made.models for face in map(_Key, model.faces)}
+    step = (max(map(sum, wanted.values())) - min(map(sum, wanted.values()))) / 15
+    for face, colour in wanted.items():
+        texture = made.surfaces.textures[made.surfaces.surfaces[face.mapped.surface].texture - 1]
+        texels = [int.from_bytes(texture.texels[i:i + 2], "little") for i in range(0, 2 << texture.log_width + texture.log_height, 2)]
+        shown = numpy.array([((each >> 11) * 255 / 31, (each >> 5 & 63) * 255 / 63, (each & 31) * 255 / 31) for each in texels]).max(axis=0)
+        assert abs(shown.sum() - sum(colour)) <= step / 2 + 3 * 255 / 62 + 3
+
+
+class _Key:
+    """A face that may be a key."""
+
+    def __init__(self, face):
+        self.normal, self.mapped = face.normal, face.mapped
+
+
+def test_a_scene_file_says_it_by_light_bake(tmp_path):
+    hill(tmp_path)
+    scene = '[light]\n{}[[objects]]\nmodel = "m.glb"\nimages = true\nmerge = false\n'
+    (tmp_path / "s.toml").write_text(scene.format("bake = true\n"))
+    made, notes = compiler.compile_scene(str(tmp_path / "s.toml"))
+    assert made.light is None and len(made.surfaces.textures) > 4 and not any("directions" in note for note in notes)
+    (tmp_path / "s.toml").write_text(scene.format("bake = true\nlevels = 16\n"))
+    with pytest.raises(ToolError, match="bake: belongs to light that the tool computes"):
+        compiler.compile_scene(str(tmp_path / "s.toml"))
+
+
+def test_a_model_without_textures_has_flat_faces(tmp_path):
+    file = showcase_models.write(next(each for each in showcase_models.MODELS if each.name == "vase"), tmp_path)
+    made, _ = baked(file)
+    assert made.light is None and made.surfaces is None and len({face.colour for face in made.models[0].faces}) > 8
+
+
+def test_what_moves_cannot_be_baked(tmp_path):
+    file = showcase_models.write(next(each for each in showcase_models.MODELS if each.name == "planets"), tmp_path)
+    with pytest.raises(ToolError, match="--bake-light: the animation moves parts"):
+        baked(file)
+
+
+def test_the_option_and_its_scene_file_give_the_same_frames(tmp_path):
+    file, a, b = hill(tmp_path), tmp_path / "a.fxls", tmp_path / "b.fxls"
+    done = run_cli("build", file, "--bake-light", "-o", a, "--write", tmp_path / "s.toml")
+    assert done.returncode == 0, done.stderr
+    assert "bake = true" in (tmp_path / "s.toml").read_text() and run_cli("build", tmp_path / "s.toml", "-o", b).returncode == 0
+    assert a.read_bytes() == b.read_bytes()
+    done = run_cli("build", file, "--bake-light", "--smooth", "40", "-o", a)
+    assert done.returncode == 2 and "--bake-light and --smooth exclude each other" in done.stderr
+
+
+def test_a_board_draws_it_as_double_does(build, tmp_path):
+    done = run_cli("run", "--board", BOARD, "--scene", hill(tmp_path), "--frames", 2, "--bake-light", "--out", tmp_path / "run", "--build", build)
+    assert done.returncode == 0, done.stderr
+    summary = json.loads((tmp_path / "run" / "summary.json").read_text())
+    assert summary["pixels_unexplained"] == 0 and summary["order_wrong_pixels"] == 0 and "light at run time" not in done.stderr
+
+
+# --- the palette ------------------------------------------------------------------------------
+
+ONE_COLOUR = 1 << 30
+WHITE = (255, 255, 255)
+
+
+@pytest.mark.parametrize("normal, part", [
+    ((0, ONE_COLOUR, 0), 0.75 + 0.25),                             # turned to the light, and up: all of the glow
+    ((0, -ONE_COLOUR, 0), 0.25 * 0.75),                            # turned from it, and down: three quarters of the glow
+    ((ONE_COLOUR, 0, 0), 0.75 * 0.5 ** 1.5 + 0.25 * 0.875)])       # half way
+def test_a_face_has_a_part_of_its_colour(normal, part):
+    for direction in ((0, -1, 0), (0, -3, 0)):
+        made = palette.Light(direction, 0.25, WHITE, WHITE).bake((200, 100, 50), normal)
+        assert made == tuple(round(each * part) for each in (200, 100, 50))
+
+
+def test_light_and_glow_have_colours():
+    assert palette.Light((0, -1, 0), 0.25, (255, 0, 0), (0, 0, 255)).bake((200, 100, 48), (0, ONE_COLOUR, 0)) == (150, 0, 12)
+    # From the side: the light travels along x and z, and a face that looks back at it has all of it.
+    light = palette.Light((3, 0, -4), 0, WHITE, WHITE)
+    assert light.bake((200, 100, 50), (round(-0.6 * ONE_COLOUR), 0, round(0.8 * ONE_COLOUR))) == (200, 100, 50)
+    assert light.bake((200, 100, 50), (round(0.6 * ONE_COLOUR), 0, round(-0.8 * ONE_COLOUR))) == (0, 0, 0)
+
+
+def test_a_beam_adds_what_a_colour_sends_back_of_it():
+    assert palette.lit((200, 100, 40), 0.5, (255, 0, 51)) == (255, 100, 44)
+
+
+def test_an_index_has_the_same_colour_for_ever():
+    """It is part of a scene's image. Where it is to be another, put the new figure in."""
+    assert [palette.wheel(index) for index in range(3)] == [(242, 109, 109), (92, 125, 204), (128, 166, 75)]
+    assert zlib.crc32(bytes(part for index in range(256) for part in palette.wheel(index))) == 0x71615adb
+
+
+def test_colours_are_cut_where_they_reach_farthest_and_each_group_becomes_its_mean():
+    weights = {(0, 0, 0): 1, (10, 0, 0): 3, (200, 0, 0): 1, (210, 6, 0): 1}
+    assert palette.median_cut(weights, 2) == {(0, 0, 0): (8, 0, 0), (10, 0, 0): (8, 0, 0),     # 30 / 4
+                                              (200, 0, 0): (205, 3, 0), (210, 6, 0): (205, 3, 0)}
+    assert palette.median_cut(weights, 4) == {colour: colour for colour in weights}
+    green = {(0, 0, 0): 1, (0, 40, 0): 1, (9, 41, 0): 1}
+    assert palette.median_cut(green, 2) == {(0, 0, 0): (0, 0, 0), (0, 40, 0): (4, 40, 0), (9, 41, 0): (4, 40, 0)}
+
+
+def test_entries_of_a_palette():
+    wanted = {(9, 9, 9): 4, (1, 1, 1): 2, 2: 5, 0: 1}
+    entries, indices, merged = palette.allocate((7, 7, 7), wanted, [(5, 5, 5)])
+    assert len(entries) == 256 and entries[0] == (7, 7, 7) and entries[255] == (5, 5, 5) and merged == 0
+    assert indices == {(1, 1, 1): 1, (9, 9, 9): 3, 2: 2, 0: 0}
+    assert entries[1:5] == [(1, 1, 1), palette.wheel(2), (9, 9, 9), (0, 0, 0)]
+
+
+@pytest.mark.parametrize("colours, merged", [(253, 0), (254, 254)])
+def test_colours_beyond_the_entries_are_merged(colours, merged):
+    wanted = {(n, 0, 0): 1 for n in range(colours)} | {2: 1}
+    entries, indices, found = palette.allocate((7, 7, 7), wanted, [(5, 5, 5)])
+    assert found == merged and set(indices.values()) <= set(range(1, 255))
+    assert all(abs(entries[indices[colour]][0] - colour[0]) <= 1 for colour in wanted if colour != 2)
+
+
+def test_an_index_that_the_program_keeps_is_refused():
+    assert palette.allocate((0, 0, 0), {254: 1}, [(5, 5, 5)])[1] == {254: 254}
+    with pytest.raises(ToolError, match="colour_index 255 is one of the entries 255..255"):
+        palette.allocate((0, 0, 0), {255: 1}, [(5, 5, 5)])
+    with pytest.raises(ToolError, match="use up all 255 palette entries"):
+        palette.allocate((0, 0, 0), {(1, 2, 3): 1, **{n: 1 for n in range(1, 255)}}, [(5, 5, 5)])

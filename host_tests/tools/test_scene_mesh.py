@@ -11,7 +11,7 @@ import pytest
 from fixel.image import image
 from fixel.model import convex, mesh, solids
 from fixel.scene import palette
-from fixel.model.mesh import UNIT, Mesh
+from fixel.model.mesh import Mesh, UNIT
 from fixel.scene.toml_object import matrix
 
 ONE = [[Fraction(i == j) for j in range(3)] for i in range(3)]

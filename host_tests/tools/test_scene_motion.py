@@ -7,13 +7,12 @@ from pathlib import Path
 import pytest
 
 from conftest import CHECKOUT
-from fixel.image import image, image_placement
-from fixel.scene import toml_scene
 from fixel.base.errors import ToolError
-from fixel.scene import compiler
+from fixel.image import image, image_placement
+from fixel.scene import compiler, toml_scene
+from model_files import build
 # place field: images that are broken, for the tools
 from scene_sections import section
-from scene_text import build
 
 BOX = '[[objects]]\nsolid = "box"\nposition = [0, 0, 5]\n'
 NAMED = BOX + 'name = "base"\nsize = 2\n'

@@ -14,7 +14,7 @@ from fixel.scene import palette, surfaces, texture, toml_scene
 from fixel.base.errors import ToolError
 # place field: images that are broken, for the tools
 from scene_sections import section
-from scene_text import build
+from model_files import build
 
 TEXTURE = '[[textures]]\nname = "t"\npattern = "checker"\nsize = [16, 8]\n'
 CLAMPED = TEXTURE + 'wrap = "clamp"\n'

@@ -12,7 +12,7 @@ from conftest import run_cli
 from fixel.model import gltf, gltf_nodes
 from fixel.model.mesh import UNIT
 from fixel.scene import framing, look, model_parts, toml_scene
-from node_files import BONES, CORNERS, SIDES, File, Limbs, about_x, binds, biped, places_of
+from model_files import BONES, CORNERS, File, Limbs, SIDES, about_x, binds, biped, places_of
 from test_gltf_nodes import by_name, compiled, placed, scale_of
 
 PARTS = ["hip", "shoulder", "elbow"]

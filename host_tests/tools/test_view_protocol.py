@@ -6,12 +6,11 @@ import threading
 
 import numpy
 import pytest
-from conftest import COUNTERS_OF_A_FRAME, dump_bytes, random_frames
 
-from fixel.board import firmware
+from conftest import COUNTERS_OF_A_FRAME, dump_bytes, random_frames
 from fixel.base.errors import ToolError
-from fixel.view.view_window import KeyFile, Stream
-from fixel.view.view_window import Window
+from fixel.board import firmware
+from fixel.view.view_window import KeyFile, Stream, Window
 from view_bench import HELLO, bench_test, frame, read_frame, settled
 
 WIDTH, HEIGHT = 32, 24

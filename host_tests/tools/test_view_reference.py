@@ -13,7 +13,7 @@ from board_programs import ROOT
 from fixel.scene import making
 from fixel.board import dump
 from fixel.image import image
-from fixel.view.view_reference import FACES, FRAME, OUTLINES, VERDICT, WANTS_ALL, Reference
+from fixel.view.view_reference import FACES, FRAME, OUTLINES, Reference, VERDICT, WANTS_ALL
 
 FRAMES = 4
 NO_FACE = 0xFFFF
