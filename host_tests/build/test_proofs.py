@@ -57,6 +57,14 @@ def test_every_row_has_its_harness_and_its_checks_on_record():
             assert harness[1].rstrip().endswith("PROOF_ENDS();"), row.id
 
 
+def test_every_harness_has_a_row():
+    named = {(row.place, row.harness) for row in rows.read(CHECKOUT)}
+    harnesses = {(path, name) for path in rows.files(CHECKOUT) if path.suffix == ".c"
+                 for name in re.findall(r"^void ((?:prove|enumerate)_\w+)\(void\)$", path.read_text(encoding="utf-8"), re.M)}
+    assert len(harnesses) > 300
+    assert not harnesses - named
+
+
 def test_contracts_that_are_used_are_proved_without_a_circle():
     assert rows.circles(rows.read(CHECKOUT)) == []
     assert rows.lemmas(CHECKOUT, rows.read(CHECKOUT)) == []

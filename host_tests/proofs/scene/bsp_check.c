@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/bsp_check.c"
+#include "scene/bsp_node.h"
 #include "scene_tables.h"
+#include "proof.h"
 
 #define NODES 2
 
@@ -41,22 +43,6 @@ void prove_check_owner(void)
     ASSERT("an instance of the scene", status != FXL_OK || scene.bsp_instance < scene.instance_count);
     ASSERT("of a sorted model without clusters", status != FXL_OK || (model_of_tree()->kind == FXL_MODEL_SORTED && model_of_tree()->first_cluster == 0));
     PROOF_ENDS();
-}
-
-/* For fxl_is_unit and fxl_dot: what their contracts say. */
-bool any_unit(const fxl_direction *normal)
-{
-    const bool unit = nondet_bool();
-    ASSUME(!unit || FXL_DIRECTION(normal));
-    return unit;
-}
-
-fxl_q18_46 any_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
-{
-    const fxl_q18_46 dot = nondet_s64();
-    ASSERT("a unit normal, below 2^30", FXL_DIRECTION(direction) && WITHIN(x, 1 << 30) && WITHIN(y, 1 << 30) && WITHIN(z, 1 << 30));
-    ASSUME(WITHIN(dot, (int64_t)7 << 59));
-    return dot;
 }
 
 /* [[row]]
@@ -248,5 +234,23 @@ void prove_bsp_check(void)
     any_checked_scene();
     scene.bsp_nodes = nondet_bool() ? nodes : NULL;
     (void)fxl_bsp_check(&scene, &fault);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "lib/scene/bsp_node.h:fxl_bsp_is_front"
+ * property = "any checked node and any point below 2^30: nothing overflows, and the distance is that of both halves"
+ * checks = 86
+ * stands_in = { fxl_dot = "any_dot" }
+ */
+/* As check_plane of lib/scene/bsp_check.c leaves a node: its row asserts it. */
+void prove_bsp_is_front(void)
+{
+    fxl_bsp_node node;
+    fxl_point point;
+    ASSUME(FXL_DIRECTION(&node.normal) && FXL_POINT_BELOW(&point, 1 << 30));
+    const fxl_q18_46 distance = fxl_bsp_distance(&node);
+    ASSERT("both halves", (uint32_t)distance == node.distance_low && (int32_t)(distance >> 32) == (int32_t)node.distance_high);
+    (void)fxl_bsp_is_front(&node, &point);
     PROOF_ENDS();
 }

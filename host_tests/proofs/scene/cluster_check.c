@@ -90,7 +90,7 @@ void prove_dot_units(void)
     PROOF_ENDS();
 }
 
-/* For dot_units, fxl_dot, fxl_face_height and fxl_is_unit. The scalar product of two vectors of unit length, to within the
+/* For dot_units and fxl_face_height. The scalar product of two vectors of unit length, to within the
  * tolerance of their squares, is at most 1 + 2^-28. */
 int64_t any_dot_units(const fxl_direction *a, const fxl_direction *b)
 {
@@ -98,19 +98,6 @@ int64_t any_dot_units(const fxl_direction *a, const fxl_direction *b)
     ASSERT("directions", FXL_DIRECTION(a) && FXL_DIRECTION(b));
     ASSUME(WITHIN(dot, ((int64_t)1 << 60) + ((int64_t)1 << 32)) && (a != b || dot >= 0));
     return dot;
-}
-
-fxl_q18_46 any_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
-{
-    ASSERT("a direction, below 2^30", FXL_DIRECTION(direction) && WITHIN(x, 1 << 30) && WITHIN(y, 1 << 30) && WITHIN(z, 1 << 30));
-    return nondet_s64();
-}
-
-bool any_unit(const fxl_direction *normal)
-{
-    const bool unit = nondet_bool();
-    ASSUME(!unit || FXL_DIRECTION(normal));
-    return unit;
 }
 
 /* [[row]]

@@ -185,18 +185,11 @@ void prove_is_flat(void)
     PROOF_ENDS();
 }
 
-/* For is_flat and fxl_is_unit. */
+/* For is_flat. */
 bool any_flat(const fxl_scene *of, const fxl_model *model, const fxl_face *face)
 {
     ASSERT("a face of the model, of a unit normal", of == &scene && is_model(model) && is_face(face) && FXL_DIRECTION(&face->normal));
     return nondet_bool();
-}
-
-bool any_unit(const fxl_direction *normal)
-{
-    const bool unit = nondet_bool();
-    ASSUME(!unit || FXL_DIRECTION(normal));
-    return unit;
 }
 
 /* [[row]]
@@ -211,13 +204,6 @@ void prove_check_normals(void)
     any_checked_scene();
     (void)check_normals(&scene, &fault);
     PROOF_ENDS();
-}
-
-/* For fxl_dot: what its contract says. */
-fxl_q18_46 any_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
-{
-    ASSERT("a unit normal, below 2^30", FXL_DIRECTION(direction) && WITHIN(x, 1 << 30) && WITHIN(y, 1 << 30) && WITHIN(z, 1 << 30));
-    return nondet_s64();
 }
 
 static fxl_face_bounds bounds[FACES];

@@ -111,4 +111,20 @@ static inline void any_checked_scene(void)
     ASSUME(scene.instance_count >= 1 && scene.model_count >= 1);
 }
 
+/* For fxl_is_unit and fxl_dot: what their contracts say. */
+bool any_unit(const fxl_direction *normal)
+{
+    const bool unit = nondet_bool();
+    ASSUME(!unit || FXL_DIRECTION(normal));
+    return unit;
+}
+
+fxl_q18_46 any_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
+{
+    const fxl_q18_46 dot = nondet_s64();
+    ASSERT("a unit normal, below 2^30", FXL_DIRECTION(direction) && WITHIN(x, 1 << 30) && WITHIN(y, 1 << 30) && WITHIN(z, 1 << 30));
+    ASSUME(WITHIN(dot, (int64_t)7 << 59));
+    return dot;
+}
+
 #endif
