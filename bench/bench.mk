@@ -110,8 +110,8 @@ BENCH_PARTS_OF = $(filter-out %/memory_functions.o,$(if $(findstring =hard,$(BEN
     $(BOARD_SOURCES.$(BENCH_BOARD.$(1)):%.c=$(BENCH_OUT)/$(1)/parts/%.o),\
     $(call BOARD_PARTS_OF,$(BENCH_BOARD.$(1)))))
 BENCH_LIBRARIES_OF = $(if $(filter $(2),$(BENCH_C_LIBRARY)),-lm -lc) -lgcc
-BENCH_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib -Llinker \
-    -T boards/$(BENCH_BOARD.$(1))/memory.ld \
+BENCH_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
+    $(call BOARD_MEMORY_LINK,$(BENCH_BOARD.$(1))) \
     -Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments,-Map,$(@:.elf=.map)
 
 define BENCH_PROGRAM_RULES

@@ -8,8 +8,12 @@
 #   BOARD_ORDER_ENTRIES     entries for the order of drawing
 #   BOARD_LIST_BYTES        memory for a frame's list of polygons
 #   BOARD_CACHE_ENTRIES     entries for vertices that faces share, 40 bytes each: 0 or a power of two
-#   BOARD_SOURCES           board.c and the parts that the board is made of
+#   BOARD_PARTS             what the board is made of: names of boards/parts without .c, EMULATED_PARTS or CORTEXM_PARTS among them
+#   BOARD_MEMORY            its memory map: NAME=VALUE for the symbols fxl_NAME that linker/sections.ld asks for
 # and where it is wanted
+#   BOARD_SOURCES           files of its own, board.c among them
+#   BOARD_MEMORY_FOR_SURFACES  what is otherwise in the program of VISIBILITY=surfaces
+#   BOARD_SECTORS           COUNT,BYTES of each run of equal sectors, where the sectors of its flash differ
 #   BOARD_POLYGON_CAPACITY  vertices of a polygon at most (the library's own choice without)
 #   BOARD_SETTINGS          NAME=VALUE for parts that ask for it: macros for all of the board's own objects
 #   BOARD_OWN_FLAGS         compiler flags for the board's own objects, not for the library
@@ -53,15 +57,21 @@ DRIVERS_OF_PAGES += $(filter $(addsuffix _%,$(DRIVERS_OF_PAGES)),$(DISPLAY_MODUL
 DRIVERS_OF_COLOUR += $(filter-out $(DRIVERS_OF_PAGES),$(DISPLAY_MODULES))
 
 # What a board.mk must set; what it may set; what it may leave empty.
-BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES SOURCES
-BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS CROSS SETUP LIBC OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT WIRES UNITS_APART DRIVER_ROWS ALONE
+BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES PARTS
+BOARD_MAY := SOURCES MEMORY MEMORY_FOR_SURFACES SECTORS CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS CROSS SETUP LIBC OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT WIRES UNITS_APART DRIVER_ROWS ALONE
 
-# Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
+# Parts of every emulated board, and of every board with a Cortex-M.
+EMULATED_PARTS := stack semihosting semihosting_system semihosting_files display dump defaults memory_functions board_note
+CORTEXM_PARTS := cortexm_start cortexm_fault cortexm_protect thumb systick $(EMULATED_PARTS)
+
+# Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>, and BOARD_SOURCES has the parts too.
 define BOARD_READ
 $(foreach setting,$(BOARD_MUST) $(BOARD_MAY),undefine BOARD_$(setting)$(newline))
 include boards/$(1)/board.mk
 $(foreach setting,$(BOARD_MUST),$$(if $$(BOARD_$(setting)),,$$(error boards/$(1)/board.mk does not set BOARD_$(setting)))$(newline))
+$$(if $$(BOARD_HOSTED)$$(BOARD_MEMORY),,$$(error boards/$(1)/board.mk does not set BOARD_MEMORY))
 $(foreach setting,$(BOARD_MUST) $(BOARD_MAY),BOARD_$(setting).$(1) := $$(BOARD_$(setting))$(newline))
+BOARD_SOURCES.$(1) += $$(BOARD_PARTS:%=boards/parts/%.c)
 endef
 $(foreach board,$(BOARDS),$(eval $(call BOARD_READ,$(board))))
 
@@ -126,6 +136,7 @@ BOARD_DEFINES = -DWALK_BAND_BYTES=$(BOARD_BAND_BYTES.$(1)) -DWALK_ORDER_ENTRIES=
     -DBOARD_NAME='"$(1)"' -DBOARD_CPU='"$(BOARD_CPU.$(1))"' -DBOARD_QEMU='"$(BOARD_QEMU.$(1))"' \
     -DBOARD_OPENOCD='"$(BOARD_OPENOCD.$(1))"' \
     -DBOARD_NOTE='"$(subst $(space),,$(BOARD_NOTE.$(1):%=%\n))$(if $(filter -O% -DFXL_%,$(BOARD_CORE.$(1))),code=own\n)"' \
+    $(if $(filter window,$(BOARD_PARTS.$(1))),-DBOARD_HAS_WINDOW) $(if $(BOARD_SECTORS.$(1)),-DBOARD_SECTORS=$(subst $(space),$(,),$(BOARD_SECTORS.$(1)))) \
     $(BOARD_SETTINGS.$(1):%=-D%) $(BOARD_OWN_FLAGS.$(1))
 BOARD_PARTS_OF = $(BOARD_SOURCES.$(1):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
 BOARD_FAULTS_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard firmware/faults/*.c))
@@ -186,8 +197,8 @@ WALK_TARGET := $(filter fxl_%,$(WALK_ROW))
 WALK_METHODS_DEFINES := $(WALK_CLIPPER:%=-DWALK_CLIPPER=%) $(WALK_TARGET:%=-DWALK_TARGET=%) $(if $(VISIBILITY),\
     -DWALK_BY_$(if $(filter tree,$(WALK_ROW)),TREE,DISTANCE) -DWALK_DEPTH_BITS=$(word 2,$(WALK_ROW)) $(if $(filter flat,$(WALK_ROW)),-DWALK_FLAT,-DWALK_SURFACES))
 WALK_METHODS_FILES := methods plan targets
-# A board's memory.ld may ask for it: a program with surfaces is larger.
-WALK_METHODS_LINK := $(VISIBILITY:%=-Wl,--defsym=fxl_visibility_is_$(subst -,_,$(VISIBILITY))=1)
+# A program with surfaces is larger. $(1): a board.
+WALK_METHODS_LINK = $(if $(filter surfaces,$(VISIBILITY)),$(BOARD_MEMORY_FOR_SURFACES.$(1):%=-Wl$(,)--defsym=fxl_%))
 
 # place pixel-format: PIXELS_KNOWN; the checks against VISIBILITY=, PROGRAM=, CHECK_ROOM
 # What a scene is drawn as, in the place of what its [view] says: tools/fixel/scene/target.py.
@@ -260,12 +271,14 @@ PROGRAM_FILES_OF = $(sort $(foreach program,$(PROGRAMS),$(call PROGRAM_FILE_OF,$
 ALONE := $(if $(and $(DRIVER),$(BOARD_ALONE.$(BOARD_CHOSEN))),$(BOARD_CHOSEN))
 ALONE_PROGRAM := $(call PROGRAM_FILE_OF,$(ALONE),$(PROGRAM_NAME)$(WALK_CHOICE)-alone)
 
+# A board's memory map. Of two values of a symbol the last one counts.
+BOARD_MEMORY_LINK = $(BOARD_MEMORY.$(1):%=-Wl,--defsym=fxl_%) -T linker/sections.ld
 # How a board's programs are linked, and what it takes beside the objects.
-BOARD_LINK = $(call CROSS_OF,$(1))gcc $(BOARD_CORE.$(1)) -nostartfiles -Llinker -T boards/$(1)/memory.ld \
+BOARD_LINK = $(call CROSS_OF,$(1))gcc $(BOARD_CORE.$(1)) -nostartfiles $(BOARD_MEMORY_LINK) \
     -Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments $(LINK_OF_FILE)
 # With a map beside the program.
 BOARD_LINK_MAP = -Wl,-Map,$(@:.elf=.map)
-BOARD_LINK_SCRIPTS = boards/$(1)/memory.ld $(wildcard linker/*.ld)
+BOARD_LINK_SCRIPTS = boards/$(1)/board.mk linker/sections.ld
 
 define FIRMWARE_LINK
 $(MAKE_FOLDER)
@@ -339,7 +352,7 @@ endef
 
 # The driver's panel stands beside those of the board: the linker sends who asks for board_panels to
 # driver_panel.c, which asks the board.
-BOARD_WIRES_OF = $(or $(BOARD_WIRES.$(1)),boards/parts/recorded_wires $(if $(BOARD_HOSTED.$(1)),boards/host/wires,boards/parts/semihosting_wires))
+BOARD_WIRES_OF = $(or $(BOARD_WIRES.$(1)),boards/parts/recorded_wires)
 DRIVER_ROWS_OF = $(or $(if $(DRIVER_IS_WIDE),$(word 2,$(BOARD_DRIVER_ROWS.$(1)))),$(firstword $(BOARD_DRIVER_ROWS.$(1))),$(if $(DRIVER_IS_WIDE),4,8))
 DRIVER_DEFINES = -DDRIVER_NAME=$(DRIVER_RECORD) $(if $(filter $(DRIVER),$(DISPLAY_MODULES)),-DDRIVER_IS_MODULE) -DDRIVER_BITS=$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),1,$(if $(filter ili9488%,$(DRIVER)),24,16)) $(if $(DRIVER_IS_WIDE),-DDRIVER_WIDEST=480)
 
@@ -408,7 +421,7 @@ $(ALONE_OWN): $(ALONE_OUT)/own/%.o: $(FIRMWARE_OUT)/$(ALONE)/own/%.o
 	$(MAKE_FOLDER)
 	$(FIRMWARE_QUIET)$(call CROSS_OF,$(ALONE))objcopy $(UNIT_OBJCOPY.libhelpers.a) $< $@
 
-$(ALONE_PROGRAM): LINK_OF_FILE := $(WALK_METHODS_LINK) -Wl,--wrap=board_panels $(if $(OWN),$(OWN_WRAPPED:%=-Wl$(,)--wrap=%))
+$(ALONE_PROGRAM): LINK_OF_FILE := $(call WALK_METHODS_LINK,$(ALONE)) -Wl,--wrap=board_panels $(if $(OWN),$(OWN_WRAPPED:%=-Wl$(,)--wrap=%))
 $(ALONE_PROGRAM): $(ALONE_ANEW:%=$(ALONE_OUT)/%.o) $(filter-out %/semihosting.o %/semihosting_system.o,$(call BOARD_PARTS_OF,$(ALONE))) \
         $(if $(OWN),$(ALONE_OWN) $(BOARD_WIRES.$(ALONE):%=$(FIRMWARE_OUT)/$(ALONE)/%.o) $(call OWN_REST_OF,$(ALONE)),$(call CHOICE_REST_OF,$(ALONE))) \
         $(call BOARD_LINK_SCRIPTS,$(ALONE))

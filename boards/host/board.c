@@ -17,7 +17,7 @@
 #include "contract/store.h"
 #include "contract/system.h"
 #include "parts/dump.h"
-#include "parts/sink.h"
+#include "parts/wires.h"
 
 #define FRAMES_MAX      1000000ul
 #define LIVE_FRAMES_MAX 0xFFFFFFFFul         /* a live run has no end */
@@ -196,4 +196,25 @@ uint32_t input_keys(void)
         (void)fclose(file);
     }
     return keys == EOF ? 0 : (uint32_t)keys;
+}
+
+/* --- the record of a display's wires -------------------------------------------------------------
+ */
+
+static FILE *record;
+
+bool record_open(void)
+{
+    record = fopen(RECORD_NAME, "wb");
+    return record != NULL;
+}
+
+bool record_write(const void *bytes, size_t size)
+{
+    return fwrite(bytes, 1, size, record) == size;
+}
+
+bool record_close(void)
+{
+    return fclose(record) == 0;
 }

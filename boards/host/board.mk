@@ -19,4 +19,5 @@ BOARD_CACHE_ENTRIES := 32
 
 BOARD_SETTINGS := WALK_LIST_MOST=4096
 
-BOARD_SOURCES := boards/host/board.c boards/parts/display.c boards/parts/dump.c boards/parts/board_note.c
+BOARD_PARTS := display dump board_note
+BOARD_SOURCES := boards/host/board.c

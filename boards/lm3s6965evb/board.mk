@@ -24,7 +24,9 @@ BOARD_OWN_FLAGS := -Os
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=12500000u CMSDK_WATCHDOG_BASE=0x40000000u CMSDK_WATCHDOG_HZ=12500000u GAME_WITHOUT_RGB565_DEPTH \
     CMSDK_WATCHDOG_INTERRUPT=18u
 
-BOARD_SOURCES := boards/lm3s6965evb/board.c \
-    $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv7m_protect.c stack.c \
-        systick.c systick_clock.c cmsdk_watchdog.c semihosting.c semihosting_system.c semihosting_sink.c \
-        display.c dump.c ssd0323.c pl022.c keys.c partition_store.c memory_functions.c board_note.c)
+# Flash has pages of 1 KiB.
+BOARD_MEMORY := flash_base=0x00000000 flash_size=256K flash_sector=1K program_size=195K \
+    ram_base=0x20000000 ram_size=64K stack_size=4K handler_stack_size=1K
+
+BOARD_PARTS := $(CORTEXM_PARTS) armv7m_fault cmsdk_watchdog ssd0323 pl022 keys
+BOARD_SOURCES := boards/lm3s6965evb/board.c

@@ -23,7 +23,8 @@ BOARD_OWN_FLAGS := -Os
 # Depth buffers of 32 bits a pixel would take 7 KiB of flash more than there is.
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=16000000u WALK_WITHOUT_DEPTH_32 GAME_WITHOUT_RGB565_DEPTH
 
-BOARD_SOURCES := boards/microbit/board.c \
-    $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv6m_fault.c no_protect.c stack.c \
-        systick.c systick_clock.c systick_watchdog.c semihosting.c semihosting_system.c semihosting_sink.c \
-        semihosting_keys.c display.c dump.c partition_store.c memory_functions.c board_note.c)
+# Flash has pages of 1 KiB.
+BOARD_MEMORY := flash_base=0x00000000 flash_size=256K flash_sector=1K program_size=179K \
+    ram_base=0x20000000 ram_size=16K stack_size=3104 handler_stack_size=600
+
+BOARD_PARTS := $(CORTEXM_PARTS) armv6m_fault

@@ -19,7 +19,11 @@ BOARD_CACHE_ENTRIES := 256
 # QEMU's 120 MHz; the real chip runs at 16 MHz until it is told otherwise.
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=120000000u
 
-BOARD_SOURCES := boards/netduino2/board.c \
-    $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv7m_protect.c stack.c \
-        systick.c systick_clock.c systick_watchdog.c semihosting.c semihosting_system.c semihosting_sink.c \
-        semihosting_keys.c display.c dump.c partition_store.c memory_functions.c board_note.c)
+# Flash has sectors of 16, 64 and 128 KiB; the small ones, the first five, together make up one of the large size: they and the
+# next one are the program's.
+BOARD_MEMORY := flash_base=0x08000000 flash_size=512K flash_sector=128K program_size=256K \
+    ram_base=0x20000000 ram_size=128K stack_size=8K handler_stack_size=2K
+# Count and size of each run of equal sectors.
+BOARD_SECTORS := 4,16384 1,65536 3,131072
+
+BOARD_PARTS := $(CORTEXM_PARTS) armv7m_fault

@@ -5,3 +5,10 @@
 __attribute__((section(".fxl_board"), used)) static const char board_note[] =
     "board=" BOARD_NAME "\ncpu=" BOARD_CPU "\nqemu=" BOARD_QEMU "\nopenocd=" BOARD_OPENOCD
     "\n" BOARD_NOTE;
+
+#ifdef BOARD_SECTORS
+/* The count and the size of each run of equal sectors of the flash, where they differ; no board
+ * loads it. */
+__attribute__((section(".fxl_sectors"), used)) static const unsigned board_sectors[] = {
+    BOARD_SECTORS};
+#endif

@@ -39,8 +39,8 @@
 #define CORTEXM_CODE_BASE 0x00000000u
 #define CORTEXM_CODE_SIZE 0x20000000u
 
-/* Symbols of linker/sections.ld and the board's memory.ld. Only their addresses have a meaning;
- * the address of a ..._size symbol is the size. */
+/* Symbols of linker/sections.ld and of BOARD_MEMORY in board.mk. Only their addresses have a
+ * meaning; the address of a ..._size symbol is the size. */
 extern uint32_t fxl_data_load[], fxl_data_start[], fxl_data_end[];
 extern uint32_t fxl_bss_start[], fxl_bss_end[];
 extern uint32_t fxl_stack_guard[], fxl_stack_limit[], fxl_stack_top[];
@@ -56,7 +56,7 @@ extern const cortexm_vector cortexm_vectors[];
 
 /* Entry after reset. Paints the stacks, fills .data and .bss, turns on traps and memory
  * protection, then calls board_start and main, which is not expected to return. */
-void cortexm_reset(void);
+void board_reset(void);
 
 /* Entry of every fault and of every unexpected interrupt. Prints what happened and ends the
  * program with a code of system.h. */
@@ -68,7 +68,7 @@ void cortexm_trap(void);
 
 /* Sets up and turns on the memory protection: flash is read-only; the rest of the code space,
  * the lowest bytes of memory and the guard below the stack are inaccessible. Returns whether the
- * core has a protection. In armv..._protect.c, no_protect.c. */
+ * core has a protection. */
 bool cortexm_protect(void);
 
 /* Tells whether cortexm_protect turned the protection on. */
@@ -77,7 +77,7 @@ bool cortexm_protected(void);
 /* The SysTick interrupt; parts/systick.c has one. */
 void cortexm_systick(void);
 
-/* The initialisation of a board, before main. Each board.c has one. */
+/* The initialisation of a board, before main. parts/defaults.c has one that starts SysTick. */
 void board_start(void);
 
 int main(int argc, char **argv);

@@ -44,7 +44,7 @@ bool cortexm_protected(void)
 /* Both stacks are painted (they lie side by side), then SPSEL (bit 1 of
  * CONTROL) chooses the process stack: C needs a stack first. The main stack is
  * set, too: a debugger may come here without a reset. */
-__attribute__((naked)) void cortexm_reset(void)
+__attribute__((naked)) void board_reset(void)
 {
     __asm__ volatile("ldr r0, =fxl_handler_stack_top\n\t"
                      "msr msp, r0\n\t"
@@ -67,7 +67,7 @@ __attribute__((naked)) void cortexm_reset(void)
 /* Word 0 is the main stack's first value; 7 to 10 and 13 are reserved. */
 __attribute__((section(".vectors"), used)) const cortexm_vector cortexm_vectors[16 + INTERRUPTS] = {
     (cortexm_vector)(uintptr_t)fxl_handler_stack_top,
-    cortexm_reset,
+    board_reset,
     cortexm_fault, /* NMI */
     cortexm_fault, /* hard fault */
     cortexm_fault, /* memory management */

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* A panel that sends the frames by a pump through a driver of the library, as a real display would
- * get them (make run DRIVER=ili9341). Where no display hangs on the board, its wires are recorded. It stands beside the board's own
- * panels: the linker hands their list to it first (firmware/firmware.mk).
+ * get them (make run DRIVER=ili9341). Where no display hangs on the board, its wires are recorded.
+ * It stands beside the board's own panels: the linker hands their list to it first
+ * (firmware/firmware.mk).
  *
  * DRIVER_NAME: a driver of fixel/display.h, or with DRIVER_IS_MODULE a module of fixel/modules.h.
- * DRIVER_ALONE: the board's own panels are left out. DRIVER_BITS: of its pixels. DRIVER_ROWS: the rows of a transfer. DRIVER_WIDEST: the pixels of its
- * longest row, if more than usual. */
+ * DRIVER_ALONE: the board's own panels are left out. DRIVER_BITS: of its pixels. DRIVER_ROWS: the
+ * rows of a transfer. DRIVER_WIDEST: the pixels of its longest row, if more than usual. */
 #include <stddef.h>
 
 #include "contract/panel.h"
@@ -36,12 +37,13 @@
 static fxl_display display;
 static fxl_pump pump;
 static uint64_t memory[FXL_PUMP_MEMORY(WIDEST, ROWS, DRIVER_BITS)];
-static uint32_t frames; /* ended */
+static uint32_t frames;     /* ended */
 static uint8_t pixel_bytes; /* 1 or 2 */
 
 /* --- the panel ----------------------------------------------------------------------------- */
 
-/* The long side of the glass is where that of the frame is. A square frame lies on an upright glass. */
+/* The long side of the glass is where that of the frame is. A square frame lies on an upright
+ * glass. */
 static fxl_display_config config_for(const panel_format *format)
 {
     const bool is_upright = format->height > format->width;
@@ -89,8 +91,11 @@ static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const
     (void)x; /* whole rows come */
     for (row = 0; row < height; row = (uint16_t)(row + ROWS)) {
         const uint16_t left = (uint16_t)(height - row);
-        const fxl_band band = {.pixels = (uint8_t *)(uintptr_t)pixels + (size_t)row * width * pixel_bytes,
-                               .width = width, .stride = width, .first_row = (uint16_t)(y + row),
+        const fxl_band band = {.pixels =
+                                   (uint8_t *)(uintptr_t)pixels + (size_t)row * width * pixel_bytes,
+                               .width = width,
+                               .stride = width,
+                               .first_row = (uint16_t)(y + row),
                                .rows = left < ROWS ? left : (uint16_t)ROWS,
                                /* Which colours is not asked: a pixel of RGB565 has its own. */
                                .palette = pixel_bytes == 2 ? display.pixels.entries : NULL};

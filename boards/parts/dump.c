@@ -6,7 +6,6 @@
 
 #include "fixel/crc.h"
 #include "parts/dump.h"
-#include "parts/sink.h"
 
 #define DUMP_VERSION  3u
 #define PALETTE_BYTES 768u

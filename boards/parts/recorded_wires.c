@@ -2,7 +2,6 @@
 /* wires.h where no real display hangs on the board: all that is sent goes into a record. */
 #include <stddef.h>
 
-#include "parts/record.h"
 #include "parts/wires.h"
 
 /* The kinds of docs/formats.md, section 5. */

@@ -38,8 +38,8 @@ static int32_t call(uint32_t operation, const void *parameter)
     return (int32_t)a0;
 }
 #elif defined SEMIHOSTING_ALONE
-/* A program that runs without a debugger (make flash DRIVER=): SEMIHOSTING_ALONE is the function that takes its text. No file can
- * be opened, there are no arguments, and nothing is counted. */
+/* A program that runs without a debugger (make flash DRIVER=): SEMIHOSTING_ALONE is the function
+ * that takes its text. No file can be opened, there are no arguments, and nothing is counted. */
 void SEMIHOSTING_ALONE(const char *text);
 
 static int32_t call(uint32_t operation, const void *parameter)

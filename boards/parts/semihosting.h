@@ -18,7 +18,8 @@ void semihosting_hexadecimal(uint32_t number);
 /* Ends the emulator with an exit code of 0..255; does not return. */
 _Noreturn void semihosting_exit(int status);
 
-/* Returns the ticks since the start, 0 where the host does not count. The host says what a tick is. */
+/* Returns the ticks since the start, 0 where the host does not count. The host says what a tick is.
+ */
 uint64_t semihosting_elapsed(void);
 
 /* Reads the arguments from the host, separated by blanks, ended by 0. Returns null where there

@@ -12,7 +12,7 @@ enum {
     SET_ROWS = 0x75     /* first, last */
 };
 
-static fxl_pixels greys; /* of the palette's entries */
+static fxl_pixels greys;    /* of the palette's entries */
 static uint8_t pixel_bytes; /* 1 or 2 */
 
 /* For the OSRAM Pictiva module of 128 x 64: its connections (remap, offset, rows) and its
@@ -95,7 +95,9 @@ static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const
     for (row = 0; row < height && good; row++) {
         /* It only reads the pixels. */
         const fxl_band one = {.pixels = (uint8_t *)(uintptr_t)pixels + row * width * pixel_bytes,
-                              .width = width, .stride = width, .first_row = (uint16_t)(y + row),
+                              .width = width,
+                              .stride = width,
+                              .first_row = (uint16_t)(y + row),
                               .rows = 1,
                               /* Which colours is not asked: a pixel of RGB565 has its own. */
                               .palette = pixel_bytes == 2 ? greys.entries : NULL};

@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: MIT */
+/* SysTick; clock.h with it; and watchdog.h with it, for a board whose own watchdog is not emulated.
+ */
 #include "parts/systick.h"
 
+#include "contract/clock.h"
 #include "parts/cortexm.h"
+#include "parts/watchdog.h"
 
 #define CSR_ENABLE     1u
 #define CSR_INTERRUPT  2u
@@ -89,7 +93,8 @@ uint32_t systick_period(void)
     return period;
 }
 
-uint64_t systick_ticks(void)
+/* Not inline: clock_instructions is small where nothing needs it to be fast. */
+__attribute__((noinline)) uint64_t systick_ticks(void)
 {
     uint32_t masked, value;
     uint64_t whole;
@@ -107,4 +112,51 @@ uint64_t systick_ticks(void)
     /* The interrupt comes as the counter reaches 0, one tick before it
      * reloads: at 0 the new period has begun. */
     return before + whole * period + (value == 0 ? 0 : period - value);
+}
+
+/* --- clock.h: QEMU with -icount shift=0, where one instruction takes one nanosecond ------------
+ */
+
+#define NANOSECONDS 1000000000u /* in a second */
+
+/* BOARD_SYSTICK_HZ, of board.mk, is its clock. board_start has called systick_start. The resolution
+ * is a tick. The clock's own interrupt, about twenty instructions in 2^24 ticks, is counted, too.
+ */
+uint64_t clock_instructions(void)
+{
+    const uint64_t ticks = systick_ticks(); /* < 2^50 for years */
+
+    if (NANOSECONDS % BOARD_SYSTICK_HZ == 0) {
+        return ticks * (NANOSECONDS / BOARD_SYSTICK_HZ);
+    }
+    /* Whole seconds and the rest, < 2^30 * 2^30: exact, and rounded down once. */
+    return ticks / BOARD_SYSTICK_HZ * NANOSECONDS +
+           ticks % BOARD_SYSTICK_HZ * NANOSECONDS / BOARD_SYSTICK_HZ;
+}
+
+/* --- watchdog.h, where no other part has it ----------------------------------------------------
+ */
+
+#define SYSTICK_EXCEPTION 15u
+
+/* The wraps count the time. A hang with interrupts masked is not detected. */
+static uint32_t patience; /* wraps that the program may take without a sign of life */
+
+__attribute__((weak)) void watchdog_start(uint32_t milliseconds)
+{
+    const uint64_t ticks = (uint64_t)milliseconds * (BOARD_SYSTICK_HZ / 1000u); /* < 2^44 */
+
+    /* The current period may end at once. */
+    patience = (uint32_t)(ticks / systick_period()) + 2u;
+    systick_alarm(patience);
+}
+
+__attribute__((weak)) void watchdog_feed(void)
+{
+    systick_alarm(patience);
+}
+
+__attribute__((weak)) bool watchdog_barked(uint32_t exception)
+{
+    return exception == SYSTICK_EXCEPTION && systick_alarmed();
 }

@@ -60,7 +60,7 @@ typedef struct {
     uint8_t palette[768];
 } window_header;
 
-/* The shared memory, from the board's memory.ld. Of fxl_window_size the address
+/* The shared memory, from BOARD_MEMORY in board.mk. Of fxl_window_size the address
  * is the size in bytes. */
 extern uint8_t fxl_window[], fxl_window_size[];
 

@@ -5,6 +5,7 @@
 #define BOARD_WIRES_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #include "fixel/display.h"
@@ -21,5 +22,14 @@ bool wires_end_frame(uint32_t number);
 
 /* Returns false if not everything was sent. */
 bool wires_close(void);
+
+/* The file of the record (docs/formats.md, section 5), where parts/recorded_wires.c writes: what
+ * that needs from a board. Each function returns false where the host did not take everything. Each
+ * is called between a record_open that returned true and record_close. */
+#define RECORD_NAME "wires.bin" /* in the directory in which board or emulator were started */
+
+bool record_open(void);
+bool record_write(const void *bytes, size_t size);
+bool record_close(void);
 
 #endif

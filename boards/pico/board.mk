@@ -21,7 +21,9 @@ BOARD_WIRES := boards/pico/spi_wires
 BOARD_DRIVER_ROWS := 20 10
 BOARD_ALONE := rp2040_uart_text
 
-BOARD_SOURCES := $(addprefix boards/pico/,board.c boot2.c rp2040.c) \
-    $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv6m_fault.c no_protect.c stack.c \
-        semihosting.c semihosting_clock.c semihosting_system.c semihosting_sink.c semihosting_keys.c display.c dump.c \
-        partition_store.c memory_functions.c board_note.c)
+# The boot ROM copies the first 256 bytes of flash to RAM and runs them: boot2.c. The vector table follows.
+BOARD_MEMORY := flash_base=0x10000000 flash_size=2M flash_sector=4K program_size=512K \
+    ram_base=0x20000000 ram_size=264K stack_size=8K handler_stack_size=1K
+
+BOARD_PARTS := $(filter-out systick,$(CORTEXM_PARTS)) armv6m_fault
+BOARD_SOURCES := $(addprefix boards/pico/,board.c boot2.c rp2040.c)

@@ -30,8 +30,9 @@
 #define LOCKED     (1u << 31)
 #define LOOKS_MOST 1000000u
 
-/* Waits until bits of a register have a value; false where they never get it. No clock counts yet, so looks do, of at least 4 cycles
- * each: LOOKS_MOST of them are at least 30 ms at the highest clock, 133 MHz. What is waited for takes 2 ms at most. */
+/* Waits until bits of a register have a value; false where they never get it. No clock counts yet,
+ * so looks do, of at least 4 cycles each: LOOKS_MOST of them are at least 30 ms at the highest
+ * clock, 133 MHz. What is waited for takes 2 ms at most. */
 static bool wait_for(const volatile uint32_t *status, uint32_t bits, uint32_t value)
 {
     uint32_t looks = 0;
@@ -81,11 +82,12 @@ static bool start_timer(void)
 bool rp2040_start(void)
 {
     RP2040_REGISTER(RP2040_RESETS + RP2040_CLEAR) = WANTED;
-    if (!wait_for(&RP2040_REGISTER(RP2040_RESETS + 8u), WANTED, WANTED) || !start_crystal() || !start_pll() || !start_timer()) {
+    if (!wait_for(&RP2040_REGISTER(RP2040_RESETS + 8u), WANTED, WANTED) || !start_crystal() ||
+        !start_pll() || !start_timer()) {
         return false;
     }
     CLK_PERI_CTRL = 1u << 11; /* on, from the system's clock */
-    UART_IBRD = 67u; /* 125 MHz / 16 / 115,200 = 67 + 52 / 64 */
+    UART_IBRD = 67u;          /* 125 MHz / 16 / 115,200 = 67 + 52 / 64 */
     UART_FBRD = 52u;
     UART_LCR = 0x70u; /* 8 bits, queues */
     UART_CR = 0x101u; /* on, sends */

@@ -48,7 +48,8 @@ void rp2040_set_pin(uint32_t pin, int is_high);
 /* Microseconds since the start, modulo 2^32. */
 uint32_t rp2040_microseconds(void);
 
-/* Sends text by UART0, on RP2040_UART_PIN, at 115,200 baud. Waits until there is room for each byte; a byte for which there is none in 30 ms is lost. */
+/* Sends text by UART0, on RP2040_UART_PIN, at 115,200 baud. Waits until there is room for each
+ * byte; a byte for which there is none in 30 ms is lost. */
 void rp2040_uart_text(const char *text);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* wires.h by SPI0 and channel 0 of the DMA. GPIO 22 changes its level at the end of each frame, for a logic
- * analyser; the emulator's runner numbers frames by it. The module is selected for each command and
- * for each run of data. */
+/* wires.h by SPI0 and channel 0 of the DMA. GPIO 22 changes its level at the end of each frame, for
+ * a logic analyser; the emulator's runner numbers frames by it. The module is selected for each
+ * command and for each run of data. */
 #include <stddef.h>
 
 #include "parts/wires.h"
@@ -40,21 +40,23 @@
 
 /* What make flash prints of the wiring: more of the lines of board_note.c. */
 __attribute__((section(".fxl_board"), used)) static const char wires_note[] =
-    "wires=CLK:" TEXT_OF(CLOCK) ",DIN:" TEXT_OF(DATA_OUT) ",CS:" TEXT_OF(SELECT) ",D/C:" TEXT_OF(DATA_COMMAND) ",RESET:" TEXT_OF(RESET)
-    "\nclock=" TEXT_OF(RP2040_HZ) "\nspi_divisor=" TEXT_OF(DIVISOR) "\nuart=" TEXT_OF(RP2040_UART_PIN) "\n";
+    "wires=CLK:" TEXT_OF(CLOCK) ",DIN:" TEXT_OF(DATA_OUT) ",CS:" TEXT_OF(SELECT) ",D/C:" TEXT_OF(DATA_COMMAND) ",RESET:" TEXT_OF(
+        RESET) "\nclock=" TEXT_OF(RP2040_HZ) "\nspi_divisor=" TEXT_OF(DIVISOR) "\nuart=" TEXT_OF(RP2040_UART_PIN) "\n";
 
 static bool is_sending;
-static uint32_t begun, patience; /* microseconds: when what is waited for began; how long it may take */
+static uint32_t begun,
+    patience; /* microseconds: when what is waited for began; how long it may take */
 
-/* Bytes begin: they may take twice their time, 128 ns each, and 2 microseconds more for what the clock rounds. */
+/* Bytes begin: they may take twice their time, 128 ns each, and 2 microseconds more for what the
+ * clock rounds. */
 static void begin(size_t size)
 {
     patience = (uint32_t)size * 32u / 125u + 2u;
     begun = rp2040_microseconds();
 }
 
-/* Waits until bits of a register are clear or set; false where that takes too long. The time is read first, so an interrupt behind
- * it makes nothing late that has ended. */
+/* Waits until bits of a register are clear or set; false where that takes too long. The time is
+ * read first, so an interrupt behind it makes nothing late that has ended. */
 static bool wait_for(const volatile uint32_t *status, uint32_t bits, uint32_t value)
 {
     uint32_t now = rp2040_microseconds();

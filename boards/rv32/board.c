@@ -3,9 +3,7 @@
 #include <stddef.h>
 
 #include "contract/clock.h"
-#include "contract/panel.h"
 #include "parts/cortexm.h"
-#include "parts/dump.h"
 #include "parts/riscv.h"
 #include "parts/watchdog.h"
 
@@ -24,13 +22,6 @@ static uint64_t limit; /* ticks without a sign of life */
 void board_start(void)
 {
     COMPARE_HIGH = NEVER;
-}
-
-const panel *const *board_panels(void)
-{
-    static const panel *const panels[] = {&dump_panel, NULL};
-
-    return panels;
 }
 
 static uint64_t ticks(void)

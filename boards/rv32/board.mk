@@ -17,6 +17,9 @@ BOARD_ORDER_ENTRIES := 65536
 BOARD_LIST_BYTES := 262144
 BOARD_CACHE_ENTRIES := 1024
 
-BOARD_SOURCES := boards/rv32/board.c \
-    $(addprefix boards/parts/,riscv_start.c riscv_fault.c stack.c semihosting.c semihosting_system.c semihosting_sink.c \
-        semihosting_keys.c display.c dump.c partition_store.c memory_functions.c board_note.c)
+# RAM from 0x80000000 on, where the core begins. The tools treat the first 4 MiB as flash, with sectors of 4 KiB.
+BOARD_MEMORY := flash_base=0x80000000 flash_size=4M flash_sector=4K program_size=512K \
+    ram_base=0x80800000 ram_size=4M stack_size=64K handler_stack_size=2K
+
+BOARD_PARTS := $(EMULATED_PARTS) riscv
+BOARD_SOURCES := boards/rv32/board.c

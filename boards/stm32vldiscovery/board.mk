@@ -7,7 +7,7 @@ BOARD_CORE := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
 BOARD_QEMU := -M stm32vldiscovery
 BOARD_OPENOCD := -f board/stm32vldiscovery.cfg
 
-# How 8192 bytes are shared out: memory.ld has the program's stack and the
+# How 8192 bytes are shared out: BOARD_MEMORY has the program's stack and the
 # handlers'; the renderer takes 2560, and these take the rest: eight rows of 128, or one
 # of the widest screen; the 174 objects of the plaza, or what scenes/landscape.toml sorts; a list of
 # 15 polygons of four vertices, in which every frame of scenes/tiny.toml fits; no vertices are kept.
@@ -30,11 +30,13 @@ BOARD_OWN_FLAGS := -Os
 
 # place pixel-format: WALK_WITHOUT_... and GAME_WITHOUT_... for a board without room
 # A BSP tree would take 4 KiB of flash more than the program has, and of stack more than there is. Surfaces take
-# 36 KiB of flash: the program of VISIBILITY=surfaces has them, and scenes have 36 KiB less (memory.ld). Billboards
+# 36 KiB of flash: the program of VISIBILITY=surfaces has them, and scenes have 36 KiB less. Billboards
 # would take 4 KiB, RGB565 more.
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=24000000u WALK_WITHOUT_BSP WALK_WITHOUT_SURFACES WALK_WITHOUT_BILLBOARDS WALK_WITHOUT_DEPTH WALK_WITHOUT_RGB565
 
-BOARD_SOURCES := boards/stm32vldiscovery/board.c \
-    $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv7m_protect.c stack.c \
-        systick.c systick_clock.c systick_watchdog.c semihosting.c semihosting_system.c semihosting_sink.c \
-        semihosting_keys.c display.c dump.c partition_store.c memory_functions.c board_note.c)
+# Flash has pages of 1 KiB. A program with surfaces takes 36 of the 62 KiB that scenes have beside others.
+BOARD_MEMORY := flash_base=0x08000000 flash_size=128K flash_sector=1K program_size=66K \
+    ram_base=0x20000000 ram_size=8K stack_size=1048 handler_stack_size=216
+BOARD_MEMORY_FOR_SURFACES := program_size=102K stack_size=1912
+
+BOARD_PARTS := $(CORTEXM_PARTS) armv7m_fault

@@ -14,7 +14,7 @@ import pytest
 from board_programs import BOARD, ROOT, built, made
 from conftest import run_make
 from fixel.scene import making, target
-from fixel.board import emulator
+from fixel.board import emulator, room
 from fixel.board.wires import rgb565
 from test_displays import read_wires
 
@@ -447,7 +447,7 @@ def test_an_emulated_core_draws_the_same_picture(page, picture, core):
                            "-ffreestanding", "-ffunction-sections", "-fdata-sections", f"-I{ROOT / 'lib' / 'include'}",
                            f"-I{page}", f"-I{ROOT / 'boards'}", "-DEXAMPLE_ON_BOARD",
                            f'-DEXAMPLE="{EXAMPLE / "main.c"}"', FRAME, *objects_for(core), "-nostartfiles",
-                           "-nostdlib", "-lgcc", f"-L{ROOT / 'linker'}", "-T", ROOT / "boards" / BOARD / "memory.ld",
+                           "-nostdlib", "-lgcc", *(f"-Wl,--defsym=fxl_{name}={value}" for name, value in room.memory(BOARD).items()), "-T", ROOT / "linker/sections.ld",
                            "-Wl,--gc-sections,--no-warn-rwx-segments", WRAPPED, "-o", program],
                           capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")

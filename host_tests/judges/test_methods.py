@@ -148,7 +148,7 @@ def test_a_board_without_room_for_a_tree_surfaces_or_depth_says_so(build, tmp_pa
 
 
 def test_a_board_of_8_kb_draws_surfaces_where_asked(build, tmp_path):
-    """The program with surfaces has more flash and stack, and scenes have less (boards/stm32vldiscovery/memory.ld)."""
+    """The program with surfaces has more flash and stack, and scenes have less (BOARD_MEMORY_FOR_SURFACES in boards/stm32vldiscovery/board.mk)."""
     room = tmp_path / "room.fxls"
     making.build(str(CHECKOUT / "scenes/room.toml"), str(room), 24)
     summary = chosen(tmp_path / "out", room, "--visibility", "surfaces", board="stm32vldiscovery")

@@ -7,7 +7,6 @@
 #include "contract/journal.h"
 #include "contract/panel.h"
 #include "parts/dump.h"
-#include "parts/sink.h"
 #include "unity.h"
 
 #define WIDTH  3

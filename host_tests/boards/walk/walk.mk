@@ -83,7 +83,7 @@ $(WALK_TEST)/test_display: $(addprefix $(WALK_TEST)/,test_display.o test_display
 	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
 
-# What a board's memory.ld says: of this symbol the address is the size.
+# As BOARD_MEMORY of a board.mk: of this symbol the address is the size.
 $(WALK_TEST)/test_window: $(addprefix $(WALK_TEST)/,test_window.o test_window_runner.o window.o mock_system.o \
         unity.o cmock.o)
 	$(SAY)

@@ -111,7 +111,7 @@ def read_sectors(elf, path, flash_size, sector):
     if any(size == 0 for _, size in runs) or sum(count for count, _ in runs) > SECTORS_MAX \
             or sum(count * size for count, size in runs) != flash_size:
         said = " and ".join(f"{count} of {size}" for count, size in runs)
-        raise ToolError(f"{path}: its board's memory.ld says that the sectors of the flash are "
+        raise ToolError(f"{path}: BOARD_SECTORS in its board.mk says that the sectors of the flash are "
                         f"{f'{said} bytes' if said else 'none'}, and that the flash has {flash_size}")
     return tuple(size for count, size in runs for _ in range(count))
 
@@ -135,7 +135,7 @@ def read_map(elf, path):
     for name in SYMBOLS:
         symbols = table.get_symbol_by_name(name) if table is not None else None
         if not symbols:
-            raise ToolError(f"{path} has no symbol {name}: its board's memory.ld does not define it")
+            raise ToolError(f"{path} has no symbol {name}: BOARD_MEMORY in its board.mk does not define it")
         found[name.removeprefix("fxl_")] = symbols[0]["st_value"]
     for name in SECOND:
         symbols = table.get_symbol_by_name(name)

@@ -81,7 +81,7 @@ def check_partition(program):
     """Refuses a map on which erasing the scene would erase something else."""
     if program.offset(program.scene_base) not in sector_starts(program):
         raise ToolError(f"{program.path}: the scene partition at {program.scene_base:#x} does not begin with a "
-                        "sector of the flash; its board's memory.ld must place it so")
+                        "sector of the flash; BOARD_MEMORY in its board.mk must place it so")
 
 
 def check_scene_fits(program, scene, path):

@@ -24,33 +24,38 @@ SECTION = re.compile(r"^\.(rodata|srodata|data|sdata|bss|sbss)[.\w]* +(\d+) ", r
 TAKES = {"rodata": ["FLASH"], "srodata": ["FLASH"], "data": ["FLASH", "RAM"], "sdata": ["FLASH", "RAM"], "bss": ["RAM"], "sbss": ["RAM"]}
 
 
-def length_of(board, kind):
-    """What a board's memory.ld says of a region's length."""
-    return re.search(rf"^ *{kind} .*LENGTH = (.*)$", (BOARDS / board / "memory.ld").read_text(encoding="utf-8"), re.MULTILINE)[1]
+def setting(board, name):
+    """{word: value} of the WORD=VALUE of a setting of a board's board.mk, {} without; sizes in bytes."""
+    text = (BOARDS / board / "board.mk").read_text(encoding="utf-8").replace("\\\n", " ")
+    found = re.search(rf"^{name} := (.*)$", text, re.MULTILINE)
+    return {word: int(value, 16) if value.startswith("0x") else int(value.rstrip("KM")) * UNITS[value.lstrip("0123456789")]
+            for word, value in (each.split("=") for each in (found[1].split() if found else []))}
 
 
-def lengths(board, kind):
-    """The bytes in it: one number, or more where the length depends on the program."""
-    return [int(number) * UNITS[unit] for number, unit in re.findall(r"\b(\d+)([KM]?)\b", length_of(board, kind))]
+def memory(board):
+    """The words of BOARD_MEMORY, the board's memory map; of a program without surfaces."""
+    return setting(board, "BOARD_MEMORY")
 
 
 def room(board):
-    """{kind: bytes} that a board's memory.ld has for a program. Where that depends on the program, the least."""
-    return {kind: min(lengths(board, kind)) for kind in KINDS}
+    """{kind: bytes} that a board has for a program. Where that depends on the program, the least."""
+    has = memory(board)
+    return {"FLASH": has["program_size"], "RAM": has["ram_size"]}
 
 
 def boards():
-    """The names of those that have a memory.ld."""
-    return sorted(folder.parent.name for folder in BOARDS.glob("*/memory.ld"))
+    """The names of those that have a memory map."""
+    return sorted(folder.parent.name for folder in BOARDS.glob("*/board.mk") if memory(folder.parent.name))
 
 
 def boards_for_scene(size):
-    """The names of the boards whose scene partition has so many bytes. One that shares its memory with the program is none."""
-    return [each for each in boards() if "(" not in length_of(each, "SCENE") and lengths(each, "SCENE")[0] >= size]
+    """The names of the boards whose scene partition has so many bytes. One where a program may take a part of it is none."""
+    parts = {each: memory(each) for each in boards() if not setting(each, "BOARD_MEMORY_FOR_SURFACES")}
+    return [each for each, has in parts.items() if (has.get("scene_flash_size") or has["flash_size"] - has["program_size"]) >= size]
 
 
 def used(map_file):
-    """{kind: bytes} that a board has by the linker's map, which knows what memory.ld decides by the program."""
+    """{kind: bytes} that a board has by the linker's map, which knows what depends on the program."""
     try:
         text = pathlib.Path(map_file).read_text(encoding="utf-8", errors="replace")
     except OSError:

@@ -1,9 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-/* Arm MPS2 with image AN505, under QEMU. */
-#include "parts/cortexm.h"
-#include "parts/systick.h"
-
-void board_start(void)
-{
-    systick_start(SYSTICK_RELOAD_MAX);
-}
