@@ -198,8 +198,7 @@ uint32_t input_keys(void)
     return keys == EOF ? 0 : (uint32_t)keys;
 }
 
-/* --- the record of a display's wires -------------------------------------------------------------
- */
+/* --- the record of a display's wires ---------------------------------------------------------- */
 
 static FILE *record;
 

@@ -85,8 +85,7 @@ __attribute__((naked, section(".vectors"), used)) void board_reset(void)
                                                     ".option pop");
 }
 
-/* --- traps: what happened, where, and the exit code that says so --------------------------------
- */
+/* --- traps: what happened, where, and the exit code that says so ------------------------------ */
 
 /* mcause, where its highest bit is 0. */
 enum {

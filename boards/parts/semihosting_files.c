@@ -9,8 +9,7 @@
 #define DUMP_NAME "frames.fxld"
 #define KEYS_NAME "keys"
 
-/* --- the frame dump, which the tools rename when it is complete ---------------------------------
- */
+/* --- the frame dump, which the tools rename when it is complete ------------------------------- */
 
 static int dump;
 
@@ -31,8 +30,7 @@ bool sink_close(bool whole)
     return semihosting_close(dump) == 0;
 }
 
-/* --- the record of the wires --------------------------------------------------------------------
- */
+/* --- the record of the wires ------------------------------------------------------------------ */
 
 static int record;
 
@@ -52,8 +50,7 @@ bool record_close(void)
     return semihosting_close(record) == 0;
 }
 
-/* --- keys, for boards without keys of their own: one byte, those that the player holds ---------
- */
+/* --- keys, for boards without keys of their own: one byte, those that the player holds -------- */
 
 __attribute__((weak)) uint32_t input_keys(void)
 {

@@ -114,8 +114,7 @@ __attribute__((noinline)) uint64_t systick_ticks(void)
     return before + whole * period + (value == 0 ? 0 : period - value);
 }
 
-/* --- clock.h: QEMU with -icount shift=0, where one instruction takes one nanosecond ------------
- */
+/* --- clock.h: QEMU with -icount shift=0, where one instruction takes one nanosecond ----------- */
 
 #define NANOSECONDS 1000000000u /* in a second */
 
@@ -134,8 +133,7 @@ uint64_t clock_instructions(void)
            ticks % BOARD_SYSTICK_HZ * NANOSECONDS / BOARD_SYSTICK_HZ;
 }
 
-/* --- watchdog.h, where no other part has it ----------------------------------------------------
- */
+/* --- watchdog.h, where no other part has it --------------------------------------------------- */
 
 #define SYSTICK_EXCEPTION 15u
 

@@ -6,7 +6,7 @@
 #include "frame_bands.h"
 #include "tiny.h"
 #include "tiny_frames.h"
-#include "study/target_spans.h"
+#include "study/targets.h"
 
 enum {
     WIDTH = 16,

@@ -2,11 +2,10 @@
 #include "../clip/clip_view.h"
 #include "../math/plane.h"
 #include "../view/outcode.h"
-#include "clip_world.h"
 
 #include "../clip/cut_polygon.h"
 #include "../math/arith.h"
-#include "clip_world_by_planes.h"
+#include "clip_world.h"
 
 /* inside / (inside - outside), rounded downward; requires inside >= 0 > outside. The difference
  * of two distances from one plane is the plane's normal times the difference of two points, so

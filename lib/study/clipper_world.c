@@ -6,7 +6,7 @@
 #include "../view/project.h"
 #include "../view/view.h"
 #include "clip_common.h"
-#include "clip_world_by_planes.h"
+#include "clip_world.h"
 #include "clippers.h"
 
 /* The planes of the world clip vertices before they are transformed. So entries of the vertex

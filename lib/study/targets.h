@@ -4,6 +4,7 @@
 #ifndef FXL_STUDY_TARGETS_H
 #define FXL_STUDY_TARGETS_H
 
+#include "../draw/submit.h"
 #include "fixel/target.h"
 
 #ifdef __cplusplus
@@ -23,6 +24,17 @@ extern const fxl_target fxl_palette_spans;
 
 /* The span buffer, with every pixel of a polygon's bounding box tested (lib/study/scan_box.h). */
 extern const fxl_target fxl_palette_spans_box;
+
+/* Internal: begins a band of which nothing was drawn. */
+typedef void fxl_band_begin(const fxl_renderer *renderer, fxl_workspace *workspace,
+                            const fxl_band *band);
+
+/* Internal: draws a band. Where the workspace is full the band is drawn again in halves, and so on;
+ * counted in split_bands. Each part is begun first. Requires a workspace for any one row. Returns
+ * FXL_OK.
+ */
+fxl_status fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
+                               const fxl_band *band, fxl_band_begin *begin);
 
 #ifdef __cplusplus
 }

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
+/* The clippers that leave sides of the screen to the scan. They clip to near and far, to the
+ * given sides at the border of the screen, and to the other sides at the guard band. */
 #include "../clip/volume.h"
 #include "../view/model_view.h"
 #include "../view/outcode.h"
 #include "../view/project.h"
 #include "../view/view.h"
-#include "guard_band.h"
-
-#include "clip_polygon.h"
 #include "clip_common.h"
+#include "clip_polygon.h"
 
 static fxl_volume_workspace *workspace_of(const fxl_model_view *model_view)
 {
@@ -60,9 +60,11 @@ static fxl_clip_result cut(const fxl_model_view *model_view, const fxl_varying_p
     return fxl_clip_polygon_by_volume(in, by, &workspace->volume, &workspace->clip, result);
 }
 
+/* screen: the planes at the border of the screen, near and far among them. A workspace belongs to
+ * one clipper, so they are the same in every call. */
 /* clippers 4.4 */
-fxl_clip_result fxl_clip_with_guard_band(const fxl_model_view *model_view, const fxl_face *face,
-                                         unsigned screen, fxl_screen_polygon *polygon)
+static fxl_clip_result clip_with_guard_band(const fxl_model_view *model_view, const fxl_face *face,
+                                            unsigned screen, fxl_screen_polygon *polygon)
 {
     static const fxl_clip_steps steps = {fetch, project, input, cut};
     const fxl_view *view = model_view->view;
@@ -76,3 +78,29 @@ fxl_clip_result fxl_clip_with_guard_band(const fxl_model_view *model_view, const
     return fxl_clip_common_face(model_view, face, polygon, &steps,
                                 screen | FXL_VERTEX_BEYOND_GUARD_BAND);
 }
+
+/* Near and far alone. The scan clips to the sides of the screen. */
+static fxl_clip_result clip_near(const fxl_model_view *model_view, const fxl_face *face,
+                                 fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    (void)work;
+    return clip_with_guard_band(model_view, face, FXL_PLANES_DEPTH, screen);
+}
+
+/* place clipper: a new file beside it: the code and its record */
+const fxl_clipper fxl_clipper_near = {.clip = clip_near,
+                                      .workspace_size = sizeof(fxl_volume_workspace)};
+
+/* Near, far and the left side of the screen, so no span begins left of it. The scan shortens spans
+ * on the right and skips rows above and below. */
+#define LEFT_AND_DEPTH (FXL_PLANES_DEPTH | 1u << FXL_PLANE_LEFT)
+
+static fxl_clip_result clip_left(const fxl_model_view *model_view, const fxl_face *face,
+                                 fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    (void)work;
+    return clip_with_guard_band(model_view, face, LEFT_AND_DEPTH, screen);
+}
+
+const fxl_clipper fxl_clipper_left = {.clip = clip_left,
+                                      .workspace_size = sizeof(fxl_volume_workspace)};
