@@ -39,7 +39,7 @@ $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
 
 # --- programs --------------------------------------------------------------------
 
-# The program's own objects, beside region, start and text, which all have. A program
+# The program's own objects, beside those of program.c, which all have. A program
 # has the memory functions that firmware has, compiled for its core as all that
 # is measured, or those of the C library.
 BENCH_PROGRAMS := calibration fixel fixel-os fixel-small fixel-bands fixel-rgb565 fixel-target listing-double listing-float memset kernels
@@ -102,7 +102,7 @@ BENCH_PLACES = $(patsubst $(BENCH_OUT)/$(1)/small/lib/%,$(call BENCH_LIB_OUT,$(1
     $(patsubst $(BENCH_OUT)/$(1)/arduino/lib/%,$(call BENCH_LIB_OUT,$(1),arduino/)/%,$(patsubst $(BENCH_OUT)/$(1)/os/lib/%,$(call BENCH_LIB_OUT,$(1),os/)/%,\
     $(patsubst $(BENCH_OUT)/$(1)/lib/%,$(call BENCH_LIB_OUT,$(1))/%,$(patsubst %,$(BENCH_OUT)/$(1)/%.o,$(filter-out $(call LIB_FOREIGN,$(BENCH_FLAGS.$(1))),$(2)))))))
 # $(1): the core, $(2): the program.
-BENCH_OBJECTS_OF = $(call BENCH_PLACES,$(1),region start text $(BENCH_OBJECTS.$(2)) \
+BENCH_OBJECTS_OF = $(call BENCH_PLACES,$(1),program $(BENCH_OBJECTS.$(2)) \
     $(if $(filter $(2),$(BENCH_C_LIBRARY)),,memory_functions))
 # The board's parts, which only start and end the program, are compiled for the
 # board; for hard float anew, since the linker mixes no calling conventions.
@@ -129,7 +129,7 @@ define BENCH_CORE_RULES
 BENCH_CC.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_OPTIMISE) $(BENCH_CFLAGS)
 # Until bench_start has turned it on, nothing may touch the floating-point unit.
 $(if $(findstring =hard,$(BENCH_FLAGS.$(1))),$(BENCH_OUT)/$(1)/parts/%.o \
-    $(patsubst %,$(BENCH_OUT)/$(1)/%.o,start text frames kernels calibration): \
+    $(patsubst %,$(BENCH_OUT)/$(1)/%.o,program frames kernels calibration): \
     FLAGS_OF_FILE := -mgeneral-regs-only)
 $(BENCH_OUT)/$(1)/one-file/fixel.o: $(BENCH_OUT)/one-file/fixel.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_OPTIMISE) -std=c11 -g -ffunction-sections -fdata-sections -ffreestanding)

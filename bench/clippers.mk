@@ -23,12 +23,12 @@ CLIPPERS_DEFINES = -DCOMBINATION_CLIPPER=$(call CLIPPERS_PART,$(1),2) \
     -DCOMBINATION_ORDER=$(call CLIPPERS_PART,$(2),2) -DCOMBINATION_TARGET=$(call CLIPPERS_PART,$(2),3) \
     -DCOMBINATION_ROOM=$(call CLIPPERS_PART,$(2),4)u
 
-# What a method wants beside its room.
-CLIPPERS_PREPARE = $(if $(filter tree%,$(call CLIPPERS_PART,$(1),1)),prepare_tree,prepare_plain)
+# What a method wants beside its room: $(1): the core, $(2): what hides what.
+CLIPPERS_PREPARE = $(if $(filter tree%,$(call CLIPPERS_PART,$(2),1)),$(BENCH_OUT)/$(1)/prepare_tree.o)
 
 # The plan names the clippers and what hides what.
 CLIPPERS_LIB := $(LIB_NAMES:%=lib/%)
-CLIPPERS_OBJECTS_OF = $(call BENCH_PLACES,$(1),region start text memory_functions draw_combination frames path $(CLIPPERS_LIB))
+CLIPPERS_OBJECTS_OF = $(call BENCH_PLACES,$(1),program memory_functions draw_combination frames path $(CLIPPERS_LIB))
 CLIPPERS_ROOTS := combination_chosen fxl_renderer_init_bare_for_polygons_of_32 fxl_renderer_set_clipper fxl_renderer_choose \
     fxl_frame_begin fxl_frame_draw fxl_fill_band
 CLIPPERS_SIZED_OF = $(call BENCH_PLACES,$(1),$(CLIPPERS_LIB) memory_functions)
@@ -46,7 +46,7 @@ define CLIPPERS_PROGRAM_RULES
 $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).o: bench/firmware/combination.c $(CLIPPERS_PLAN) bench/clippers.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_FAMILY_CFLAGS.$(1)) -ffreestanding $(call CLIPPERS_DEFINES,$(2),$(3)))
 $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).elf: $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).o \
-        $(BENCH_OUT)/$(1)/$(call CLIPPERS_PREPARE,$(3)).o $(CLIPPERS_OBJECTS.$(1))
+        $(call CLIPPERS_PREPARE,$(1),$(3)) $(CLIPPERS_OBJECTS.$(1))
 	$$(call FIRMWARE_LINK,$$(call BENCH_LINK,$(1)) $$(filter %.o,$$^) -lgcc)
 $(BENCH_OUT)/$(1)/clippers/size/$(call CLIPPERS_NAME,$(2),$(3)).elf: \
         $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).o $(CLIPPERS_SIZED.$(1))

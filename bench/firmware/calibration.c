@@ -4,9 +4,7 @@
  * marker. It is assembly, so the compiler does not affect it. It uses only instructions of
  * Armv6-M, except where it tests those that a core may lack. */
 #include "contract/system.h"
-#include "region.h"
-#include "start.h"
-#include "text.h"
+#include "program.h"
 
 #define REGION(body) \
     ".syntax unified\n\tpush {r4, lr}\n\tbl bench_begin\n\t" body \

@@ -1,22 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws scenes in the ways of docs/extras/combinations.md. The scene partition has a list of them, in words of 32 bits:
- *   bytes of the scene image, 0 at the end of the list
- *   1 + the colour of outlines, or 0
- *   how many ways follow, and for each the rows of a band, words of the display list, cores, and 1 + the colour of a
- *   border that is drawn over the frame, or 0
- *   the image, filled up to a multiple of 4 bytes
- * Prints for each scene and way
- *   cells: crc N       of the pixels of all frames, or
- *   cells: refused: STATUS
- * and in the end
- *   cells: done N      how many lines that were */
+/* Draws scenes in the ways of docs/extras/combinations.md. The scene partition has a list of them,
+ * in words of 32 bits: bytes of the scene image, 0 at the end of the list 1 + the colour of
+ * outlines, or 0 how many ways follow, and for each the rows of a band, words of the display list,
+ * cores, and 1 + the colour of a border that is drawn over the frame, or 0 the image, filled up to
+ * a multiple of 4 bytes Prints for each scene and way cells: crc N       of the pixels of all
+ * frames, or cells: refused: STATUS and in the end cells: done N      how many lines that were */
 #include "contract/store.h"
 #include "contract/system.h"
 #include "draw.h"
 #include "fixel/all.h"
 #include "path.h"
-#include "start.h"
-#include "text.h"
+#include "program.h"
 
 #define FRAME_BYTES  (2u * 64u * 48u)
 #define FRAMES_MAX   2u
@@ -59,8 +53,8 @@ static fxl_status draw_band(const cell_way *way, const fxl_band *band, uint8_t b
     fxl_status status;
 
     fxl_frame_fill(renderer, band, background);
-    status = is_second ? fxl_frame_draw_with(renderer, &second, band)
-                       : fxl_frame_draw(renderer, band);
+    status =
+        is_second ? fxl_frame_draw_with(renderer, &second, band) : fxl_frame_draw(renderer, band);
     return status == FXL_OK && way->border > 0
                ? fxl_draw_border(band, 4, 4, 24, 16, (uint8_t)(way->border - 1u))
                : status;
@@ -103,8 +97,7 @@ static fxl_status draw_all(const fxl_scene_image *image, const cell_way *way, ui
     for (uint32_t i = 0; i < image->frame_count && status == FXL_OK; i++) {
         status = walk_path_next(&path, 0);
         if (status == FXL_OK) {
-            status = draw_one(image, &path.viewer.pose, way,
-                              (uint8_t *)pixels + i * frame_bytes);
+            status = draw_one(image, &path.viewer.pose, way, (uint8_t *)pixels + i * frame_bytes);
         }
     }
     *crc = fxl_crc(FXL_CRC_START, pixels, frame_bytes * image->frame_count);

@@ -5,7 +5,7 @@
 #include "bands.h"
 #include "contract/system.h"
 #include "draw.h"
-#include "text.h"
+#include "program.h"
 
 #define ORDER_ENTRIES 8192u
 #define BAND_ROWS     3u

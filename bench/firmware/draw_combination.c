@@ -3,7 +3,7 @@
 #include "combination.h"
 #include "contract/system.h"
 #include "fixel/beams.h"
-#include "text.h"
+#include "program.h"
 
 /* Zeroes take space in the image, and the scene follows them: all together must be below 480 KB. */
 #define ORDER_ENTRIES 12288u
@@ -90,4 +90,16 @@ const fxl_counters *draw_counters(void)
 fxl_renderer *draw_renderer(void)
 {
     return &renderer;
+}
+
+/* Methods that need only their workspace. */
+__attribute__((weak)) void combination_prepare(fxl_renderer *prepared)
+{
+    (void)prepared;
+}
+
+__attribute__((weak)) uint32_t combination_memory(const fxl_renderer *prepared)
+{
+    (void)prepared;
+    return 0;
 }

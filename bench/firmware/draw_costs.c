@@ -8,7 +8,7 @@
 #include "contract/system.h"
 #include "draw.h"
 #include "plan.h"
-#include "text.h"
+#include "program.h"
 
 #ifndef DRAW_ORDER_ENTRIES
 #define DRAW_ORDER_ENTRIES 8192u
@@ -42,11 +42,12 @@ int draw_open(const fxl_scene_image *image)
         return SYSTEM_EXIT_CAPACITY;
     }
     plan = (fxl_setup_plan){0};
-    of = (walk_plan){.image = image,
-                     .methods = &methods,
-                     .tables = {order, order_used, list, DRAW_LIST_WORDS, cache, DRAW_CACHE_ENTRIES},
-                     .block = (uint8_t *)room,
-                     .size = sizeof room};
+    of =
+        (walk_plan){.image = image,
+                    .methods = &methods,
+                    .tables = {order, order_used, list, DRAW_LIST_WORDS, cache, DRAW_CACHE_ENTRIES},
+                    .block = (uint8_t *)room,
+                    .size = sizeof room};
     if (!walk_methods_choose(&methods, image) || walk_plan_open(&of, &plan, &setup) != FXL_OK) {
         return SYSTEM_EXIT_RENDER;
     }

@@ -7,7 +7,7 @@
 #include "draw.h"
 #include "fixel/surfaces.h"
 #include "plan.h"
-#include "text.h"
+#include "program.h"
 
 #define ORDER_ENTRIES 8192u /* a terrain of 8,000 faces in one model takes 8001 */
 #define CACHE_ENTRIES 256u  /* at most */
@@ -28,7 +28,10 @@ static uint32_t *const list = NULL;
 #define PLAIN      fxl_palette
 #define WITH_DEPTH fxl_palette_depth_16
 #endif
-#define DRAWS(target) {&target, FXL_SURFACES_OF(target), NULL}
+#define DRAWS(target) \
+    { \
+        &target, FXL_SURFACES_OF(target), NULL \
+    }
 
 static fxl_draw_entry order[ORDER_ENTRIES];
 static fxl_cached_vertex cache[CACHE_ENTRIES];
@@ -81,7 +84,9 @@ int draw_open(const fxl_scene_image *image)
         return SYSTEM_EXIT_RENDER;
     }
     looks_used = of.used;
-    record_bytes = image->surfaces.face_map != NULL || image->light.base != NULL ? sizeof setup : sizeof setup.renderer;
+    record_bytes = image->surfaces.face_map != NULL || image->light.base != NULL
+                       ? sizeof setup
+                       : sizeof setup.renderer;
     return SYSTEM_EXIT_DONE;
 }
 
@@ -97,7 +102,8 @@ bool draw_frame(const fxl_pose *pose, const fxl_band *whole)
 #ifdef DRAW_BAND_ROWS
     return draw_in_bands(&setup.renderer, pose, band, DRAW_BAND_ROWS, NOT_CLEARED);
 #else
-    return fxl_frame_begin(&setup.renderer, pose) == FXL_OK && fxl_frame_draw(&setup.renderer, band) == FXL_OK;
+    return fxl_frame_begin(&setup.renderer, pose) == FXL_OK &&
+           fxl_frame_draw(&setup.renderer, band) == FXL_OK;
 #endif
 }
 

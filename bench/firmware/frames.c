@@ -11,9 +11,7 @@
 #include "draw.h"
 #include "fixel/motion.h"
 #include "path.h"
-#include "region.h"
-#include "start.h"
-#include "text.h"
+#include "program.h"
 
 #define STACK_WORDS   2048u /* words that are checked below the caller of draw_frame */
 #define STACK_PATTERN 0xA5C35A3Cu

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Frames with a depth buffer of the whole screen: a quad that covers it, seen at an angle, of one
  * colour and textured; and one of a few pixels, which leaves the clearing of the buffer. */
-#include "kernel_depth.h"
+#include "kernels.h"
 
 #include "../../host_tests/unit/mapped_quad.h"
-#include "kernel_surfaces.h"
 
 static mapped_quad wall;
 
@@ -22,8 +21,11 @@ static FXL_ALIGN_8 uint8_t cells[FXL_DEPTH_BYTES(SURFACE_WIDTH, SURFACE_HEIGHT, 
 static void draw(workload *of, uint32_t times)
 {
     const fxl_pose eye = {{0, 0, -10 * 65536}, FXL_DEGREES(15), FXL_DEGREES(10), 0};
-    const fxl_band band = {.pixels = kernel_screen, .width = SURFACE_WIDTH,
-                           .stride = SURFACE_WIDTH, .first_row = 0, .rows = SURFACE_HEIGHT};
+    const fxl_band band = {.pixels = kernel_screen,
+                           .width = SURFACE_WIDTH,
+                           .stride = SURFACE_WIDTH,
+                           .first_row = 0,
+                           .rows = SURFACE_HEIGHT};
     (void)fxl_frame_begin(&of->renderer, &eye);
     for (uint32_t i = 0; i < times; i++) {
         (void)fxl_frame_draw(&of->renderer, &band);
@@ -66,9 +68,8 @@ static bool prepare(workload *of, bool has_surfaces)
     config.depth_size = sizeof cells;
     return fxl_renderer_init(&of->renderer, &wall.scene, &config, of->memory, sizeof of->memory) ==
                FXL_OK &&
-           (!has_surfaces ||
-            fxl_attach_surfaces(&of->renderer, &surfaces, &wall.set,
-                                FXL_SURFACES_OF(fxl_palette_depth_16)) == FXL_OK);
+           (!has_surfaces || fxl_attach_surfaces(&of->renderer, &surfaces, &wall.set,
+                                                 FXL_SURFACES_OF(fxl_palette_depth_16)) == FXL_OK);
 }
 
 bool kernel_depth_prepare(void)

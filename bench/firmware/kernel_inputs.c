@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "kernel_inputs.h"
+#include "kernels.h"
 
 static uint64_t state = 0x9E3779B97F4A7C15u;
 

@@ -28,9 +28,12 @@ static union {
 } results;
 
 static FXL_ALIGN_8 uint8_t pixels[KERNEL_COUNT * 320u];
-static const fxl_band rows = {.pixels = pixels, .width = 320, .stride = 320, .first_row = 0,
-                              .rows = KERNEL_COUNT};
-static const fxl_band screen = {.pixels = pixels, .width = 320, .stride = 320, .first_row = 0,
+static const fxl_band rows = {
+    .pixels = pixels, .width = 320, .stride = 320, .first_row = 0, .rows = KERNEL_COUNT};
+static const fxl_band screen = {.pixels = pixels,
+                                .width = 320,
+                                .stride = 320,
+                                .first_row = 0,
                                 .rows = 240}; /* scanned, never filled */
 
 static __attribute__((noinline)) void nothing(const fxl_point *point, fxl_view_point *seen)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Textured faces: a quad that covers the screen, by its pixels and what a row, a segment and the
  * face cost; and workload W4, a whole frame without the clear. */
-#include "kernel_surfaces.h"
+#include "kernels.h"
 
 #include "../../host_tests/unit/mapped_quad.h"
 #include "draw/stages.h"
@@ -18,8 +18,11 @@ enum {
 static mapped_quad floor_scene;
 static uint8_t ramp[256 * LEVELS];
 FXL_ALIGN_8 uint8_t kernel_screen[SURFACE_WIDTH * SURFACE_HEIGHT];
-static const fxl_band screen = {.pixels = kernel_screen, .width = SURFACE_WIDTH,
-                                .stride = SURFACE_WIDTH, .first_row = 0, .rows = SURFACE_HEIGHT};
+static const fxl_band screen = {.pixels = kernel_screen,
+                                .width = SURFACE_WIDTH,
+                                .stride = SURFACE_WIDTH,
+                                .first_row = 0,
+                                .rows = SURFACE_HEIGHT};
 static fxl_scan scan;
 
 /* --- a quad --------------------------------------------------------------------------------- */

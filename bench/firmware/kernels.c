@@ -6,12 +6,8 @@
  * is the same loop with an empty function. A name that begins with "limit-" is the bare work,
  * for comparison. */
 #include "contract/system.h"
-#include "kernel_depth.h"
-#include "kernel_surfaces.h"
 #include "kernels.h"
-#include "region.h"
-#include "start.h"
-#include "text.h"
+#include "program.h"
 
 static kernel_inputs inputs;
 

@@ -2,7 +2,7 @@
 /* The bare work of a few kernels, as a limit for them: without rounding, range or rule. Filling
  * is assembly, with the fewest instructions for a frame. The others are plain products, as the
  * compiler translates them. */
-#include "kernel_surfaces.h"
+#include "kernels.h"
 
 #define FILL_BYTES (SURFACE_WIDTH * SURFACE_HEIGHT)
 

@@ -4,7 +4,7 @@
 #include "contract/system.h"
 #include "draw.h"
 #include "listing.h"
-#include "text.h"
+#include "program.h"
 
 #define OBJECTS_MAX  200u
 #define FACES_MAX    2100u

@@ -52,7 +52,7 @@ $(EQUALITY_OUT)/$(1)/%.o: firmware/equality/%.c firmware/equality/equality.mk
 	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $($(EQUALITY_FLAGS)_FAMILY.$(EQUALITY_CORE)))
 
 $(EQUALITY_OUT)/$(1).elf: $(EQUALITY_OBJECTS:%=$(EQUALITY_OUT)/$(1)/%) \
-        $(call BENCH_PLACES,$(EQUALITY_CORE),start text memory_functions $(EQUALITY_LIB)) \
+        $(call BENCH_PLACES,$(EQUALITY_CORE),program memory_functions $(EQUALITY_LIB)) \
         $(EQUALITY_PORTABLE) $(call BENCH_PARTS_OF,$(EQUALITY_CORE)) \
         $(call BOARD_LINK_SCRIPTS,$(BENCH_BOARD.$(EQUALITY_CORE))) bench/bench.mk
 	$$(call FIRMWARE_LINK,$$(call BENCH_LINK,$(EQUALITY_CORE)) $$(filter %.o %.a,$$^) $$(filter %.a,$$^) -lgcc)

@@ -10,8 +10,7 @@
  * and ends with SYSTEM_EXIT_TEST where there was a difference. */
 #include "contract/system.h"
 #include "equality.h"
-#include "start.h"
-#include "text.h"
+#include "program.h"
 
 #include <stddef.h>
 

@@ -263,7 +263,7 @@ def test_debug_information_knows_lines_and_inlined_functions():
     inside = [address for address, _ in code.each_instruction() if function.start <= address < function.end]
     assert all(re.fullmatch(r"lib/(\w+|include/fixel(/\w+)*)/\w+\.[ch]:\d+", debug.line(address)) for address in inside)
     assert debug.files["fxl_frame_begin"] == "lib/draw/render.c"
-    assert debug.files.get("bench_begin") == "bench/firmware/region.c"
+    assert debug.files.get("bench_begin") == "bench/firmware/program.c"
     tool = subprocess.run([f"{CROSS}addr2line", "-i", "-f", "-e", str(elf), *map(hex, inside)], capture_output=True,
                           text=True, check=True).stdout.splitlines()
     inlined = set().union(*(debug.inlined(address) for address in inside))
