@@ -50,9 +50,9 @@
 /* The columns r2 to r3. */
     .align  2
 .Lclamped_row:
-    ldrd    r1, r0, [sp, #F_ROW]
+    ldrd    r1, r0, [sp, #.LF_ROW]
     ldr     r12, [r1, #PAINT_ROW_WEIGHT + 4]
-    add     r4, sp, #F_WITHIN
+    add     r4, sp, #.LF_WITHIN
     ldm     r4, {r4-r10}
     cmp     r4, r12
     bne     .Lclamped_weight
@@ -66,26 +66,26 @@
     subs    r4, r3, #1
     within_bounds r9, r4, r11, r6
     within_bounds r10, r4, r12, r8
-    ldr     r5, [sp, #F_LOG]
-    strd    r3, r3, [sp, #F_X]
+    ldr     r5, [sp, #.LF_LOG]
+    strd    r3, r3, [sp, #.LF_X]
     movs    r4, #4
     cmp     r5, #LOG_WITHIN
     beq     .Lsame_log
     ldm     r0, {r6-r11}
     stm     sp, {r6-r10}
-    str     r11, [sp, #F_V_HIGH]
+    str     r11, [sp, #.LF_V_HIGH]
     movs    r6, #0
-    strd    r6, r6, [sp, #F_SHORT]
+    strd    r6, r6, [sp, #.LF_SHORT]
     movs    r6, #LOG_WITHIN
-    str     r6, [sp, #F_LOG]
-    ldrd    r6, r7, [sp, #F_PLAIN]
-    strd    r6, r7, [sp, #F_CODE]
-    str     r6, [sp, #F_FULL]
+    str     r6, [sp, #.LF_LOG]
+    ldrd    r6, r7, [sp, #.LF_PLAIN]
+    strd    r6, r7, [sp, #.LF_CODE]
+    str     r6, [sp, #.LF_FULL]
     adr     r7, .Lwithin_next + 1
     adr     r8, .Lwithin_resume + 1
     adr     r9, .Lwithin_begin + 1
-    strd    r7, r8, [sp, #F_NEXT]
-    str     r9, [sp, #F_BEGIN]
+    strd    r7, r8, [sp, #.LF_NEXT]
+    str     r9, [sp, #.LF_BEGIN]
     b       .Lsame_log
 
 /* Another weight, r12. */
@@ -95,28 +95,28 @@
     blt     .Lclamped_not_within
     ldr     r9, [r0, #(SEGMENT_FACE_U_STEP + 4)]
     ldr     r10, [r0, #(SEGMENT_FACE_V_STEP + 4)]
-    ldrd    r11, lr, [sp, #F_U_DROP]
+    ldrd    r11, lr, [sp, #.LF_U_DROP]
     asrs    r9, r9, #4
     asrs    r10, r10, #4
     texture_bounds r9, r11, r5, r6
     texture_bounds r10, lr, r7, r8
     mov     r4, r12
-    add     r11, sp, #F_WITHIN
+    add     r11, sp, #.LF_WITHIN
     stm     r11, {r4-r10}
     mvn     r11, #0x80000000
     reciprocal r11, lr, r12, r11, r12, r4
-    str     r11, [sp, #F_RECIPROCAL]
+    str     r11, [sp, #.LF_RECIPROCAL]
     b       .Lclamped_bounds
 
 .Lclamped_not_within:
-    ldr     r4, [sp, #F_LOG]
+    ldr     r4, [sp, #.LF_LOG]
     cmp     r4, #LOG_WITHIN
     bne     .Lface_weights
     adr     r4, .Lclamped + 1
     movs    r5, #0
-    strd    r4, r5, [sp, #F_CODE]
-    ldr     r4, [sp, #F_FIRST]
-    str     r4, [sp, #F_BEGIN]
+    strd    r4, r5, [sp, #.LF_CODE]
+    ldr     r4, [sp, #.LF_FIRST]
+    str     r4, [sp, #.LF_BEGIN]
     b       .Lface_weights
 
 /* .Lbegin of a row that is within; the reciprocal is kept in w. */
@@ -124,21 +124,21 @@
 .Lwithin_begin:
     begin_coordinates
     ldr     r2, [r1, #PAINT_ROW_WEIGHT + 4]
-    ldr     w, [sp, #F_RECIPROCAL]
-    ldrd    r4, r5, [sp, #F_U_DROP]
+    ldr     w, [sp, #.LF_RECIPROCAL]
+    ldrd    r4, r5, [sp, #.LF_U_DROP]
     clz     r2, r2
     subs    r4, r4, r2
     subs    r5, r5, r2
-    strd    r4, r5, [sp, #F_DROPS]
+    strd    r4, r5, [sp, #.LF_DROPS]
     smull   r1, u_0, u, w
     asr     u_0, u_0, r4
     smull   r1, v_0, v, w
     asr     v_0, v_0, r5
-    ldr     pc, [sp, #F_RESUME]
+    ldr     pc, [sp, #.LF_RESUME]
 
     .align  2
 .Lwithin_next:
-    ldr     r3, [sp, #F_LAST]
+    ldr     r3, [sp, #.LF_LAST]
     cmp     pixels, r3
     bhi     .Lrest
     .align  2
@@ -149,7 +149,7 @@
     adc     u, u, r2
     adds    v_low, v_low, r3
     adc     v, v, r5
-    ldrd    r4, r5, [sp, #F_DROPS]
+    ldrd    r4, r5, [sp, #.LF_DROPS]
     smull   r1, r2, u, w
     asrs    r2, r2, r4
     smull   r1, r4, v, w

@@ -7,7 +7,6 @@
 
 /* clang-format off */
 
-#define F_PREVIOUS F_COLUMN             /* U and V at the end of the segment before: two words */
 #define F_PUSHED   20
 
 /* A coordinate of the first pixel and of the last one: beyond the same side it is held there.
@@ -36,8 +35,8 @@
  * that is rounded lead beyond it. Then p and step are those of a plain face. */
     .align  2
 .Lclamped:
-    ldrd    r3, r4, [sp, #F_PREVIOUS]
-    strd    u_0, v_0, [sp, #F_PREVIOUS]
+    ldrd    r3, r4, [sp, #.LF_PREVIOUS]
+    strd    u_0, v_0, [sp, #.LF_PREVIOUS]
     orr     r5, r3, r4
     sub     r6, u_0, #128
     orr     r5, r5, r6
@@ -49,20 +48,20 @@
     orr     r5, r5, r6
     cmp     r5, #0x100000
     bhs     1f
-    ldr     r5, [sp, #F_BEFORE]
-    ldr     r3, [sp, #F_SHORT]
-    str     r3, [sp, #F_BEFORE]
-    ldrd    r3, r4, [sp, #F_PLAIN]
+    ldr     r5, [sp, #.LF_BEFORE]
+    ldr     r3, [sp, #.LF_SHORT]
+    str     r3, [sp, #.LF_BEFORE]
+    ldrd    r3, r4, [sp, #.LF_PLAIN]
     mla     r3, r5, r4, r3
-    ldrd    texels, mask, [sp, #F_TEXELS]
-    ldr     table, [sp, #F_TABLE]
+    ldrd    texels, mask, [sp, #.LF_TEXELS]
+    ldr     table, [sp, #.LF_TABLE]
     bx      r3
 
 1:  mov     r1, r3
     mov     r2, r4
     push    {r7-r11}
-    ldr     r5, [sp, #(F_BEFORE + F_PUSHED)]
-    ldr     r7, [sp, #(F_LOG + F_PUSHED)]
+    ldr     r5, [sp, #(.LF_BEFORE + F_PUSHED)]
+    ldr     r7, [sp, #(.LF_LOG + F_PUSHED)]
     movs    r6, #8
     lsls    r6, r6, r7
     adds    r7, #4
@@ -74,10 +73,10 @@
     asrs    r4, r4, r7
     asrs    r1, r1, #4
     asrs    r2, r2, #4
-    ldr     r6, [sp, #(F_SHORT + F_PUSHED)]
+    ldr     r6, [sp, #(.LF_SHORT + F_PUSHED)]
     cmp     r5, r6
     beq     1f                          /* a whole segment */
-    ldr     r9, [sp, #(F_ROW + F_PUSHED)]
+    ldr     r9, [sp, #(.LF_ROW + F_PUSHED)]
     ldr     r9, [r9, #PAINT_ROW_PIXELS]
     sub     r9, pixels, r9
     .if     WIDE
@@ -102,28 +101,28 @@
 .Lclamped_paint:
     add     p, r2, r1, lsl #16
     add     step, r4, r3, lsl #16
-    ldr     r3, [sp, #(F_SHORT + F_PUSHED)]
-    str     r3, [sp, #(F_BEFORE + F_PUSHED)]
-    ldrd    r7, r8, [sp, #(F_PLAIN + F_PUSHED)]
+    ldr     r3, [sp, #(.LF_SHORT + F_PUSHED)]
+    str     r3, [sp, #(.LF_BEFORE + F_PUSHED)]
+    ldrd    r7, r8, [sp, #(.LF_PLAIN + F_PUSHED)]
     mla     r3, r5, r8, r7
     pop     {r7-r11}
-    ldrd    texels, mask, [sp, #F_TEXELS]
-    ldr     table, [sp, #F_TABLE]
+    ldrd    texels, mask, [sp, #.LF_TEXELS]
+    ldr     table, [sp, #.LF_TABLE]
     bx      r3
 
 /* A whole segment both of whose ends have the same position, r5 and r6, once it is held within the
  * texture: so has each pixel the same texel. A step that is rounded may lead beyond an end by less than
  * 8 units of a position; a texel has at least 256. r3: the code that stores the pixels. */
 .Lclamped_fill:
-    ldr     r4, [sp, #F_FACE]
+    ldr     r4, [sp, #.LF_FACE]
     ldrb    r1, [r4, #SEGMENT_FACE_LOG_WIDTH] /* and of the height */
     rsb     r4, r1, #16
     lsr     r2, r6, r4
     lsl     r2, r2, r1
     lsr     r5, r5, r4
     add     r2, r2, r5
-    ldr     texels, [sp, #F_TEXELS]
-    ldr     table, [sp, #F_TABLE]
+    ldr     texels, [sp, #.LF_TEXELS]
+    ldr     table, [sp, #.LF_TABLE]
     .if     WIDE
     cbz     table, 1f
     ldrb    r1, [texels, r2]
@@ -141,7 +140,7 @@
     str     r1, [pixels, #(4 * \i)]
     .endr
     adds    pixels, #30
-    ldr     pc, [sp, #F_NEXT]
+    ldr     pc, [sp, #.LF_NEXT]
     .else
     ldrb    r1, [texels, r2]
     cbz     table, 1f
@@ -158,7 +157,7 @@
     .endif
     .endr
     adds    pixels, #(16 << WIDE)
-    ldr     pc, [sp, #F_NEXT]
+    ldr     pc, [sp, #.LF_NEXT]
 
 .Lclamped_beyond:
     hold_within r1, r8, r3
@@ -167,11 +166,11 @@
 
 /* Some pixels are within the texture, others beyond it. r12: the texels, lr: where pixels end. */
 .Lclamped_mixed:
-    ldr     r6, [sp, #(F_SHORT + F_PUSHED)]
-    str     r6, [sp, #(F_BEFORE + F_PUSHED)]
-    ldr     r10, [sp, #(F_FACE + F_PUSHED)]
-    ldr     r6, [sp, #(F_TABLE + F_PUSHED)]
-    ldrd    r12, r11, [sp, #(F_TEXELS + F_PUSHED)]
+    ldr     r6, [sp, #(.LF_SHORT + F_PUSHED)]
+    str     r6, [sp, #(.LF_BEFORE + F_PUSHED)]
+    ldr     r10, [sp, #(.LF_FACE + F_PUSHED)]
+    ldr     r6, [sp, #(.LF_TABLE + F_PUSHED)]
+    ldrd    r12, r11, [sp, #(.LF_TEXELS + F_PUSHED)]
     ldrb    r7, [r10, #SEGMENT_FACE_LOG_WIDTH]
     ldrb    r8, [r10, #SEGMENT_FACE_ROW_DROP]
     rsb     r7, r7, #16
@@ -201,8 +200,8 @@
     cmp     pixels, lr
     bne     1b
     pop     {r7-r11}
-    ldrd    u_0, v_0, [sp, #F_PREVIOUS]
-    ldr     pc, [sp, #F_NEXT]
+    ldrd    u_0, v_0, [sp, #.LF_PREVIOUS]
+    ldr     pc, [sp, #.LF_NEXT]
 
 /* clang-format on */
 

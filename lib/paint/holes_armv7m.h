@@ -7,10 +7,6 @@
 
 /* clang-format off */
 
-#define F_HOLES       F_PLAIN         /* a cell's address less that of its pixel, or less twice that; then the
-                                       * code of the pixel after that of address 0 */
-#define F_HOLES_STEP  F_KIND          /* of the codes; wide pixels have it in `table` */
-
 /* What paints pixels of a kind. */
     .macro  hole_code code
     adr     r4, \code + 1
@@ -20,8 +16,8 @@
     it      ne
     adrne   r4, \code\()_tabled + 1
     .endif
-    str     r4, [sp, #F_CODE]
-    str     r4, [sp, #F_FULL]
+    str     r4, [sp, #.LF_CODE]
+    str     r4, [sp, #.LF_FULL]
     b       .Lrow_alone
     .endm
 
@@ -31,40 +27,40 @@
 /* r0: face, r1: row, r2: x0, r3: x1, on the stack: depths */
 HOLES:
     push    {r4-r11, lr}
-    sub     sp, #F_SIZE
+    sub     sp, #.LF_SIZE
     adr     r4, .Lreturn + 1
-    strd    r4, r1, [sp, #F_DONE]
+    strd    r4, r1, [sp, #.LF_DONE]
     bl      .Lprepare
-    ldr     r4, [sp, #(F_SIZE + 36)]
+    ldr     r4, [sp, #(.LF_SIZE + 36)]
     ldm     r4, {r7-r10}                /* step, cells, code, or_equal */
-    ldr     r5, [sp, #(F_COLUMN + 4)]
+    ldr     r5, [sp, #(.LF_COLUMN + 4)]
     orr     r5, r5, r10, lsl #16        /* a shift is the lowest byte */
-    str     r5, [sp, #(F_COLUMN + 4)]
-    ldr     r4, [sp, #F_ROW]
+    str     r5, [sp, #(.LF_COLUMN + 4)]
+    ldr     r4, [sp, #.LF_ROW]
     ldrd    r5, r11, [r4, #PAINT_ROW_PIXELS] /* and y */
     .if     WIDE
-    str     r7, [sp, #F_TABLE]
+    str     r7, [sp, #.LF_TABLE]
     sub     r8, r8, r5
     lsr     r5, r5, #1
     .else
-    str     r7, [sp, #F_HOLES_STEP]
+    str     r7, [sp, #.LF_HOLES_STEP]
     sub     r8, r8, r5, lsl #1
     .endif
     mls     r9, r7, r5, r9
     add     r9, r9, r7
-    strd    r8, r9, [sp, #F_HOLES]
+    strd    r8, r9, [sp, #.LF_HOLES]
     ldrb    r4, [r0, #SEGMENT_FACE_KIND]
     cmp     r4, #1
     beq     1f
     mov     r6, r3
     mov     r3, r11
-    ldr     r10, [sp, #F_OWN]
+    ldr     r10, [sp, #.LF_OWN]
     find_pattern
     mov     r3, r6
     rsb     r5, r5, #0
     and     r5, r5, #3
     lsr     r10, r10, r5                /* bit i: of addresses that are i, modulo 4 pixels */
-    str     r10, [sp, #F_OWN]
+    str     r10, [sp, #.LF_OWN]
     hole_code .Lstippled_hole
 1:  hole_code .Lkeyed_hole
 
@@ -90,7 +86,7 @@ HOLES:
     .if     WIDE
     add     lr, r6
     .else
-    ldr.w   r9, [sp, #(F_HOLES_STEP + F_HELD)]
+    ldr.w   r9, [sp, #(.LF_HOLES_STEP + F_HELD)]
     add     lr, r9
     .endif
     .endm
@@ -98,18 +94,18 @@ HOLES:
     .macro  begin_holes
     begin_special 1
     leave_special 1
-    ldrd    r12, lr, [sp, #(F_HOLES + F_HELD)]
+    ldrd    r12, lr, [sp, #(.LF_HOLES + F_HELD)]
     .if     WIDE
     add     r9, r3, pixels, lsr #1
     add     r12, r12, pixels
     mla     lr, r9, r6, lr
     .else
-    ldr     r10, [sp, #(F_HOLES_STEP + F_HELD)]
+    ldr     r10, [sp, #(.LF_HOLES_STEP + F_HELD)]
     add     r9, r3, pixels
     add     r12, r12, pixels, lsl #1
     mla     lr, r9, r10, lr
     .endif
-    ldr     r10, [sp, #(F_OWN + F_HELD)]
+    ldr     r10, [sp, #(.LF_OWN + F_HELD)]
     .endm
 
     .macro  keyed_hole label, tabled, bytes

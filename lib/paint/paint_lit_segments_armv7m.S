@@ -8,34 +8,39 @@
 
 #if FXL_TEXELS_IN_ASSEMBLY
 
-/* The frame: weight, u and v at the end of the segment; their steps; the address of the block; the
- * block; U, V and light at the beginning of the segment; a block for one load; then: */
-#define STEPS        24
-#define BLOCK        52 /* 2^31 - 1, the least drop, the light's upper word, its step and its drop,
-                           those of U and V, its most */
+#define SAVED        36
+#define WHOLE        420 /* bytes of the code of a whole segment */
+#include "segments_armv7m.h"
+
+/* The frame: */
+    slots   0
+    slot    .LENDS, 6       /* weight, u and v at the end of the segment */
+    slot    .LSTEPS, 6      /* theirs */
+    slot    .LFRAME_BLOCK   /* the address of the block */
+    slot    .LBLOCK, 8      /* 2^31 - 1, the least drop, the light's upper word, its step and its drop, those of
+                           * U and V, its most */
+    slot    .LBEGIN, 2      /* U and V at the beginning of the segment */
+    slot    .LENDS_LIGHT    /* the light there */
+    slot    .LLOADED, 3     /* six words for one load: texels, mask, ramp, FRAME_LAST, the end, FRAME_GO */
+    slot    .LFRAME_LAST, 2 /* 0 if segments have less than 16 columns; then the end */
+    slot    .LFRAME_GO
+    slot    .LFRAME_FULL
+    slot    .LFRAME_SHORT   /* columns of 16 that a segment has not */
+    slot    .LFRAME_BEFORE
+    slot    .LFRAME_SKIP
+    slot    .LFRAME_COLUMN, 2
+    slot    .LFRAME_CODE, 2 /* of 16 pixels; then its bytes a pixel, 0 for a loop */
+    slot    .LFRAME_SHIFT, 2 /* 4 + log of the columns of a segment; then 8 times these */
+    slot    .LFRAME_LOG     /* for which the frame is; above 4: for none */
+    slot    .LFRAME_DONE    /* what follows a run */
+    slot    .LFRAME_ROW
+    slot    .LFRAME, 0
+    slot_of .LFRAME_TEXELS, .LLOADED
+/* Within the block: */
 #define BLOCK_LIGHT  8
 #define BLOCK_STEP   12
 #define BLOCK_MOST   28
 #define BLOCK_BYTES  32
-#define ENDS_LIGHT   92
-#define LOADED       96 /* texels, mask, ramp, FRAME_LAST, the end, FRAME_GO */
-#define FRAME_TEXELS LOADED
-#define FRAME_LAST   108 /* 0 if segments have less than 16 columns */
-#define FRAME_GO     116
-#define FRAME_FULL   120
-#define FRAME_SHORT  124 /* columns of 16 that a segment has not */
-#define FRAME_BEFORE 128
-#define FRAME_SKIP   132
-#define FRAME_COLUMN 136
-#define FRAME_CODE   144 /* of 16 pixels; then its bytes a pixel, 0 for a loop */
-#define FRAME_SHIFT  152 /* 4 + log of the columns of a segment; then 8 times these */
-#define FRAME_LOG    160 /* for which the frame is; above 4: for none */
-#define FRAME_DONE   164 /* what follows a run; then the row */
-#define FRAME_ROW    168
-#define FRAME        172
-#define SAVED        36
-#define WHOLE        420 /* bytes of the code of a whole segment */
-#include "segments_armv7m.h"
 
 pixels  .req r0
 p       .req r1
@@ -88,17 +93,17 @@ other   .req r11    /* of an odd one */
 /* r0: face, r1: row, r2: x0, r3: x1, on the stack: log */
 fxl_paint_lit_run:
     push    {r4-r11, lr}
-    sub     sp, #FRAME
+    sub     sp, #.LFRAME
     adr     r4, .Lreturn + 1
-    strd    r4, r1, [sp, #FRAME_DONE]
+    strd    r4, r1, [sp, #.LFRAME_DONE]
     bl      .Lprepare
-    ldr     r4, [sp, #FRAME + SAVED]
+    ldr     r4, [sp, #.LFRAME + SAVED]
     b       .Lset_log
     .align  2
 .Lreturn:
     movs    r0, #0
 .Lleave:
-    add     sp, #FRAME
+    add     sp, #.LFRAME
     pop     {r4-r11, pc}
 .Lnot_ours:
     movs    r0, #1
@@ -111,14 +116,14 @@ fxl_paint_lit_run:
 /* r0: runs. Returns 0, or 1 after a run that is not the kernel's. */
 fxl_paint_lit_runs:
     push    {r4-r11, lr}
-    sub     sp, #FRAME
+    sub     sp, #.LFRAME
     adr     r4, .Lnext_run + 1
-    strd    r4, r0, [sp, #FRAME_DONE]
+    strd    r4, r0, [sp, #.LFRAME_DONE]
     ldr     r0, [r0, #PAINT_ROW_SEGMENTS]
     bl      .Lprepare
     .align  2
 .Lnext_run:
-    ldr     r1, [sp, #FRAME_ROW]
+    ldr     r1, [sp, #.LFRAME_ROW]
     ldrd    r2, r3, [r1, #PLAIN_RUNS_NEXT]
     cmp     r2, r3
     beq     .Lreturn
@@ -183,7 +188,7 @@ fxl_paint_lit_runs:
 3:  cmp     r8, r9
     bge     .Lnot_ours
 .Lrun:
-    ldr     r5, [sp, #FRAME_LOG]
+    ldr     r5, [sp, #.LFRAME_LOG]
     cmp     r4, r5
     bne     .Lset_log
 
@@ -192,9 +197,9 @@ fxl_paint_lit_runs:
     rsb     r5, r4, #32
     lsl     r6, r2, r5
     lsr     r6, r6, r5                  /* columns that are skipped */
-    str     r6, [sp, #FRAME_SKIP]
+    str     r6, [sp, #.LFRAME_SKIP]
     ldr     r7, [r1, #PAINT_ROW_PIXELS]
-    ldr     r5, [sp, #FRAME_SHORT]
+    ldr     r5, [sp, #.LFRAME_SHORT]
     subs    r7, #1
     add     r3, r3, r7
     sub     r0, r2, r6
@@ -205,33 +210,33 @@ fxl_paint_lit_runs:
     it      ls
     cmpls   r6, #0
     ite     eq
-    ldreq   r9, [sp, #FRAME_FULL]
+    ldreq   r9, [sp, #.LFRAME_FULL]
     adrne   r9, .Lpartial + 1
-    str     r9, [sp, #FRAME_GO]
+    str     r9, [sp, #.LFRAME_GO]
     cmp     r5, #0
     it      ne
     movne   r8, #0
-    strd    r8, r3, [sp, #FRAME_LAST]
+    strd    r8, r3, [sp, #.LFRAME_LAST]
     lsr     r12, r2, r4                 /* the first segment's number */
 
 /* The row's values there: the steps times its number. */
-    add     lr, sp, #BLOCK
+    add     lr, sp, #.LBLOCK
     ldr     r5, [r1, #PAINT_ROW_LIGHT]
     ldr     r6, [lr, #BLOCK_STEP]
     mla     r5, r6, r12, r5
     str     r5, [lr, #BLOCK_LIGHT]
     ldm     r1, {r1-r6}
-    ldrd    r7, r8, [sp, #STEPS]
+    ldrd    r7, r8, [sp, #.LSTEPS]
     umull   r9, r10, r7, r12
     mla     r10, r8, r12, r10
     adds    r1, r1, r9
     adcs    r2, r2, r10
-    ldrd    r7, r8, [sp, #STEPS + 8]
+    ldrd    r7, r8, [sp, #.LSTEPS + 8]
     umull   r9, r10, r7, r12
     mla     r10, r8, r12, r10
     adds    r3, r3, r9
     adcs    r4, r4, r10
-    ldrd    r7, r8, [sp, #STEPS + 16]
+    ldrd    r7, r8, [sp, #.LSTEPS + 16]
     umull   r9, r10, r7, r12
     mla     r10, r8, r12, r10
     adds    r5, r5, r9
@@ -244,8 +249,8 @@ fxl_paint_lit_runs:
     cmp     r7, r12
     bls     1f
     adr     r3, .Llimited + 1
-    str     r3, [sp, #FRAME_GO]
-1:  ldr     r3, [sp, #FRAME_SHORT]
+    str     r3, [sp, #.LFRAME_GO]
+1:  ldr     r3, [sp, #.LFRAME_SHORT]
     cmp     r3, #0
     bne     .Lshort
 
@@ -277,7 +282,7 @@ fxl_paint_lit_runs:
     /* Light that is not a level. */
 .Lbeyond:
     adr     r3, .Llimited + 1
-    str     r3, [sp, #FRAME_GO]
+    str     r3, [sp, #.LFRAME_GO]
     b       .Lwithin
 
     /* The end of the next segment of 8 or 4 columns. */
@@ -288,8 +293,8 @@ fxl_paint_lit_runs:
     cmp     r7, r12
     itt     hi
     adrhi   r3, .Llimited + 1
-    strhi   r3, [sp, #FRAME_GO]
-    ldrd    r11, r12, [sp, #FRAME_SHIFT]
+    strhi   r3, [sp, #.LFRAME_GO]
+    ldrd    r11, r12, [sp, #.LFRAME_SHIFT]
     ldm     lr, {r8-r10}
     stm     lr!, {r2, r4, r7}
     ubfx    p, r9, #4, #16
@@ -307,7 +312,7 @@ fxl_paint_lit_runs:
     asr     r7, r7, r11
     asr     r3, light, r11
     sub     change, r7, r3
-    ldr     r3, [sp, #FRAME_SHORT]
+    ldr     r3, [sp, #.LFRAME_SHORT]
     sub     pixels, pixels, r3
     ldm     lr, {texels, mask, ramp, last, r8, pc}
 
@@ -332,15 +337,15 @@ fxl_paint_lit_runs:
     smull   r1, r7, r7, r3
     shift_down r7, r1, r9
     mov     r1, lr
-    add     lr, sp, #(BLOCK + BLOCK_BYTES)
+    add     lr, sp, #(.LBLOCK + BLOCK_BYTES)
     bx      r1
 
 /* --- the face ------------------------------------------------------------------------------- */
 
 /* What the frame has of the face in r0. Keeps r0 to r3. */
 .Lprepare:
-    add     r4, sp, #BLOCK
-    str     r4, [sp, #BLOCK - 4]
+    add     r4, sp, #.LBLOCK
+    str     r4, [sp, #.LBLOCK - 4]
     mvn     r5, #0x80000000
     ldr     r6, [r0, #SEGMENT_FACE_DROP_MIN]
     strd    r5, r6, [r4]
@@ -351,14 +356,14 @@ fxl_paint_lit_runs:
     stm     r4, {r5-r8}
     ldrd    r5, r6, [r0, #SEGMENT_FACE_TEXELS]
     ldr     r7, [r0, #SEGMENT_FACE_RAMP]
-    add     r4, sp, #LOADED
+    add     r4, sp, #.LLOADED
     stm     r4, {r5-r7}
     movs    r4, #255
-    str     r4, [sp, #FRAME_LOG]
+    str     r4, [sp, #.LFRAME_LOG]
     ldrb    r5, [r0, #SEGMENT_FACE_LOG_WIDTH]
     ldrb    r6, [r0, #SEGMENT_FACE_ROW_DROP]
     rsb     r5, r5, #32
-    strd    r5, r6, [sp, #FRAME_COLUMN]
+    strd    r5, r6, [sp, #.LFRAME_COLUMN]
     ldrb    r5, [r0, #SEGMENT_FACE_FORM]
     movs    r6, #26
     cbz     r5, 1f
@@ -366,11 +371,11 @@ fxl_paint_lit_runs:
     mul     r5, r5, r7
     adr     r7, .Lpixels_5 - WHOLE + 1  /* Thumb code */
     add     r5, r5, r7
-    strd    r5, r6, [sp, #FRAME_CODE]
+    strd    r5, r6, [sp, #.LFRAME_CODE]
     bx      lr
 1:  adr     r5, .Lloop + 1
     movs    r6, #0
-    strd    r5, r6, [sp, #FRAME_CODE]
+    strd    r5, r6, [sp, #.LFRAME_CODE]
     bx      lr
 
 /* A word of 64 bits is shifted to the right by r5, from 0 to 2. r6: 32 - r5. */
@@ -383,28 +388,28 @@ fxl_paint_lit_runs:
 
 /* The frame for segments of 2^r4 columns: a step is that of 16, shifted. r0: face. Keeps r1 to r4. */
 .Lset_log:
-    str     r4, [sp, #FRAME_LOG]
+    str     r4, [sp, #.LFRAME_LOG]
     movs    r5, #1
     lsl     r5, r5, r4
     rsb     r6, r5, #16
-    strd    r6, r6, [sp, #FRAME_SHORT]  /* FRAME_BEFORE too */
-    ldrd    r7, r8, [sp, #FRAME_CODE]
+    strd    r6, r6, [sp, #.LFRAME_SHORT]  /* FRAME_BEFORE too */
+    ldrd    r7, r8, [sp, #.LFRAME_CODE]
     mla     r7, r6, r8, r7
-    str     r7, [sp, #FRAME_FULL]
+    str     r7, [sp, #.LFRAME_FULL]
     adds    r7, r4, #4
     lsl     r8, r5, #3
-    strd    r7, r8, [sp, #FRAME_SHIFT]
+    strd    r7, r8, [sp, #.LFRAME_SHIFT]
     rsb     r5, r4, #4
     rsb     r6, r5, #32
     ldm     r0, {r7-r12}
     shift_step r7, r8
     shift_step r9, r10
     shift_step r11, r12
-    add     lr, sp, #STEPS
+    add     lr, sp, #.LSTEPS
     stm     lr, {r7-r12}
     ldr     r7, [r0, #SEGMENT_FACE_LIGHT_STEP]
     asr     r7, r7, r5
-    str     r7, [sp, #BLOCK + BLOCK_STEP]
+    str     r7, [sp, #.LBLOCK + BLOCK_STEP]
     b       .Lsame_log
 
 /* --- pixels --------------------------------------------------------------------------------- */
@@ -412,33 +417,33 @@ fxl_paint_lit_runs:
 /* Pixels from FRAME_SKIP on, up to the end of the run or of the segment: the last ones of the code of
  * 16 pixels, whose first pixel is before them by as many as are left out, r3. Overwrites r8, r12. */
     .macro  find_part
-    ldr     r8, [sp, #FRAME_SKIP]
-    ldr     r12, [sp, #FRAME_SHORT]
+    ldr     r8, [sp, #.LFRAME_SKIP]
+    ldr     r12, [sp, #.LFRAME_SHORT]
     mla     p, step, r8, p
     mla     light, change, r8, light
     add     r12, r12, r8
     add     pixels, pixels, r12
-    ldr     r3, [sp, #FRAME_LAST + 4]
+    ldr     r3, [sp, #.LFRAME_LAST + 4]
     sub     r3, r3, pixels
     rsb     r3, r3, #16
     cmp     r3, r12
     it      lt
     movlt   r3, r12
     sub     pixels, pixels, r3
-    str     r3, [sp, #FRAME_BEFORE]
+    str     r3, [sp, #.LFRAME_BEFORE]
     movs    r8, #0
-    str     r8, [sp, #FRAME_SKIP]
+    str     r8, [sp, #.LFRAME_SKIP]
     .endm
 
     .align  2
 .Lpartial:
-    ldr     r3, [sp, #BLOCK + BLOCK_MOST]
+    ldr     r3, [sp, #.LBLOCK + BLOCK_MOST]
     cmp     light, r3
     bhi     .Llimited
     find_part
-    ldr     r8, [sp, #FRAME_FULL]
-    str     r8, [sp, #FRAME_GO]
-    ldrd    r8, r12, [sp, #FRAME_CODE]
+    ldr     r8, [sp, #.LFRAME_FULL]
+    str     r8, [sp, #.LFRAME_GO]
+    ldrd    r8, r12, [sp, #.LFRAME_CODE]
     mla     r3, r3, r12, r8
     mov     other, light                /* the code may begin at an odd pixel */
     bx      r3
@@ -446,21 +451,21 @@ fxl_paint_lit_runs:
 /* Less than 16 columns are left; or segments are shorter. */
     .align  2
 .Lrest:
-    ldr     r3, [sp, #FRAME_LAST + 4]
+    ldr     r3, [sp, #.LFRAME_LAST + 4]
     cmp     pixels, r3
     it      hs
-    ldrhs   pc, [sp, #FRAME_DONE]
-    ldr     r4, [sp, #FRAME_SHORT]
+    ldrhs   pc, [sp, #.LFRAME_DONE]
+    ldr     r4, [sp, #.LFRAME_SHORT]
     cbnz    r4, 1f
     adr     r3, .Lpartial + 1
-    str     r3, [sp, #FRAME_GO]
+    str     r3, [sp, #.LFRAME_GO]
     b       .Lsegment
 1:  rsb     r4, r4, #16
     subs    r3, r3, r4
     cmp     pixels, r3
     bls     .Lshort
     adr     r3, .Lpartial + 1
-    str     r3, [sp, #FRAME_GO]
+    str     r3, [sp, #.LFRAME_GO]
     b       .Lshort
 
     .macro  go_on
@@ -473,12 +478,12 @@ fxl_paint_lit_runs:
     .align  2
 .Llimited:
     find_part
-    ldrd    r7, r8, [sp, #FRAME_COLUMN]
+    ldrd    r7, r8, [sp, #.LFRAME_COLUMN]
     add     r12, pixels, #16
     add     pixels, r3
-    ldr     r3, [sp, #FRAME_SHORT]
-    str     r3, [sp, #FRAME_BEFORE]
-    ldr     lr, [sp, #BLOCK + BLOCK_MOST]
+    ldr     r3, [sp, #.LFRAME_SHORT]
+    str     r3, [sp, #.LFRAME_BEFORE]
+    ldr     lr, [sp, #.LBLOCK + BLOCK_MOST]
 1:  lsr     r3, p, r8
     ands    r3, mask
     lsr     r11, p, r7
@@ -495,24 +500,24 @@ fxl_paint_lit_runs:
     add     light, change
     cmp     pixels, r12
     bne     1b
-    ldr     r3, [sp, #ENDS_LIGHT]
+    ldr     r3, [sp, #.LENDS_LIGHT]
     cmp     r3, lr
     ite     hi
     adrhi   r3, .Llimited + 1
-    ldrls   r3, [sp, #FRAME_FULL]
-    str     r3, [sp, #FRAME_GO]
-    ldr     last, [sp, #FRAME_LAST]
+    ldrls   r3, [sp, #.LFRAME_FULL]
+    str     r3, [sp, #.LFRAME_GO]
+    ldr     last, [sp, #.LFRAME_LAST]
     go_on
 
     /* Any size. */
     .align  2
 .Lloop:
-    ldrd    r7, r8, [sp, #FRAME_COLUMN]
+    ldrd    r7, r8, [sp, #.LFRAME_COLUMN]
     add     r12, pixels, #16
-    ldr     r3, [sp, #FRAME_BEFORE]
+    ldr     r3, [sp, #.LFRAME_BEFORE]
     add     pixels, r3
-    ldr     r3, [sp, #FRAME_SHORT]
-    str     r3, [sp, #FRAME_BEFORE]
+    ldr     r3, [sp, #.LFRAME_SHORT]
+    str     r3, [sp, #.LFRAME_BEFORE]
 .Lpixel:
     lsr     r3, p, r8
     ands    r3, mask
@@ -527,7 +532,7 @@ fxl_paint_lit_runs:
     add     p, step
     cmp     pixels, r12
     bne     .Lpixel
-    ldr     last, [sp, #FRAME_LAST]
+    ldr     last, [sp, #.LFRAME_LAST]
     go_on
 
 /* place sampling: the kernels of Armv7-M; texel_offset has the shift and mask of both */

@@ -10,35 +10,35 @@
  * columns. */
     .align  2
 .Lface_weights:
-    ldrd    r1, r0, [sp, #F_ROW]
+    ldrd    r1, r0, [sp, #.LF_ROW]
     weights_at_ends
     cmp     lr, r11
     it      gt
     movgt   lr, r11
     ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
-    str     r3, [sp, #F_X_END]
+    str     r3, [sp, #.LF_X_END]
     cmp     lr, r8
     blt     .Lmixed
     movs    r4, #4
-    str     r3, [sp, #F_X]
+    str     r3, [sp, #.LF_X]
 
 /* A run of segments of 2^r4 columns: the columns r2 to r3 of the row in r1; r0: face. */
 .Lrun:
-    ldr     r5, [sp, #F_LOG]
+    ldr     r5, [sp, #.LF_LOG]
     cmp     r4, r5
     bne     .Lother_log
 .Lsame_log:
     rsb     r5, r4, #32
     lsl     r6, r2, r5
     lsr     r6, r6, r5                  /* columns that are skipped */
-    ldr     r8, [sp, #F_SHORT]
+    ldr     r8, [sp, #.LF_SHORT]
     ldr     r7, [r1, #PAINT_ROW_PIXELS]
     rsb     r8, r8, #16
     sub     r7, r7, #(1 << WIDE)
     add     r3, r7, r3, lsl #WIDE
     sub     r8, r3, r8, lsl #WIDE
-    strd    r8, r3, [sp, #F_LAST]
-    str     r6, [sp, #F_SKIP]
+    strd    r8, r3, [sp, #.LF_LAST]
+    str     r6, [sp, #.LF_SKIP]
     sub     r3, r2, r6
     add     pixels, r7, r3, lsl #WIDE
     lsr     r12, r2, r4                 /* the first segment's number */
@@ -46,10 +46,10 @@
     it      ls
     cmpls   r6, #0
     ite     eq
-    ldreq   r3, [sp, #F_FULL]
+    ldreq   r3, [sp, #.LF_FULL]
     adrne   r3, .Lpartial + 1
-    str     r3, [sp, #F_GO]
-    ldr     pc, [sp, #F_BEGIN]
+    str     r3, [sp, #.LF_GO]
+    ldr     pc, [sp, #.LF_BEGIN]
 
 /* u and v, which are not divided, where segment r12 begins. r1: row. Overwrites r2 and r3. */
     .macro  begin_coordinates
@@ -60,7 +60,7 @@
     adds    u_low, u_low, r2
     adc     u, u, r3
     ldr     r2, [sp, #16]
-    ldr     r3, [sp, #F_V_HIGH]
+    ldr     r3, [sp, #.LF_V_HIGH]
     umull   v_low, v, r2, r12
     mla     v, r3, r12, v
     ldrd    r2, r3, [r1, #PAINT_ROW_V]
@@ -72,7 +72,7 @@
     .macro  divide_and_resume
     mvn     r3, #0x80000000
     reciprocal r3, r1, w, r3, r2, r5
-    ldrd    r4, r5, [sp, #F_U_DROP]
+    ldrd    r4, r5, [sp, #.LF_U_DROP]
     subs    r4, r4, r1
     subs    r5, r5, r1
     orrs    r2, r4, r5
@@ -81,7 +81,7 @@
     asr     u_0, u_0, r4
     smull   r1, v_0, v, r3
     asr     v_0, v_0, r5
-    ldr     pc, [sp, #F_RESUME]
+    ldr     pc, [sp, #.LF_RESUME]
     .endm
 
     .align  2
@@ -93,7 +93,7 @@
     adds    w_low, w_low, r2
     adc     w, w, r3
     begin_coordinates
-    str     w_low, [sp, #F_W_LOW]
+    str     w_low, [sp, #.LF_W_LOW]
     divide_and_resume
 .Lfar_start:
     smull   r1, r2, u, r3
@@ -102,7 +102,7 @@
     smull   r1, r2, v, r3
     shift_down r2, r1, r5
     mov     v_0, r2
-    ldr     pc, [sp, #F_RESUME]
+    ldr     pc, [sp, #.LF_RESUME]
 
 /* A word of 64 bits in high:low is shifted to the right by less than 32. */
     .macro  shift_step low, high, by
@@ -120,15 +120,15 @@
     shift_step r8, r9, (4 - \log)
     shift_step r10, r11, (4 - \log)
     stm     sp, {r6-r10}
-    str     r11, [sp, #F_V_HIGH]
+    str     r11, [sp, #.LF_V_HIGH]
     movs    r6, #(16 - (1 << \log))
-    strd    r6, r6, [sp, #F_SHORT]
+    strd    r6, r6, [sp, #.LF_SHORT]
     ldrb    r9, [r0, #SEGMENT_FACE_KIND]
-    ldrd    r7, r8, [sp, #F_CODE]
+    ldrd    r7, r8, [sp, #.LF_CODE]
     cmp     r9, #4
     .if     \log == 0
     it      eq
-    ldrdeq  r7, r8, [sp, #F_PLAIN]
+    ldrdeq  r7, r8, [sp, #.LF_PLAIN]
     mla     r7, r6, r8, r7
     ite     eq
     adreq   r9, .Lclamped_each + 1
@@ -142,14 +142,14 @@
     adrne   r8, .Lsegment_\log + 1
     adrne   r9, \resume + 1
     .endif
-    str     r7, [sp, #F_FULL]
-    strd    r8, r9, [sp, #F_NEXT]
+    str     r7, [sp, #.LF_FULL]
+    strd    r8, r9, [sp, #.LF_NEXT]
     b       .Lsame_log
     .endm
 
 /* The frame of another logarithm, r4. */
 .Lother_log:
-    str     r4, [sp, #F_LOG]
+    str     r4, [sp, #.LF_LOG]
     cmp     r4, #3
     beq     .Lset_3
     blo     .Lset_less
@@ -222,12 +222,12 @@
     bge     1b
 .Lfound:
     mov     r3, r5
-    str     r3, [sp, #F_X]
+    str     r3, [sp, #.LF_X]
     b       .Lrun
 .Lall_16:
     movs    r4, #4
 .Lto_end:
-    str     r3, [sp, #F_X]
+    str     r3, [sp, #.LF_X]
     b       .Lrun
 
 .Lnot_ours:
@@ -238,19 +238,19 @@
  * beginning of the next run. */
     .align  2
 .Lrun_end:
-    ldrd    r2, r3, [sp, #F_X]
+    ldrd    r2, r3, [sp, #.LF_X]
     cmp     r2, r3
     beq     2f
-    ldr     r4, [sp, #F_LOG]
-    ldrd    r1, r0, [sp, #F_ROW]
+    ldr     r4, [sp, #.LF_LOG]
+    ldrd    r1, r0, [sp, #.LF_ROW]
     cbz     r4, 1f
     ldrb    r4, [r0, #SEGMENT_FACE_KIND]
     cmp     r4, #3
     beq     1f
-    ldr     w_low, [sp, #F_W_LOW]
+    ldr     w_low, [sp, #.LF_W_LOW]
     adr     r4, .Lkept + 1
-    str     r4, [sp, #F_BEGIN]
-    add     r4, sp, #F_SAVED
+    str     r4, [sp, #.LF_BEGIN]
+    add     r4, sp, #.LF_SAVED
     stm     r4, {r7-r12, lr}
     mov     r10, w_low
     mov     r11, w
@@ -266,15 +266,15 @@
     adc     r11, r11, r9
     ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
     b       .Lfind
-2:  ldr     pc, [sp, #F_DONE]
+2:  ldr     pc, [sp, #.LF_DONE]
 
     .align  2
 .Lkept:
-    ldr     r3, [sp, #F_FIRST]
-    str     r3, [sp, #F_BEGIN]
-    add     r3, sp, #F_SAVED
+    ldr     r3, [sp, #.LF_FIRST]
+    str     r3, [sp, #.LF_BEGIN]
+    add     r3, sp, #.LF_SAVED
     ldm     r3, {r7-r12, lr}
-    ldr     pc, [sp, #F_RESUME]
+    ldr     pc, [sp, #.LF_RESUME]
 
 /* clang-format on */
 

@@ -59,46 +59,46 @@
 
     .align  2
 .Lline:
-    ldr     r1, [sp, #F_ROW]
+    ldr     r1, [sp, #.LF_ROW]
     ldr     r7, [r1, #PAINT_ROW_WEIGHT + 4]
     and     r6, r2, #15
     sub     r5, r5, #(1 << WIDE)
     add     r3, r5, r3, lsl #WIDE
     sub     r8, r3, #(16 << WIDE)
-    strd    r8, r3, [sp, #F_LAST]
-    str     r6, [sp, #F_SKIP]
+    strd    r8, r3, [sp, #.LF_LAST]
+    str     r6, [sp, #.LF_SKIP]
     sub     r3, r2, r6
     lsr     r12, r2, #4
     add     pixels, r5, r3, lsl #WIDE   /* the address before the segment */
-    ldr     r4, [sp, #F_LINE]
+    ldr     r4, [sp, #.LF_LINE]
     cmp     r4, r7
     bne     .Lother_line
 .Lsame_line:
     ldm     sp, {r2, r3, r8-r11}        /* step, the reciprocal, u_more, u, v_more, v */
-    ldrd    r6, lr, [sp, #F_U_LEFT]
+    ldrd    r6, lr, [sp, #.LF_U_LEFT]
     line_at u, u_more, PAINT_ROW_U, r6
     line_at v, v_more, PAINT_ROW_V, lr
-    ldr     last, [sp, #F_LAST]
-    ldrd    texels, mask, [sp, #F_TEXELS]
-    ldr     table, [sp, #F_TABLE]
+    ldr     last, [sp, #.LF_LAST]
+    ldrd    texels, mask, [sp, #.LF_TEXELS]
+    ldr     table, [sp, #.LF_TABLE]
     line_position
-    ldr     r3, [sp, #F_SKIP]
+    ldr     r3, [sp, #.LF_SKIP]
     cmp     pixels, last
     it      ls
     cmpls   r3, #0
     bne     .Lpartial
-    ldr     pc, [sp, #F_FULL]
+    ldr     pc, [sp, #.LF_FULL]
 
 .Lother_line:
-    ldr     lr, [sp, #F_FACE]
+    ldr     lr, [sp, #.LF_FACE]
     ldr     r4, [lr, #SEGMENT_FACE_LEAST + 12]
     cmp     r7, r4
     blt     .Lnot_ours
-    str     r7, [sp, #F_LINE]
+    str     r7, [sp, #.LF_LINE]
     mvn     r3, #0x80000000
     reciprocal r3, r9, r7, r3, r4, r5
-    line_change u_more, r2, SEGMENT_FACE_U_STEP, F_U_DROP, F_U_LEFT
-    line_change v_more, lr, SEGMENT_FACE_V_STEP, F_U_DROP + 4, F_V_LEFT
+    line_change u_more, r2, SEGMENT_FACE_U_STEP, .LF_U_DROP, .LF_U_LEFT
+    line_change v_more, lr, SEGMENT_FACE_V_STEP, .LF_U_DROP + 4, .LF_V_LEFT
     add     r4, r2, #0x8000
     add     r5, lr, #0x8000
     lsr     r4, r4, #16
@@ -116,10 +116,10 @@
 /* Less than 16 columns are left, or nothing. */
     .align  2
 .Lline_rest:
-    ldr     r3, [sp, #F_END]
+    ldr     r3, [sp, #.LF_END]
     cmp     pixels, r3
     it      hs
-    ldrhs   pc, [sp, #F_DONE]
+    ldrhs   pc, [sp, #.LF_DONE]
     add     u, u, u_more
     add     v, v, v_more
     line_position
@@ -132,7 +132,7 @@
     add     u, u, u_more
     add     v, v, v_more
     line_position
-    ldr     pc, [sp, #F_FULL]
+    ldr     pc, [sp, #.LF_FULL]
 
 /* clang-format on */
 

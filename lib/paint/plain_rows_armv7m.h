@@ -22,51 +22,60 @@
 #include "segments_armv7m.h"
 
 /* The frame: the steps of a segment but the last word, then: */
-#define F_W_LOW    20 /* its register has the table */
-#define F_V_HIGH   24 /* of the step */
-#define F_U_DROP   28 /* then three more words of the face */
-#define F_TEXELS   36
-#define F_TABLE    44
-#define F_GO       48 /* what paints the next segment */
-#define F_FULL     52 /* what paints a whole one */
-#define F_NEXT     56 /* what follows the pixels of a segment */
-#define F_RESUME   60 /* the end of the next segment */
-#define F_LAST     64 /* the last r0 at which a whole segment may begin; then r0 at the end */
-#define F_END      68
-#define F_SKIP     72 /* columns of the next segment that are not painted */
-#define F_SHORT    76 /* pixels of 16 that a segment has not; then those that a loop leaves out */
-#define F_BEFORE   80
-#define F_CODE     84 /* of 16 pixels; then its bytes a pixel, 0 for a loop */
-#define F_COLUMN   92 /* for a loop: how far a position is shifted to the column; then, to the row */
-#define F_LOG      100 /* of the segments that the frame is for; above 4: none */
-#define F_DONE     104 /* what follows a row */
-#define F_ROW      108
-#define F_FACE     112
-#define F_X        116 /* the end of the run; then that of the row */
-#define F_X_END    120
-#define F_BEGIN    124 /* finds the registers from w_low on at the beginning of a run */
-#define F_FIRST    128 /* the same, of the first run of a row */
-#define F_OWN      132 /* of keyed and stippled texels: the key, or the pattern */
-#define F_SAVED    136 /* the registers from w on */
-#define F_KIND     164 /* what takes a row of the face */
-#define F_PLAIN    168 /* of a clamped face: F_CODE of a plain one */
-#define F_SIZE     176
+    slots   20
+    slot    .LF_W_LOW     /* its register has the table */
+    slot    .LF_V_HIGH    /* of the step */
+    slot    .LF_U_DROP, 2 /* with three more words of the face */
+    slot    .LF_TEXELS, 2
+    slot    .LF_TABLE
+    slot    .LF_GO        /* what paints the next segment */
+    slot    .LF_FULL      /* what paints a whole one */
+    slot    .LF_NEXT      /* what follows the pixels of a segment */
+    slot    .LF_RESUME    /* the end of the next segment */
+    slot    .LF_LAST      /* the last r0 at which a whole segment may begin */
+    slot    .LF_END       /* r0 at the end */
+    slot    .LF_SKIP      /* columns of the next segment that are not painted */
+    slot    .LF_SHORT     /* pixels of 16 that a segment has not */
+    slot    .LF_BEFORE    /* those that a loop leaves out */
+    slot    .LF_CODE, 2   /* of 16 pixels; then its bytes a pixel, 0 for a loop */
+    slot    .LF_COLUMN, 2 /* for a loop: how far a position is shifted to the column; then, to the row */
+    slot    .LF_LOG       /* of the segments that the frame is for; above 4: none */
+    slot    .LF_DONE      /* what follows a row */
+    slot    .LF_ROW
+    slot    .LF_FACE
+    slot    .LF_X         /* the end of the run */
+    slot    .LF_X_END     /* that of the row */
+    slot    .LF_BEGIN     /* finds the registers from w_low on at the beginning of a run */
+    slot    .LF_FIRST     /* the same, of the first run of a row */
+    slot    .LF_OWN       /* of keyed and stippled texels: the key, or the pattern */
+    slot    .LF_SAVED, 7  /* the registers from w on */
+    slot    .LF_KIND      /* what takes a row of the face */
+    slot    .LF_PLAIN, 2  /* of a clamped face: F_CODE of a plain one */
+    slot    .LF_SIZE, 0
 
 /* A clamped face of constant weight: the weight for which it has the others; of u and v the least
  * upper word within the texture, and how many are; their changes a column. */
-#define F_WITHIN     F_OWN
-#define F_RECIPROCAL 160 /* of the weight */
-#define F_DROPS      F_COLUMN /* of a row within: less the weight's leading zeros */
+    slot_of .LF_WITHIN, .LF_OWN
+    slot_of .LF_RECIPROCAL, .LF_SAVED + 24 /* of the weight */
+    slot_of .LF_DROPS, .LF_COLUMN /* of a row within: less the weight's leading zeros */
 #define LOG_WITHIN   5 /* F_LOG: 16 columns, and all pixels of the row are within the texture */
 
-#define F_OF_16    F_OWN /* of texels of 4 bits: what each becomes. Such a face saves no registers. */
+/* Any other clamped face: U and V at the end of the segment before. */
+    slot_of .LF_PREVIOUS, .LF_COLUMN
+
+    slot_of .LF_OF_16, .LF_OWN /* of texels of 4 bits: what each becomes. Such a face saves no registers. */
 
 /* The frame of rows of constant weight has in the places of the steps and of F_BEGIN: */
-#define F_STEPS    0  /* the step of a pixel and the reciprocal; those of 16 pixels of u, and what it is more
-                       * in the middle of them; of v */
-#define F_LINE     24 /* the weight for which it has these, and how far coordinates are shifted */
-#define F_U_LEFT   F_BEGIN
-#define F_V_LEFT   F_FIRST
+    slot_of .LF_STEPS, 0 /* the step of a pixel and the reciprocal; those of 16 pixels of u, and what it is more
+                        * in the middle of them; of v */
+    slot_of .LF_LINE, .LF_V_HIGH /* the weight for which it has these, and how far coordinates are shifted */
+    slot_of .LF_U_LEFT, .LF_BEGIN
+    slot_of .LF_V_LEFT, .LF_FIRST
+
+/* Rows with holes, where depths are kept (holes_armv7m.h): a cell's address less that of its pixel, or
+ * less twice that; then the code of the pixel after that of address 0. */
+    slot_of .LF_HOLES, .LF_PLAIN
+    slot_of .LF_HOLES_STEP, .LF_KIND /* of the codes; wide pixels have it in `table` */
 
 pixels  .req r0         /* the address before the 16 pixels whose last ones are the segment's */
 p       .req r1
@@ -90,13 +99,13 @@ v_more  .req r10
 
 /* r0: face, r1: row, r2: x0, r3: x1 */
     push    {r4-r11, lr}
-    sub     sp, #F_SIZE
+    sub     sp, #.LF_SIZE
     adr     r4, .Lreturn + 1
-    strd    r4, r1, [sp, #F_DONE]
+    strd    r4, r1, [sp, #.LF_DONE]
     bl      .Lprepare
 .Lrow_alone:                            /* the row of F_ROW alone */
     cmp     r1, #0
-    ldr     r4, [sp, #F_ROW]
+    ldr     r4, [sp, #.LF_ROW]
     ldr     r5, [r4, #PAINT_ROW_PIXELS]
     bne     .Lline
     b       .Lface_weights
@@ -104,7 +113,7 @@ v_more  .req r10
 .Lreturn:
     movs    r0, #0
 .Lleave:
-    add     sp, #F_SIZE
+    add     sp, #.LF_SIZE
     pop     {r4-r11, pc}
 
     .type   ROWS, %function
@@ -113,9 +122,9 @@ v_more  .req r10
 /* r0: rows. Returns 0, or 1 at a row that is not the kernel's. */
 ROWS:
     push    {r4-r11, lr}
-    sub     sp, #F_SIZE
+    sub     sp, #.LF_SIZE
     adr     r4, .Lnext_row + 1
-    strd    r4, r0, [sp, #F_DONE]
+    strd    r4, r0, [sp, #.LF_DONE]
     mov     r11, r0
     ldr     r0, [r0, #PAINT_ROW_SEGMENTS]
     bl      .Lprepare
@@ -132,14 +141,14 @@ ROWS:
 /* r0: runs. Returns 0, or 1 after a run that is not the kernel's. */
 RUNS:
     push    {r4-r11, lr}
-    sub     sp, #F_SIZE
+    sub     sp, #.LF_SIZE
     adr     r4, .Lnext_run + 1
-    strd    r4, r0, [sp, #F_DONE]
+    strd    r4, r0, [sp, #.LF_DONE]
     ldr     r0, [r0, #PAINT_ROW_SEGMENTS]
     bl      .Lprepare
     .align  2
 .Lnext_run:
-    ldr     r12, [sp, #F_ROW]
+    ldr     r12, [sp, #.LF_ROW]
     ldrd    r0, r1, [r12, #PLAIN_RUNS_NEXT]
     cmp     r0, r1
     beq     .Lreturn
@@ -153,7 +162,7 @@ RUNS:
     ubfx    r3, lr, #16, #15
     cmp     r2, r3
     beq     .Lnext_run
-    ldr     pc, [sp, #F_KIND]
+    ldr     pc, [sp, #.LF_KIND]
 .Lrun_below:
     ldm     r12, {r0-r5}
     add     r6, r12, #PLAIN_ROWS_DOWNS
@@ -177,7 +186,7 @@ RUNS:
 
     .align  2
 .Lnext_row:
-    ldr     r12, [sp, #F_ROW]
+    ldr     r12, [sp, #.LF_ROW]
     ldm     r12, {r0-r5}
     add     lr, r12, #PLAIN_ROWS_DOWNS
     ldm     lr!, {r6-r11}
@@ -208,12 +217,12 @@ RUNS:
     cmp     r2, r6
     bge     .Lother_way
     mov     r3, r6
-    ldr     pc, [sp, #F_KIND]
+    ldr     pc, [sp, #.LF_KIND]
 .Lother_way:
     beq     .Lnext_row
     mov     r3, r2
     mov     r2, r6
-    ldr     pc, [sp, #F_KIND]
+    ldr     pc, [sp, #.LF_KIND]
 
 #include "special_texels_armv7m.h"
 #if !FXL_IS_COMPACT
@@ -235,14 +244,14 @@ RUNS:
 /* What the frame has of the face in r0; r1 becomes whether its rows are lines. Keeps r2 and r3. */
     .align  2
 .Lprepare:
-    str     r0, [sp, #F_FACE]
+    str     r0, [sp, #.LF_FACE]
     add     r8, r0, #SEGMENT_FACE_U_DROP
     ldm     r8, {r4-r7}
-    add     r8, sp, #F_U_DROP
+    add     r8, sp, #.LF_U_DROP
     stm     r8, {r4-r7}
     ldrb    r4, [r0, #SEGMENT_FACE_FORM]
     ldr     r7, [r0, #TABLE]
-    str     r7, [sp, #F_TABLE]
+    str     r7, [sp, #.LF_TABLE]
     cbz     r4, 2f
     cbz     r7, 1f
     movw    r5, #WHOLE
@@ -261,7 +270,7 @@ RUNS:
 2:  ldrb    r4, [r0, #SEGMENT_FACE_LOG_WIDTH]
     ldrb    r5, [r0, #SEGMENT_FACE_ROW_DROP]
     rsb     r4, r4, #32
-    strd    r4, r5, [sp, #F_COLUMN]
+    strd    r4, r5, [sp, #.LF_COLUMN]
     movs    r5, #0
     ldrb    r6, [r0, #SEGMENT_FACE_KIND]
     cbnz    r6, .Lprepare_special
@@ -273,31 +282,31 @@ RUNS:
     .endif
 3:
 .Lprepared:
-    strd    r4, r5, [sp, #F_CODE]
+    strd    r4, r5, [sp, #.LF_CODE]
     ldrb    r1, [r0, #SEGMENT_FACE_IS_CONSTANT]
     cbnz    r1, 4f
-    str     r4, [sp, #F_LOG]            /* none: it is above 4 */
+    str     r4, [sp, #.LF_LOG]            /* none: it is above 4 */
     adr     r5, .Lbegin + 1
-    strd    r5, r5, [sp, #F_BEGIN]
+    strd    r5, r5, [sp, #.LF_BEGIN]
     adr     r5, .Lface_weights + 1
-    str     r5, [sp, #F_KIND]
+    str     r5, [sp, #.LF_KIND]
     bx      lr
 4:  movs    r5, #0
-    str     r4, [sp, #F_FULL]
-    str     r5, [sp, #F_SHORT]
-    str     r5, [sp, #F_BEFORE]
+    str     r4, [sp, #.LF_FULL]
+    str     r5, [sp, #.LF_SHORT]
+    str     r5, [sp, #.LF_BEFORE]
     mov     r5, #0x80000000
-    str     r5, [sp, #F_LINE]           /* no weight */
+    str     r5, [sp, #.LF_LINE]           /* no weight */
     adr     r4, .Lline_next + 1
-    str     r4, [sp, #F_NEXT]
+    str     r4, [sp, #.LF_NEXT]
     adr     r4, .Lline + 1
-    str     r4, [sp, #F_KIND]
+    str     r4, [sp, #.LF_KIND]
     bx      lr
 
 /* Texels of another kind, r6: code that takes any size. r7: the table. */
 .Lprepare_special:
     ldr     r1, [r0, #SEGMENT_FACE_LIGHT_MAX] /* the key, or the pattern */
-    str     r1, [sp, #F_OWN]
+    str     r1, [sp, #.LF_OWN]
     cmp     r6, #2
     beq     1f
     bhi     2f
@@ -308,8 +317,8 @@ RUNS:
 
 /* Texels of 4 bits: the table of what each becomes, and code for the size. */
     ldr     r1, [r0, #SEGMENT_FACE_IN_BEAM] /* the colours */
-    add     r8, sp, #F_OF_16
-    str     r8, [sp, #F_TABLE]
+    add     r8, sp, #.LF_OF_16
+    str     r8, [sp, #.LF_TABLE]
     add     r9, r1, #16
 1:  ldrb    r4, [r1], #1
     .if     WIDE
@@ -329,9 +338,9 @@ RUNS:
     bne     3f                          /* higher than wide */
     subs    r4, #5
     bmi     3f
-    ldr     r6, [sp, #(F_TEXELS + 4)]
+    ldr     r6, [sp, #(.LF_TEXELS + 4)]
     lsr     r6, r6, #1
-    str     r6, [sp, #(F_TEXELS + 4)]
+    str     r6, [sp, #(.LF_TEXELS + 4)]
     movs    r6, #FOUR_BITS
     mul     r4, r4, r6
     adr     r6, .Lfour_bits_5 + 1
@@ -355,20 +364,20 @@ RUNS:
     mla     r4, r4, r5, r6
     add     r4, r4, #(4 * WHOLE)
     movs    r5, #PIXEL_PLAIN
-2:  strd    r4, r5, [sp, #F_PLAIN]
+2:  strd    r4, r5, [sp, #.LF_PLAIN]
     adr     r4, .Lclamped + 1
     movs    r5, #0
-    strd    r4, r5, [sp, #F_CODE]
-    str     r4, [sp, #F_LOG]
-    str     r5, [sp, #F_WITHIN]         /* no weight */
+    strd    r4, r5, [sp, #.LF_CODE]
+    str     r4, [sp, #.LF_LOG]
+    str     r5, [sp, #.LF_WITHIN]         /* no weight */
     adr     r5, .Lbegin + 1
-    strd    r5, r5, [sp, #F_BEGIN]
+    strd    r5, r5, [sp, #.LF_BEGIN]
     ldrd    r4, r6, [r0, #SEGMENT_FACE_WEIGHT_STEP]
     adr     r5, .Lface_weights + 1
     orrs    r4, r4, r6
     it      eq
     adreq   r5, .Lclamped_row + 1
-    str     r5, [sp, #F_KIND]
+    str     r5, [sp, #.LF_KIND]
     movs    r1, #0
     bx      lr
 
@@ -389,7 +398,7 @@ RUNS:
     add     p, step
     .endif
     .endr
-    ldr     pc, [sp, #F_NEXT]
+    ldr     pc, [sp, #.LF_NEXT]
     .endm
 
 /* clang-format on */

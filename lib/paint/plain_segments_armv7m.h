@@ -33,7 +33,7 @@
     .if     \log < 4
     subs    pixels, #((16 - (1 << \log)) << WIDE)
     .endif
-    add     r3, sp, #F_TEXELS
+    add     r3, sp, #.LF_TEXELS
     ldm     r3, {texels, mask, table, pc}   /* F_GO */
     .endm
 
@@ -42,18 +42,18 @@
     ldm     sp, {r1-r5, w_low}
     adds    w_low, w_low, r1
     adc     w, w, r2
-    str     w_low, [sp, #F_W_LOW]
+    str     w_low, [sp, #.LF_W_LOW]
     adds    u_low, u_low, r3
     adc     u, u, r4
     adds    v_low, v_low, r5
-    ldr     r5, [sp, #F_V_HIGH]
+    ldr     r5, [sp, #.LF_V_HIGH]
     adc     v, v, r5
     .endm
 
     .macro  segments log
     .align  2
 .Lsegment_\log:
-    ldr     r3, [sp, #F_LAST]
+    ldr     r3, [sp, #.LF_LAST]
     cmp     pixels, r3
     bhi     .Lrest
     .align  2
@@ -61,7 +61,7 @@
     next_values
     mvn     r3, #0x80000000
     reciprocal r3, r1, w, r3, r2, r5
-    ldrd    r4, r5, [sp, #F_U_DROP]
+    ldrd    r4, r5, [sp, #.LF_U_DROP]
     subs    r4, r4, r1
     subs    r5, r5, r1
     orrs    r2, r4, r5
@@ -91,17 +91,17 @@
     .macro  clamped_segments log
     .align  2
 .Lclamped_resume_\log:
-    strd    u_0, v_0, [sp, #F_PREVIOUS]
+    strd    u_0, v_0, [sp, #.LF_PREVIOUS]
     b.w     .Lresume_\log
     .align  2
 .Lclamped_segment_\log:
-    ldr     r3, [sp, #F_LAST]
+    ldr     r3, [sp, #.LF_LAST]
     cmp     pixels, r3
     bhi.w   .Lrest
     next_values
     mvn     r3, #0x80000000
     reciprocal r3, r1, w, r3, r2, r5
-    ldrd    r4, r5, [sp, #F_U_DROP]
+    ldrd    r4, r5, [sp, #.LF_U_DROP]
     subs    r4, r4, r1
     subs    r5, r5, r1
     orrs    r2, r4, r5
@@ -120,7 +120,7 @@
     bne.w   .Lbetween_\log
     mov     u_0, r2
     mov     v_0, r4
-    strd    u_0, v_0, [sp, #F_PREVIOUS]
+    strd    u_0, v_0, [sp, #.LF_PREVIOUS]
     .if     \log < 4
     subs    pixels, #((16 - (1 << \log)) << WIDE)
     .endif
@@ -144,7 +144,7 @@
     b       .Leach_texel
     .align  2
 .Lsegment_0:
-    ldr     r3, [sp, #F_LAST]
+    ldr     r3, [sp, #.LF_LAST]
     cmp     pixels, r3
     bhi     .Lrun_end
     next_values
@@ -156,25 +156,25 @@
 .Leach_texel:
     add     p, p, r3, lsl #16
     subs    pixels, #(15 << WIDE)
-    add     r3, sp, #F_TEXELS
+    add     r3, sp, #.LF_TEXELS
     ldm     r3, {texels, mask, table, pc}   /* F_GO */
 
 /* Less than a segment is left, or nothing. */
     .align  2
 .Lrest:
-    ldr     r3, [sp, #F_END]
+    ldr     r3, [sp, #.LF_END]
     cmp     pixels, r3
     bhs     .Lrun_end
     adr     r3, .Llast_partial + 1
-    str     r3, [sp, #F_GO]
-    ldr     pc, [sp, #F_RESUME]
+    str     r3, [sp, #.LF_GO]
+    ldr     pc, [sp, #.LF_RESUME]
 
 /* The same as below where no column is skipped and the run ends in the segment: the code of 16 pixels
  * ends at its end. */
     .align  2
 .Llast_partial:
-    ldr     r3, [sp, #F_SHORT]
-    ldr     r5, [sp, #F_END]
+    ldr     r3, [sp, #.LF_SHORT]
+    ldr     r5, [sp, #.LF_END]
     add     pixels, pixels, r3, lsl #WIDE
     subs    r3, r5, pixels
     sub     pixels, r5, #(16 << WIDE)
@@ -182,22 +182,22 @@
     .if     WIDE
     lsrs    r3, r3, #1
     .endif
-    str     r3, [sp, #F_BEFORE]
-    ldrd    r4, r5, [sp, #F_CODE]
+    str     r3, [sp, #.LF_BEFORE]
+    ldrd    r4, r5, [sp, #.LF_CODE]
     mla     r3, r3, r5, r4
-    ldrd    texels, mask, [sp, #F_TEXELS]
+    ldrd    texels, mask, [sp, #.LF_TEXELS]
     bx      r3
 
 /* Pixels from F_SKIP on, up to the end of the run or of the segment: the last ones of the code of 16
  * pixels, whose first pixel is before them by as many as are left out. */
     .align  2
 .Lpartial:
-    ldr     r5, [sp, #F_SKIP]
+    ldr     r5, [sp, #.LF_SKIP]
     mla     p, step, r5, p
-    ldr     r3, [sp, #F_SHORT]
+    ldr     r3, [sp, #.LF_SHORT]
     add     r5, r5, r3
     add     pixels, pixels, r5, lsl #WIDE
-    ldr     r3, [sp, #F_END]
+    ldr     r3, [sp, #.LF_END]
     sub     r3, r3, pixels
     .if     WIDE
     lsrs    r3, r3, #1
@@ -207,12 +207,12 @@
     it      lt
     movlt   r3, r5
     sub     pixels, pixels, r3, lsl #WIDE
-    str     r3, [sp, #F_BEFORE]
-    ldr     r4, [sp, #F_FULL]
-    str     r4, [sp, #F_GO]
-    ldrd    r4, r5, [sp, #F_CODE]
+    str     r3, [sp, #.LF_BEFORE]
+    ldr     r4, [sp, #.LF_FULL]
+    str     r4, [sp, #.LF_GO]
+    ldrd    r4, r5, [sp, #.LF_CODE]
     mla     r3, r3, r5, r4
-    ldrd    texels, mask, [sp, #F_TEXELS]
+    ldrd    texels, mask, [sp, #.LF_TEXELS]
     bx      r3
 
 /* Any size. */
@@ -220,18 +220,18 @@
 .Lloop:
     push    {r6-r11}
     mov     r11, table
-    add     r3, sp, #(F_COLUMN + 24)
+    add     r3, sp, #(.LF_COLUMN + 24)
     ldm     r3, {r6, r7}
     add     r8, pixels, #(16 << WIDE)
-    ldr     r3, [sp, #(F_BEFORE + 24)]
+    ldr     r3, [sp, #(.LF_BEFORE + 24)]
     add     pixels, pixels, r3, lsl #WIDE
-    ldr     r3, [sp, #(F_SHORT + 24)]
-    str     r3, [sp, #(F_BEFORE + 24)]
+    ldr     r3, [sp, #(.LF_SHORT + 24)]
+    str     r3, [sp, #(.LF_BEFORE + 24)]
     cmp     r11, #0
     beq     2f
     .if     WIDE
     mov     r10, step
-    ldr     r2, [sp, #(F_FACE + 24)]
+    ldr     r2, [sp, #(.LF_FACE + 24)]
     ldr     r2, [r2, #SEGMENT_FACE_IN_BEAM]
     .endif
 1:  lsr     r3, p, r7
@@ -271,7 +271,7 @@
     cmp     pixels, r8
     bne     2b
 3:  pop     {r6-r11}
-    ldr     pc, [sp, #F_NEXT]
+    ldr     pc, [sp, #.LF_NEXT]
 
 /* clang-format on */
 

@@ -18,6 +18,20 @@
     .syntax unified
     .thumb
 
+/* The places of a frame, which the assembler numbers: slots says where the next one begins, slot names
+ * it and how many words it has, 0 for the frame's end, and slot_of gives a place another name, for faces
+ * that have something else there. Names begin with .L, so that no symbol table has them. */
+    .macro  slots from:req
+    .set    .Lslot, \from
+    .endm
+    .macro  slot name:req, words=1
+    .equiv  \name, .Lslot
+    .set    .Lslot, .Lslot + 4 * \words
+    .endm
+    .macro  slot_of name:req, place:req
+    .equiv  \name, \place
+    .endm
+
 /* The reciprocal of a weight and its leading zeros, as fxl_reciprocal_of finds them, where `most` is
  * 2^31 - 1. Overwrites `scaled`, which may be the weight, and `spare`. */
     .macro  reciprocal inverse, zeros, weight, most, scaled, spare

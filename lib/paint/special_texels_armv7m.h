@@ -20,15 +20,15 @@
     push    {r7-r11}
     .endif
     add     r11, pixels, #(16 << WIDE)
-    ldrd    r7, r8, [sp, #(F_COLUMN + F_PUSHED + 8 * \deep)]
+    ldrd    r7, r8, [sp, #(.LF_COLUMN + F_PUSHED + 8 * \deep)]
     .endm
 
 /* Leaves out F_BEFORE pixels of 16: `pixels` goes on by fours, and r3 are the rest of them. */
     .macro  leave_special deep
-    ldr     r3, [sp, #(F_BEFORE + F_PUSHED + 8 * \deep)]
+    ldr     r3, [sp, #(.LF_BEFORE + F_PUSHED + 8 * \deep)]
     cbz     r3, 1f
-    ldr     r9, [sp, #(F_SHORT + F_PUSHED + 8 * \deep)]
-    str     r9, [sp, #(F_BEFORE + F_PUSHED + 8 * \deep)]
+    ldr     r9, [sp, #(.LF_SHORT + F_PUSHED + 8 * \deep)]
+    str     r9, [sp, #(.LF_BEFORE + F_PUSHED + 8 * \deep)]
     bic     r9, r3, #3
     add     pixels, pixels, r9, lsl #WIDE
     and     r3, r3, #3
@@ -57,7 +57,7 @@
     .else
     pop     {r7-r11}
     .endif
-    ldr     pc, [sp, #F_NEXT]
+    ldr     pc, [sp, #.LF_NEXT]
     .endm
 
 /* clang knows how long a branch is only after all `.if`: GNU as checks for it. */
@@ -116,7 +116,7 @@
     .align  2
 .Lkeyed\label:
     begin_special 0
-    ldr     r10, [sp, #(F_OWN + F_PUSHED)]
+    ldr     r10, [sp, #(.LF_OWN + F_PUSHED)]
     leave_special 0
     go_special .Lkeyed_pixels\label, \bytes
     .align  2
@@ -150,9 +150,9 @@
     .align  2
 .Lstippled\label:
     begin_special 0
-    ldr     r3, [sp, #(F_ROW + F_PUSHED)]
+    ldr     r3, [sp, #(.LF_ROW + F_PUSHED)]
     ldrd    r9, r3, [r3, #PAINT_ROW_PIXELS] /* and y */
-    ldr     r10, [sp, #(F_OWN + F_PUSHED)]
+    ldr     r10, [sp, #(.LF_OWN + F_PUSHED)]
     find_pattern
     sub     r9, pixels, r9
     ubfx    r9, r9, #WIDE, #2
@@ -215,10 +215,10 @@
     push    {r7-r9}
     add     r9, pixels, #(16 << WIDE)
     mov     r8, #4
-    ldr     r3, [sp, #(F_BEFORE + F_FEW_PUSHED)]
+    ldr     r3, [sp, #(.LF_BEFORE + F_FEW_PUSHED)]
     cbz     r3, .Lfour_bits_pixels_\log
-    ldr     r7, [sp, #(F_SHORT + F_FEW_PUSHED)]
-    str     r7, [sp, #(F_BEFORE + F_FEW_PUSHED)]
+    ldr     r7, [sp, #(.LF_SHORT + F_FEW_PUSHED)]
+    str     r7, [sp, #(.LF_BEFORE + F_FEW_PUSHED)]
     bic     r7, r3, #3
     add     pixels, pixels, r7, lsl #WIDE
     and     r3, r3, #3
@@ -250,7 +250,7 @@
     cmp     pixels, r9
     bne     .Lfour_bits_pixels_\log
     pop     {r7-r9}
-    ldr     pc, [sp, #F_NEXT]
+    ldr     pc, [sp, #.LF_NEXT]
     .endm
 
     four_bits 5
@@ -266,11 +266,11 @@
     .align  2
 .Lcolours:
     push    {r7-r9}
-    ldrd    r7, r8, [sp, #(F_COLUMN + F_FEW_PUSHED)]
-    ldr     r3, [sp, #(F_BEFORE + F_FEW_PUSHED)]
+    ldrd    r7, r8, [sp, #(.LF_COLUMN + F_FEW_PUSHED)]
+    ldr     r3, [sp, #(.LF_BEFORE + F_FEW_PUSHED)]
     cbz     r3, .Lcolours_pixels
-    ldr     r9, [sp, #(F_SHORT + F_FEW_PUSHED)]
-    str     r9, [sp, #(F_BEFORE + F_FEW_PUSHED)]
+    ldr     r9, [sp, #(.LF_SHORT + F_FEW_PUSHED)]
+    str     r9, [sp, #(.LF_BEFORE + F_FEW_PUSHED)]
     add     r3, r3, r3, lsl #2
     adr     r9, .Lcolours_pixels + 1
     add     r3, r9, r3, lsl #2
@@ -291,7 +291,7 @@
     add     p, step
     .endr
     pop     {r7-r9}
-    ldr     pc, [sp, #F_NEXT]
+    ldr     pc, [sp, #.LF_NEXT]
     .endif
 
 /* clang-format on */
