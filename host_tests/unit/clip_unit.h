@@ -40,7 +40,7 @@ static inline void clip_look(const fxl_pose *pose, const fxl_lens *lens, fxl_cam
 {
     TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(pose, camera));
     fxl_view_frustum_from_lens(lens, frustum);
-    fxl_frustum_from_camera(camera, lens, world);
+    fxl_frustum_from_sides(camera, lens, frustum, world);
 }
 
 #endif

@@ -217,10 +217,12 @@ static fxl_frustum frustum_of(fxl_lens *lens)
 {
     fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
     fxl_camera camera;
+    fxl_view_frustum sides;
     fxl_frustum frustum;
     *lens = unit_lens(64, 64);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &camera));
-    fxl_frustum_from_camera(&camera, lens, &frustum);
+    fxl_view_frustum_from_lens(lens, &sides);
+    fxl_frustum_from_sides(&camera, lens, &sides, &frustum);
     return frustum;
 }
 

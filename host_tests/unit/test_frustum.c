@@ -7,8 +7,10 @@
 static void make(const fxl_pose *pose, const fxl_lens *lens, fxl_camera *camera,
                  fxl_frustum *frustum)
 {
+    fxl_view_frustum sides;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(pose, camera));
-    fxl_frustum_from_camera(camera, lens, frustum);
+    fxl_view_frustum_from_lens(lens, &sides);
+    fxl_frustum_from_sides(camera, lens, &sides, frustum);
 }
 
 /* SPEC 4.3 */

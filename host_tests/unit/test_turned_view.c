@@ -212,8 +212,8 @@ void test_the_sphere_of_a_turned_instance(void)
         fxl_draw_entry entry;
         uint32_t left_out, all = FXL_PLANES_ALL, any = 0;
         start();
-        const uint32_t seen =
-            fxl_list_instances(&scene, &view.camera, &view.view_frustum, &entry, &left_out);
+        const uint32_t seen = scene.placement_code->list_instances(
+            &scene, &view.camera, &view.view_frustum, &entry, &left_out);
         TEST_ASSERT_EQUAL_UINT32(seen ? 0 : FACES, left_out);
         for (uint32_t i = 0; i < VERTICES; i++) {
             fxl_view_point at = position_of(i);

@@ -37,7 +37,7 @@ struct fxl_placement_code {
                        fxl_point *points);
     /* The normal of a face of a turned instance in the world, rounded once. */
     fxl_direction (*normal)(const fxl_scene *scene, uint32_t number, const fxl_face *face);
-    /* fxl_list_instances. */
+    /* fxl_list_still_instances of any scene. */
     uint32_t (*list_instances)(const fxl_scene *scene, const struct fxl_camera *camera,
                                const struct fxl_view_frustum *frustum,
                                struct fxl_draw_entry *entries, uint32_t *left_out);

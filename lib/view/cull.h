@@ -175,7 +175,8 @@ static inline uint64_t fxl_square(int32_t value)
     return (uint64_t)fxl_multiply_s32(value, value);
 }
 
-/* The squared distance of fxl_face_distance_squared: the squared length of box - 2 eye. Requires
+/* The squared distance from the eye to the middle of a face's bounding box, with all coordinates
+ * doubled, in units of 2^-34: the squared length of box - 2 eye. Requires
  * box and eye relative to the same point. The difference of two points of the world is below 2^30,
  * so each coordinate is below 2^31, and intermediate wraps cancel. */
 static inline uint64_t fxl_box_distance(int32_t x, int32_t y, int32_t z, const fxl_point *eye)

@@ -17,17 +17,6 @@ uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)
            fxl_square(point->z - eye->z);
 }
 
-/* SPEC 6.3 */
-uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
-                                   const fxl_instance *instance, const fxl_face *face)
-{
-    fxl_point relative;
-    fxl_subtract(eye, &instance->centre, &relative);
-    fxl_point box = fxl_face_box(&scene->vertices[scene->models[instance->model].first_vertex],
-                                 &scene->indices[face->first_index], face->count);
-    return fxl_box_distance(box.x, box.y, box.z, &relative);
-}
-
 /* Whether a is drawn before b. */
 /* SPEC 6.1 */
 static inline bool before(const fxl_draw_entry *a, const fxl_draw_entry *b)
@@ -188,15 +177,6 @@ uint32_t fxl_drop_outside(const fxl_model_view *model_view, const fxl_face *face
         *to++ = *from;
     }
     return (uint32_t)(to - entries);
-}
-
-uint32_t fxl_list_instances(const fxl_scene *scene, const fxl_camera *camera,
-                            const fxl_view_frustum *frustum, fxl_draw_entry *entries,
-                            uint32_t *left_out)
-{
-    return scene->placements != NULL
-               ? scene->placement_code->list_instances(scene, camera, frustum, entries, left_out)
-               : fxl_list_still_instances(scene, camera, frustum, entries, left_out);
 }
 
 #if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M

@@ -30,13 +30,6 @@ static inline uint64_t fxl_draw_entry_distance(const fxl_draw_entry *entry)
  * units, so the sum is below 3 * 2^60. */
 uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point);
 
-/* The squared distance from the eye to the middle of a face's bounding box, with all
- * coordinates doubled (minimum + maximum - 2 eye), in units of 2^-34.
- * Requires a checked scene, and an eye within FXL_COORDINATE_MAX. Exact: each term
- * is below 2^31 units, so the sum is below 3 * 2^62. */
-uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
-                                   const fxl_instance *instance, const fxl_face *face);
-
 /* Sorts instances in place by the order of drawing: layer upward, then distance
  * downward, then index upward. It is a total order, so the result is unique. */
 void fxl_sort_instances(fxl_draw_entry *entries, uint32_t count);
@@ -53,12 +46,13 @@ void fxl_sort_faces(fxl_draw_entry *entries, uint32_t count, fxl_sort_work *work
 /* Fills entries with the scene's instances in the order of drawing, without those that the
  * sphere test rejects. Returns their number. *left_out becomes the number of faces of the
  * rejected instances.
- * Requires a checked scene, a camera and a frustum made by their functions, and
+ * Requires a checked scene of which no instance is turned (a library for size lists turned ones
+ * too), a camera and a frustum made by their functions, and
  * instance_count entries. The order is exact; for the sphere test see fxl_sphere_planes.
  * Source: A7 (Listing 65.3, ZSortObjects). */
-uint32_t fxl_list_instances(const fxl_scene *scene, const fxl_camera *camera,
-                            const fxl_view_frustum *frustum, fxl_draw_entry *entries,
-                            uint32_t *left_out);
+uint32_t fxl_list_still_instances(const fxl_scene *scene, const fxl_camera *camera,
+                                  const fxl_view_frustum *frustum, fxl_draw_entry *entries,
+                                  uint32_t *left_out);
 
 /* Fills entries with those faces of a model that face the eye, by rising index and with their
  * distances. Returns their number.
@@ -72,12 +66,6 @@ uint32_t fxl_list_front_faces(const fxl_scene *scene, const fxl_model *model, co
  * faces are the model's. Exact. */
 uint32_t fxl_drop_outside(const fxl_model_view *model_view, const fxl_face *faces,
                           fxl_draw_entry *entries, uint32_t count);
-
-/* fxl_list_instances of a scene of which no instance is turned; a library for size lists all by it.
- */
-uint32_t fxl_list_still_instances(const fxl_scene *scene, const fxl_camera *camera,
-                                  const fxl_view_frustum *frustum, fxl_draw_entry *entries,
-                                  uint32_t *left_out);
 
 /* The entry of an instance that may cross planes. */
 static inline fxl_draw_entry fxl_draw_instance_of(const fxl_instance *instance, uint32_t number,

@@ -65,13 +65,6 @@ void fxl_view_frustum_from_lens(const fxl_lens *lens, fxl_view_frustum *frustum)
     frustum->inset = (int64_t)lens->inset * FXL_Q2_30_ONE;
 }
 
-void fxl_frustum_from_camera(const fxl_camera *camera, const fxl_lens *lens, fxl_frustum *frustum)
-{
-    fxl_view_frustum sides;
-    fxl_view_frustum_from_lens(lens, &sides);
-    fxl_frustum_from_sides(camera, lens, &sides, frustum);
-}
-
 /* SPEC 4.3 */
 void fxl_frustum_from_sides(const fxl_camera *camera, const fxl_lens *lens,
                             const fxl_view_frustum *sides, fxl_frustum *frustum)

@@ -34,7 +34,7 @@ fxl_lens fxl_view_drawn_lens(const fxl_view *view);
 fxl_status fxl_view_set_pose(fxl_view *view, const fxl_pose *pose);
 
 /* Sets up the planes in the world: fxl_clipper.begin of clippers that clip there. Requires a pose.
- * Error: that of fxl_frustum_from_camera. */
+ * Error: that of fxl_frustum_from_sides. */
 void fxl_view_set_world_frustum(fxl_view *view);
 
 /* Sets up the frustum in the view.
@@ -44,22 +44,19 @@ void fxl_view_set_world_frustum(fxl_view *view);
  * near_z, far_z and inset are exact. Source: A4. */
 void fxl_view_frustum_from_lens(const fxl_lens *lens, fxl_view_frustum *frustum);
 
-/* Sets up the six planes in the world, each moved inward by lens->inset. In view
+/* Sets up the six planes in the world, each moved inward by lens->inset, with the sides set up
+ * beforehand. It reads near_z, far_z and inset of the lens. In view
  * space, before the inset, their normals are
  *   left (focal, 0, width/2),    right (-focal, 0, width/2),
  *   bottom (0, focal, height/2), top (0, -focal, height/2),
  * each scaled to unit length, and these four planes pass through the eye; near has
  * (0, 0, 1) at lens->near_z, far has (0, 0, -1) at lens->far_z.
- * Requires a camera made by fxl_camera_from_pose and a lens made by fxl_lens_from_fov.
+ * Requires the sides of a view, and its camera. In the sheared view of an off-centre lens a side's
+ * normal is at most 1 long, and its direction is that of the border that it stands for.
  * Error: each component of a normal within 4 units of 2^-30. The side planes pass
  * through the eye, and near and far lie at their distance from it, to within 1 unit of
  * 1/65536 (exactly, except for the length of the normal).
  * Source: A4 (Listing 65.3, SetUpFrustum). */
-void fxl_frustum_from_camera(const fxl_camera *camera, const fxl_lens *lens, fxl_frustum *frustum);
-
-/* Does the same with the sides set up beforehand. It reads near_z, far_z and inset of the lens.
- * Requires the sides of a view, and its camera. In the sheared view of an off-centre lens a side's
- * normal is at most 1 long, and its direction is that of the border that it stands for. */
 void fxl_frustum_from_sides(const fxl_camera *camera, const fxl_lens *lens,
                             const fxl_view_frustum *sides, fxl_frustum *frustum);
 
