@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What the kernels of outlines in a depth buffer give to lib/raster/outline_armv7m.h: an edge is the
- * number of a cell of the band. FRAME_OUTLINE holds a fxl_depth_outline, or what begins with one. */
+ * number of a cell of the band. FRAME_OUTLINE holds a fxl_depth_outline, or what begins with one. And
+ * how they find a value's octave. */
 #define FRAME_OUTLINE FRAME_COLOUR
 
 #define NO_ROW DEPTH_NO_ROW
@@ -31,4 +32,36 @@
     adc     r4, r4, r6
     adds    r9, r9, r11
     adc     r8, r8, r10
+    .endm
+
+/* Input: zeros: the leading zeros of a value's upper word; r3: the outline. Results: \bias, \drop. Goes
+ * to \nearer or \farther if no octave has the value. \count and \mantissa are overwritten. */
+    .macro find_octave zeros, bias, count, drop, mantissa, nearer, farther
+    cmp     \zeros, #0              /* below 0 */
+    beq     \farther
+    ldrd    \bias, \count, [r3, #DEPTH_OUTLINE_ONE]
+    rsb     \drop, \zeros, #64      /* the value's length in bits */
+    subs    \bias, \bias, \drop     /* the octave's number */
+    bmi     \nearer
+    cmp     \bias, \count
+    bge     \farther
+    ldr     \mantissa, [r3, #DEPTH_OUTLINE_MANTISSA]
+    sub     \count, \count, \bias
+    sub     \count, \count, #2
+    rsb     \drop, \zeros, #47
+    sub     \drop, \drop, \mantissa
+    add     \mantissa, \mantissa, #16
+    lsl     \bias, \count, \mantissa
+    add     \bias, \bias, #65536
+    .endm
+
+/* Results: \low, \high: the 32 lowest bits of (\high:\low) >> \drop, in \low. drop: 1 to 34. */
+    .macro shift_by drop, low, high, spare
+    rsbs    \spare, \drop, #32
+    itee    pl
+    lslpl   \high, \high, \spare
+    rsbmi   \spare, \spare, #0
+    asrmi   \high, \high, \spare
+    lsr     \low, \low, \drop
+    add     \low, \low, \high
     .endm
