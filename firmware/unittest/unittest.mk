@@ -81,7 +81,7 @@ BOARD_TEST_PARTS = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(filter-out $(BOARD_
 
 # What every program links beside the tests. The helpers and the library are archives: to read all
 # of their objects for each program would take most of the linker's time.
-BOARD_TEST_OBJECTS = $(patsubst %.c,$(BOARD_UNIT_OUT)/%.o,firmware/unittest/main.c firmware/unittest/newlib.c firmware/unittest/picolibc.c) \
+BOARD_TEST_OBJECTS = $(patsubst %.c,$(BOARD_UNIT_OUT)/%.o,firmware/unittest/main.c firmware/unittest/c_library.c) \
     $(BOARD_UNIT_OUT)/unity.o $(BOARD_PARTS_OF) $(BOARD_TEST_PARTS)
 BOARD_TEST_ARCHIVES = $(BOARD_UNIT_OUT)/libhelpers.a $(BOARD_CORE_OUT)/unit/libfixel.a
 
