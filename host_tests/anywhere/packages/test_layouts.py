@@ -72,13 +72,13 @@ def test_arduino_layout(packages):
     assert not (packages / "arduino" / "utility").exists() and (packages / "arduino" / "src" / properties["includes"]).is_file()
 
 
-def compiled(source, folder, flags, kernels=()):
+def compiled(source, folder, flags, kernels=(), compiler="arm-none-eabi-gcc"):
     """The objects of a package's sources in a folder: of C by these flags and src/ as the only folder to include from, and where
     flags for kernels are given, of assembly by those alone."""
     folder.mkdir()
-    run("arm-none-eabi-gcc", *flags, f"-I{source}", "-c", *sorted(source.glob("*/*.c")), folder=folder)
+    run(compiler, *flags, f"-I{source}", "-c", *sorted(source.glob("*/*.c")), folder=folder)
     if kernels:
-        run("arm-none-eabi-gcc", *kernels, "-c", *sorted(source.glob("*/*.S")), folder=folder)
+        run(compiler, *kernels, "-c", *sorted(source.glob("*/*.S")), folder=folder)
     return sorted(folder.glob("*.o"))
 
 
