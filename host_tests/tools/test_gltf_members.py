@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""Each member of a glTF file as something else than it must be: a null member is as if it were not there, and whatever else stands there is
-read or refused in one sentence."""
+"""What the reader of glTF refuses, in one sentence. Each member of a file as something else than it must be: a null member is as if it were not
+there, and whatever else stands there is read or refused."""
 
 import copy
 import json
 import os
+import struct
 
 import pytest
 
 from fixel.base.errors import ToolError
 from fixel.model import gltf
 from fixel.scene import framing, look
-from model_files import File, about_x, glb, png
+from model_files import File, TETRAHEDRON, about_x, assert_refused, glb, gltf as make, png
+from test_gltf import read as read_file
 
 LOOKS = (look.Look(), look.Look(camera="*", animation="*", keep="*"))
 FRAMED = ("animations", "cameras", "extensions", "nodes", "skins")
@@ -136,3 +138,99 @@ def test_whatever_stands_at_a_place_is_read_or_refused_in_a_sentence(tmp_path, f
                 pytest.fail(f"{'.'.join(map(str, path))} = {json.dumps(value)[:60]}: {type(error).__name__}: {error}")
             tried += 1
     assert tried
+
+
+# --- refusals -----------------------------------------------------------------------
+
+def with_value(path, value):
+    """The sound file's JSON with a value at a path of keys."""
+    data, blob = make(uvs=[(0, 0), (1, 0), (1, 1), (0, 1)], image=png([[(1, 2, 3)]]))
+    data, place = copy.deepcopy(data), None
+    place = data
+    for key in path[:-1]:
+        place = place[key]
+    if value is None:
+        del place[path[-1]]
+    else:
+        place[path[-1]] = value
+    return glb(data, blob)
+
+
+def vertices(*values):
+    data, blob = make([values, (1, 0, 0), (1, 1, 0), (0, 1, 0)])
+    return glb(data, blob)
+
+
+BAD = {
+    "cycle": (with_value(["nodes"], [{"children": [1]}, {"children": [0], "name": "knot"}]), ["node 0", "cycle"]),
+    "knot": (with_value(["nodes"], [{"children": [1, 1]}, {"mesh": 0}]), ["node 1", "one parent"]),
+    "no node": (with_value(["scenes"], [{"nodes": [7]}]), ["node 7 does not exist"]),
+    "child": (with_value(["nodes"], [{"children": ["x"], "name": "arm"}]), ['node 0 ("arm")', "children"]),
+    "NaN": (vertices(float("nan"), 0, 0), ['node 0 ("thing")', "mesh 0, primitive 0", "x of vertex 0 is nan"]),
+    "huge": (vertices(0, 3e30, 0), ["y of vertex 0", "1,000,000,000"]),
+    "matrix": (with_value(["nodes", 0, "matrix"], [1e300] * 16), ["node 0", "matrix"]),
+    "two numbers": (with_value(["nodes", 0, "translation"], [1, 2]), ["node 0", "translation must be 3 numbers"]),
+    "no list": (with_value(["nodes", 0, "translation"], 1), ["node 0", "translation must be 3 numbers"]),
+    "truth": (with_value(["nodes", 0, "scale"], [1, True, 1]), ["node 0", "scale must be 3 numbers"]),
+    "word": (with_value(["nodes", 0, "scale"], [1, "2", 1]), ["node 0", "scale must be 3 numbers"]),
+    "rotation": (with_value(["nodes", 0, "rotation"], [0, 0, 0, 0]), ["node 0", "rotation"]),
+    "infinite": (with_value(["nodes", 0, "scale"], [float("inf"), 1, 1]), ["value Infinity", "not a number of JSON"]),
+    "no faces": (with_value(["nodes"], [{"name": "empty"}]), ["no face"]),
+    "buffer": (with_value(["buffers", 0, "byteLength"], 1 << 31), ["buffer 0", "2,147,483,648 bytes are promised"]),
+    "view": (with_value(["bufferViews", 0, "byteLength"], 1 << 20), ["buffer view reaches"]),
+    "count": (with_value(["accessors", 0, "count"], 200_000), ["accessor 0", "do not fit"]),
+    "absurd count": (with_value(["accessors", 0, "count"], 1 << 31), ["accessor 0", "2,147,483,648 values do not fit"]),
+    "stride": (with_value(["bufferViews", 0, "byteStride"], 4), ["accessor 0"]),
+    "index": (with_value(["accessors", 0, "count"], 2), ["indices name vertex 3 of 2"]),
+    "sparse": (with_value(["accessors", 0, "sparse"], {}), ["sparse"]),
+    "no accessor": (with_value(["meshes", 0, "primitives", 0, "indices"], 99), ["accessor 99 does not exist"]),
+    "no position": (with_value(["meshes", 0, "primitives", 0, "attributes"], {}), ["no POSITION"]),
+    "outside": (with_value(["buffers", 0], {"uri": "../../etc/gone", "byteLength": 4}), ["buffer 0", "there is no file", "../../etc/gone"]),
+    "material": (with_value(["meshes", 0, "primitives", 0, "material"], 5), ["material 5 does not exist"]),
+    "version": (with_value(["asset", "version"], "1.0"), ['"1.0"', "only 2.0"]),
+    "new meshopt": (with_value(["extensionsRequired"], ["KHR_meshopt_compression"]), ["meshopt", "gltf-transform"]),
+    "meshopt": (with_value(["extensionsRequired"], ["EXT_meshopt_compression"]), ["meshopt", "gltf-transform"]),
+    "draco": (with_value(["extensionsRequired"], ["KHR_draco_mesh_compression"]), ["Draco", "gltf-transform"]),
+    "instancing": (with_value(["extensionsRequired"], ["EXT_mesh_gpu_instancing"]), ["EXT_mesh_gpu_instancing", "Blender", "as nodes"]),
+    "empty": (b"", ["the file is empty"]),
+    "key": (with_value(["bufferViews", 0, "byteLength"], None), ["byteLength is missing"]),
+    "no version": (with_value(["asset"], {}), ["names no version", "npx gltf-pipeline"]),
+    "sampler": (with_value(["textures", 0, "sampler"], 3), ["sampler 3 does not exist"]),
+    "alpha": (with_value(["materials", 0, "alphaMode"], "GLASS"), ['"GLASS"', "OPAQUE"]),
+    "emissive image": (with_value(["materials", 0], {"emissiveFactor": [1, 1, 1], "emissiveTexture": {}}), ["material 0", "index is missing"]),
+    "emissive": (with_value(["materials", 0, "emissiveFactor"], [1, 2]), ["emissiveFactor must be 3 numbers"]),
+    "transform": (with_value(["materials", 0, "pbrMetallicRoughness", "baseColorTexture", "extensions"],
+                          {"KHR_texture_transform": {"offset": 3}}), ["offset must be 2 numbers"]),
+    "extensions": (with_value(["materials", 0, "extensions"], [1]), ["extensions is no object"]),
+    "extension": (with_value(["extensionsRequired"], ["KHR_draco_mesh_compression"]), ["KHR_draco_mesh_compression"]),
+    "no JSON": (b"{nonsense", ["not JSON"]),
+    "deep": (b"[" * 100_000, ["nested"]),
+    "list": (b"[]", ["not a glTF file"]),
+    "digits": (b'{"asset": ' + b"9" * 9000 + b"}", ["thousands of digits"]),
+    "header": (struct.pack("<4sII", b"glTF", 2, 1 << 31) + bytes(40), ["header promises 2,147,483,648 bytes"]),
+    "part": (struct.pack("<4sIIII", b"glTF", 2, 40, 1 << 31, 0x4E4F534A) + bytes(20), ["promises 2,147,483,648 bytes"]),
+    "old": (struct.pack("<4sII", b"glTF", 1, 12), ["version 1", "npx gltf-pipeline"]),
+}
+
+
+@pytest.mark.parametrize("kind", BAD)
+def test_what_is_wrong_is_said_in_one_sentence(tmp_path, kind):
+    assert_refused(read_file, tmp_path, *BAD[kind], most=400)
+
+
+def test_nodes_that_read_the_same_part_often(tmp_path):
+    """Few bytes, much work."""
+    data, blob = make(*TETRAHEDRON, nodes=[{"mesh": 0}] * 8000)
+    data["scenes"][0]["nodes"] = list(range(8000))
+    data["meshes"][0]["primitives"] *= 100
+    with pytest.raises(ToolError, match="65,535 primitives"):
+        read_file(tmp_path, glb(data, blob))
+
+
+def test_a_part_that_is_cut_off_behind_its_head_is_refused(tmp_path):
+    data, blob = make()
+    whole = glb(data, blob)
+    cut = bytearray(whole[:len(whole) - len(blob)])
+    struct.pack_into("<I", cut, 8, len(cut))
+    with pytest.raises(ToolError, match=f"a part promises {len(blob):,} bytes and 0 are there"):
+        read_file(tmp_path, bytes(cut))
