@@ -18,8 +18,8 @@ typedef struct {
 /* Tells whether intersection a comes before b on the line: compares |from| / (|from| + |to|) as
  * exact fractions. The sums are below 2^64. The products are taken as 128 bits; the lower 64 are
  * those of a product that wraps. */
-static bool fxl_intersection_is_before(const fxl_plane_intersection *a,
-                                       const fxl_plane_intersection *b)
+static inline bool fxl_intersection_is_before(const fxl_plane_intersection *a,
+                                              const fxl_plane_intersection *b)
 {
     uint64_t a_part = fxl_magnitude(a->from), b_part = fxl_magnitude(b->from);
     uint64_t a_whole = a_part + fxl_magnitude(a->to), b_whole = b_part + fxl_magnitude(b->to);
@@ -29,8 +29,8 @@ static bool fxl_intersection_is_before(const fxl_plane_intersection *a,
 }
 
 /* Keeps the later (or the earlier) of two intersections in *best. *best may be none as yet. */
-static void fxl_intersection_prefer(fxl_plane_intersection *best, const fxl_plane_intersection *one,
-                                    bool later)
+static inline void fxl_intersection_prefer(fxl_plane_intersection *best,
+                                           const fxl_plane_intersection *one, bool later)
 {
     if (best->plane == FXL_PLANE_COUNT ||
         (later ? fxl_intersection_is_before(best, one) : fxl_intersection_is_before(one, best))) {
