@@ -30,38 +30,26 @@ void test_a_wrong_billboard_is_refused(void)
     scene.sprite.width = scene.sprite.height = 1; /* the least */
     TEST_ASSERT_EQUAL(FXL_OK, fxl_billboards_check(&scene.set, &scene.tiny->scene, NULL));
     setUp();
-    scene.sprite.bits = 2;
-    expect_refusal(FXL_E_RANGE, "billboard", 0);
-    scene.sprite.width = 0;
-    expect_refusal(FXL_E_RANGE, "billboard", 0);
-    scene.sprite.height = 0;
-    expect_refusal(FXL_E_RANGE, "billboard", 0);
-    scene.sprite.pixels = NULL;
-    expect_refusal(FXL_E_ARGUMENT, "billboard", 0);
-    scene.board.sprite = NULL;
-    expect_refusal(FXL_E_ARGUMENT, "billboard", 0);
-    scene.board.width = 0;
-    expect_refusal(FXL_E_RANGE, "billboard", 0);
-    scene.board.height = FXL_BILLBOARD_SIDE_MAX + 1;
-    expect_refusal(FXL_E_RANGE, "billboard", 0);
-    scene.board.anchor_x = -1;
-    expect_refusal(FXL_E_RANGE, "billboard", 0);
-    scene.board.anchor_y = scene.board.height + 1;
-    expect_refusal(FXL_E_RANGE, "billboard", 0);
-    scene.set.billboards = NULL;
-    expect_refusal(FXL_E_ARGUMENT, "billboard table", 0);
-    scene.set.model_map = NULL;
-    expect_refusal(FXL_E_ARGUMENT, "billboard table", 0);
-    scene.set.count = 65536;
-    expect_refusal(FXL_E_COUNT, "billboard table", 0);
-    scene.model_map[1] = 2;
-    expect_refusal(FXL_E_INDEX, "model", 1);
-    scene.model_map[0] = 1; /* a cube */
-    expect_refusal(FXL_E_COUNT, "model", 0);
-    scene.tiny->models[1].kind = FXL_MODEL_SORTED;
-    expect_refusal(FXL_E_COUNT, "model", 1);
-    scene.tiny->models[1].radius = Q16(2.5) - 1; /* of corners at (2, 1.5) */
-    expect_refusal(FXL_E_RADIUS, "model", 1);
+    const unit_field fields[] = {
+        {UNIT_FIELD(scene.sprite.bits, 2), FXL_E_RANGE, "billboard", 0},
+        {UNIT_FIELD(scene.sprite.width, 0), FXL_E_RANGE, "billboard", 0},
+        {UNIT_FIELD(scene.sprite.height, 0), FXL_E_RANGE, "billboard", 0},
+        {UNIT_FIELD(scene.sprite.pixels, 0), FXL_E_ARGUMENT, "billboard", 0},
+        {UNIT_FIELD(scene.board.sprite, 0), FXL_E_ARGUMENT, "billboard", 0},
+        {UNIT_FIELD(scene.board.width, 0), FXL_E_RANGE, "billboard", 0},
+        {UNIT_FIELD(scene.board.height, FXL_BILLBOARD_SIDE_MAX + 1), FXL_E_RANGE, "billboard", 0},
+        {UNIT_FIELD(scene.board.anchor_x, -1), FXL_E_RANGE, "billboard", 0},
+        {UNIT_FIELD(scene.board.anchor_y, scene.board.height + 1), FXL_E_RANGE, "billboard", 0},
+        {UNIT_FIELD(scene.set.billboards, 0), FXL_E_ARGUMENT, "billboard table", 0},
+        {UNIT_FIELD(scene.set.model_map, 0), FXL_E_ARGUMENT, "billboard table", 0},
+        {UNIT_FIELD(scene.set.count, 65536), FXL_E_COUNT, "billboard table", 0},
+        {UNIT_FIELD(scene.model_map[1], 2), FXL_E_INDEX, "model", 1},
+        {UNIT_FIELD(scene.model_map[0], 1), FXL_E_COUNT, "model", 0}, /* a cube */
+        {UNIT_FIELD(scene.tiny->models[1].kind, FXL_MODEL_SORTED), FXL_E_COUNT, "model", 1},
+        /* Of corners at (2, 1.5). */
+        {UNIT_FIELD(scene.tiny->models[1].radius, Q16(2.5) - 1), FXL_E_RADIUS, "model", 1},
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect_refusal);
     scene.tiny->models[1].radius = Q16(2.5);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_billboards_check(&scene.set, &scene.tiny->scene, NULL));
     scene.board.anchor_x -= 1;

@@ -21,6 +21,10 @@ static void expect(fxl_status status, const char *what, uint32_t index)
     made = bsp_make();
 }
 
+/* A node's member, a value, and the status that names the node. */
+#define NODE(number, member, value, status) \
+    UNIT_FIELD(made->nodes[number].member, value), status, "BSP node", number
+
 /* bsp 1.1 */
 void test_a_sound_tree(void)
 {
@@ -34,12 +38,13 @@ void test_a_sound_tree(void)
 /* formats 1.7 */
 void test_whose_it_is(void)
 {
-    made->tiny->scene.bsp_instance = TINY_INSTANCES;
-    expect(FXL_E_INDEX, "BSP tree", 0);
-    made->tiny->scene.bsp_instance = 0; /* its model is convex */
-    expect(FXL_E_RESERVED, "BSP tree", 0);
-    made->tiny->instances[2].model = 1;
-    expect(FXL_E_BSP, "instance", 2);
+    const unit_field fields[] = {
+        {UNIT_FIELD(made->tiny->scene.bsp_instance, TINY_INSTANCES), FXL_E_INDEX, "BSP tree", 0},
+        /* Its model is convex. */
+        {UNIT_FIELD(made->tiny->scene.bsp_instance, 0), FXL_E_RESERVED, "BSP tree", 0},
+        {UNIT_FIELD(made->tiny->instances[2].model, 1), FXL_E_BSP, "instance", 2},
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
     static const fxl_placement placements[] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE};
     made->tiny->scene.placements = placements;
     made->tiny->scene.placement_code = &fxl_turned_instances;
@@ -81,14 +86,14 @@ void test_counts(void)
 /* formats 1.7 */
 void test_planes(void)
 {
-    made->nodes[3].reserved = 1;
-    expect(FXL_E_RESERVED, "BSP node", 3);
-    made->nodes[3].normal.y += 8;
-    expect(FXL_E_NORMAL, "BSP node", 3);
+    const unit_field fields[] = {
+        {NODE(3, reserved, 1, FXL_E_RESERVED)},
+        {NODE(3, normal.y, made->nodes[3].normal.y + 8, FXL_E_NORMAL)},
+        {NODE(2, distance_high, 0xDFFFFFFFu, FXL_E_RANGE)},
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
     made->nodes[2].distance_high = 0x20000000u; /* 2^61 and the least bit more */
     made->nodes[2].distance_low = 1;
-    expect(FXL_E_RANGE, "BSP node", 2);
-    made->nodes[2].distance_high = 0xDFFFFFFFu;
     expect(FXL_E_RANGE, "BSP node", 2);
     made->nodes[2].distance_high = 0x20000000u; /* 2^61 itself, and then no face is near */
     made->nodes[2].distance_low = 0;
@@ -141,22 +146,19 @@ void test_each_vertex_of_a_face_lies_on_the_plane(void)
 /* formats 1.7 */
 void test_spheres(void)
 {
-    made->nodes[3].radius = -1;
-    expect(FXL_E_RANGE, "BSP node", 3);
-    made->nodes[0].radius = FXL_RADIUS_MAX;
-    expect(FXL_OK, NULL, 0);
-    made->nodes[0].radius = FXL_RADIUS_MAX + 1;
-    expect(FXL_E_RANGE, "BSP node", 0);
-    made->nodes[2].centre.z = FXL_COORDINATE_MAX - Q16(10) + 1; /* its object stands at 10 */
-    expect(FXL_E_RANGE, "BSP node", 2);
-    made->nodes[2].centre.y = -FXL_COORDINATE_MAX - 1;
-    expect(FXL_E_RANGE, "BSP node", 2);
-    made->nodes[5].radius = Q16(1.7); /* sqrt(3) is more */
-    expect(FXL_E_RADIUS, "BSP node", 5);
-    made->nodes[0].radius = TINY_RADIUS - 1; /* less than that below it */
-    expect(FXL_E_RADIUS, "BSP node", 1);
-    made->nodes[5].centre.x = 1; /* as large, and elsewhere */
-    expect(FXL_E_RADIUS, "BSP node", 5);
+    const unit_field fields[] = {
+        {NODE(3, radius, -1, FXL_E_RANGE)},
+        {NODE(0, radius, FXL_RADIUS_MAX, FXL_OK)},
+        {NODE(0, radius, FXL_RADIUS_MAX + 1, FXL_E_RANGE)},
+        /* The object of node 2 stands at 10. */
+        {NODE(2, centre.z, FXL_COORDINATE_MAX - Q16(10) + 1, FXL_E_RANGE)},
+        {NODE(2, centre.y, -FXL_COORDINATE_MAX - 1, FXL_E_RANGE)},
+        {NODE(5, radius, Q16(1.7), FXL_E_RADIUS)}, /* sqrt(3) is more */
+        /* Less than that below it. */
+        {UNIT_FIELD(made->nodes[0].radius, TINY_RADIUS - 1), FXL_E_RADIUS, "BSP node", 1},
+        {NODE(5, centre.x, 1, FXL_E_RADIUS)}, /* as large, and elsewhere */
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
     made->nodes[5].centre.x = 3; /* 5 away from the one above, which is 5 larger */
     made->nodes[5].centre.y = -4;
     for (int i = 0; i < 5; i++) {
@@ -208,37 +210,30 @@ void test_a_sphere_that_lacks_one_corner(void)
 /* bsp 1.1, formats 1.7 */
 void test_every_face_has_one_node(void)
 {
-    made->nodes[1].first_face = 2;
-    expect(FXL_E_INDEX, "BSP node", 1);
-    made->nodes[5].face_count = 0;
-    expect(FXL_E_COUNT, "BSP node table", 0);
-    made->nodes[5].face_count = 2;
-    expect(FXL_E_INDEX, "BSP node", 5);
-    made->nodes[5].face_count = 0xFFFF;
-    expect(FXL_E_INDEX, "BSP node", 5);
+    const unit_field fields[] = {
+        {NODE(1, first_face, 2, FXL_E_INDEX)},
+        {UNIT_FIELD(made->nodes[5].face_count, 0), FXL_E_COUNT, "BSP node table", 0},
+        {NODE(5, face_count, 2, FXL_E_INDEX)},
+        {NODE(5, face_count, 0xFFFF, FXL_E_INDEX)},
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
 }
 
 /* bsp 1.1, formats 1.7 */
 void test_links(void)
 {
-    made->nodes[0].parent = 0;
-    expect(FXL_E_BSP, "BSP node", 0);
-    made->nodes[3].back = 3; /* round and round */
-    expect(FXL_E_BSP, "BSP node", 3);
-    made->nodes[3].back = 0;
-    expect(FXL_E_BSP, "BSP node", 3);
-    made->nodes[3].back = 5; /* 4 hangs nowhere */
-    expect(FXL_E_BSP, "BSP node", 3);
-    made->nodes[3].back = FXL_BSP_NONE;
-    expect(FXL_E_BSP, "BSP node", 4);
-    made->nodes[5].front = 6; /* past the end */
-    expect(FXL_E_BSP, "BSP node", 5);
-    made->nodes[5].front = 0xFFFE;
-    expect(FXL_E_BSP, "BSP node", 5);
-    made->nodes[4].parent = 2;
-    expect(FXL_E_BSP, "BSP node", 3);
-    made->nodes[2].front = 3; /* twice */
-    expect(FXL_E_BSP, "BSP node", 2);
+    const unit_field fields[] = {
+        {NODE(0, parent, 0, FXL_E_BSP)},
+        {NODE(3, back, 3, FXL_E_BSP)}, /* round and round */
+        {NODE(3, back, 0, FXL_E_BSP)},
+        {NODE(3, back, 5, FXL_E_BSP)}, /* 4 hangs nowhere */
+        {UNIT_FIELD(made->nodes[3].back, FXL_BSP_NONE), FXL_E_BSP, "BSP node", 4},
+        {NODE(5, front, 6, FXL_E_BSP)}, /* past the end */
+        {NODE(5, front, 0xFFFE, FXL_E_BSP)},
+        {UNIT_FIELD(made->nodes[4].parent, 2), FXL_E_BSP, "BSP node", 3},
+        {NODE(2, front, 3, FXL_E_BSP)}, /* twice */
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
     made->nodes[2].front = 3; /* in front instead of behind: sound, for this check */
     made->nodes[2].back = FXL_BSP_NONE;
     expect(FXL_OK, NULL, 0);

@@ -21,6 +21,10 @@ static void expect(fxl_status status, const char *what, uint32_t index)
     made = cluster_make();
 }
 
+/* A cluster's member, a value, and the status that names the cluster. */
+#define CLUSTER(number, member, value, status) \
+    UNIT_FIELD(made->clusters[number].member, value), status, "cluster", number
+
 /* formats 1.8 */
 void test_sound_clusters(void)
 {
@@ -71,52 +75,55 @@ void test_counts(void)
 {
     made->tiny->scene.clusters = NULL;
     expect(FXL_E_COUNT, "cluster table", 0);
-    made->tiny->scene.cluster_count = 0;
-    expect(FXL_E_COUNT, "cluster table", 0);
-    made->tiny->scene.cluster_count = FXL_SCENE_CLUSTERS_MAX + 1;
-    expect(FXL_E_COUNT, "cluster table", 0);
-    made->tiny->scene.cluster_count = 2; /* the last three faces are in no cluster */
-    expect(FXL_E_INDEX, "model", 1);
+    const unit_field fields[] = {
+        {UNIT_FIELD(made->tiny->scene.cluster_count, 0), FXL_E_COUNT, "cluster table", 0},
+        {UNIT_FIELD(made->tiny->scene.cluster_count, FXL_SCENE_CLUSTERS_MAX + 1), FXL_E_COUNT,
+         "cluster table", 0},
+        /* The last three faces are in no cluster. */
+        {UNIT_FIELD(made->tiny->scene.cluster_count, 2), FXL_E_INDEX, "model", 1},
+        {CLUSTER(0, face_count, 0, FXL_E_COUNT)},
+        {CLUSTER(2, face_count, 4, FXL_E_COUNT)},
+        {CLUSTER(2, face_count, 65535, FXL_E_COUNT)},
+        {CLUSTER(2, reserved, 1, FXL_E_RESERVED)},
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
     made->clusters[1].face_count = 5; /* and no face is left for the last */
     made->clusters[1].axis.x = made->clusters[1].axis.y = 0;
     made->clusters[1].apex.x = made->clusters[1].apex.y = 0;
     made->clusters[1].cutoff = 0;
     expect(FXL_E_COUNT, "cluster table", 0);
-    made->clusters[0].face_count = 0;
-    expect(FXL_E_COUNT, "cluster", 0);
-    made->clusters[2].face_count = 4;
-    expect(FXL_E_COUNT, "cluster", 2);
-    made->clusters[2].face_count = 65535;
-    expect(FXL_E_COUNT, "cluster", 2);
-    made->clusters[2].reserved = 1;
-    expect(FXL_E_RESERVED, "cluster", 2);
 }
 
 void test_which_models_have_some(void)
 {
-    made->tiny->models[1].first_cluster = 2;
-    expect(FXL_E_INDEX, "model", 1);
-    made->tiny->models[1].first_cluster = 0; /* clusters that no model has */
-    expect(FXL_E_COUNT, "cluster table", 0);
-    made->tiny->models[0].first_cluster = 1; /* a convex model */
-    expect(FXL_E_RESERVED, "model", 0);
+    const unit_field fields[] = {
+        {UNIT_FIELD(made->tiny->models[1].first_cluster, 2), FXL_E_INDEX, "model", 1},
+        /* Clusters that no model has. */
+        {UNIT_FIELD(made->tiny->models[1].first_cluster, 0), FXL_E_COUNT, "cluster table", 0},
+        /* A convex model. */
+        {UNIT_FIELD(made->tiny->models[0].first_cluster, 1), FXL_E_RESERVED, "model", 0},
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
 }
 
 /* The sphere of cluster 0 about (-1, 0, 0): its vertices are (-1, +-1, +-1). */
 /* formats 1.8 */
 void test_spheres(void)
 {
-    made->clusters[0].radius = 92681; /* sqrt(2) is more than 92681.9 */
-    expect(FXL_E_RADIUS, "cluster", 0);
-    made->clusters[0].centre.y = 1;
-    expect(FXL_E_RADIUS, "cluster", 0);
+    const unit_field fields[] = {
+        {CLUSTER(0, radius, 92681, FXL_E_RADIUS)}, /* sqrt(2) is more than 92681.9 */
+        {CLUSTER(0, centre.y, 1, FXL_E_RADIUS)},
+        {CLUSTER(0, centre.x, made->clusters[0].centre.x + 1, FXL_E_RANGE)},
+        {CLUSTER(2, centre.z, Q16(-1) - 1, FXL_E_RANGE)},
+        {CLUSTER(2, radius, -1, FXL_E_RANGE)},
+        {CLUSTER(2, radius, FXL_RADIUS_MAX + 1, FXL_E_RANGE)},
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
     made->clusters[0].radius = Q16(3);
     made->clusters[0].centre.y = Q16(1); /* a corner of the box, and a unit beyond it */
     expect(FXL_OK, NULL, 0);
     made->clusters[0].radius = Q16(3);
     made->clusters[0].centre.y = Q16(1) + 1;
-    expect(FXL_E_RANGE, "cluster", 0);
-    made->clusters[0].centre.x += 1;
     expect(FXL_E_RANGE, "cluster", 0);
     made->clusters[0].radius = Q16(3);
     made->clusters[0].centre.y = Q16(-1) - 1;
@@ -130,37 +137,25 @@ void test_spheres(void)
         made->clusters[2].radius = Q16(4);
         expect(FXL_OK, NULL, 0);
     }
-    made->clusters[2].centre.z = Q16(-1) - 1;
-    expect(FXL_E_RANGE, "cluster", 2);
-    made->clusters[2].radius = -1;
-    expect(FXL_E_RANGE, "cluster", 2);
-    made->clusters[2].radius = FXL_RADIUS_MAX + 1;
-    expect(FXL_E_RANGE, "cluster", 2);
 }
 
 /* formats 1.8 */
 void test_cones(void)
 {
-    made->clusters[0].axis.x -= 8;
-    expect(FXL_E_NORMAL, "cluster", 0);
-    made->clusters[0].apex.y = FXL_CLUSTER_APEX_MAX;
-    expect(FXL_OK, NULL, 0); /* in the face's plane */
-    made->clusters[0].apex.y = FXL_CLUSTER_APEX_MAX + 1;
-    expect(FXL_E_RANGE, "cluster", 0);
-    made->clusters[0].apex.x = -FXL_CLUSTER_APEX_MAX - 1;
-    expect(FXL_E_RANGE, "cluster", 0);
-    made->clusters[0].apex.z = FXL_CLUSTER_APEX_MAX + 1;
-    expect(FXL_E_RANGE, "cluster", 0);
-    made->clusters[0].apex.x -= 1; /* an eye there sees the face's front */
-    expect(FXL_E_CLUSTER, "cluster", 0);
-    made->clusters[1].apex.y -= 1;
-    expect(FXL_E_CLUSTER, "cluster", 1);
-    made->clusters[1].apex.y += 1; /* behind both faces */
-    expect(FXL_OK, NULL, 0);
-    made->clusters[2].cutoff = 1;
-    expect(FXL_E_RESERVED, "cluster", 2);
-    made->clusters[2].apex.z = 1;
-    expect(FXL_E_RESERVED, "cluster", 2);
+    const unit_field fields[] = {
+        {CLUSTER(0, axis.x, made->clusters[0].axis.x - 8, FXL_E_NORMAL)},
+        {CLUSTER(0, apex.y, FXL_CLUSTER_APEX_MAX, FXL_OK)}, /* in the face's plane */
+        {CLUSTER(0, apex.y, FXL_CLUSTER_APEX_MAX + 1, FXL_E_RANGE)},
+        {CLUSTER(0, apex.x, -FXL_CLUSTER_APEX_MAX - 1, FXL_E_RANGE)},
+        {CLUSTER(0, apex.z, FXL_CLUSTER_APEX_MAX + 1, FXL_E_RANGE)},
+        /* An eye there sees the front of the face. */
+        {CLUSTER(0, apex.x, made->clusters[0].apex.x - 1, FXL_E_CLUSTER)},
+        {CLUSTER(1, apex.y, made->clusters[1].apex.y - 1, FXL_E_CLUSTER)},
+        {CLUSTER(1, apex.y, made->clusters[1].apex.y + 1, FXL_OK)}, /* behind both faces */
+        {CLUSTER(2, cutoff, 1, FXL_E_RESERVED)},
+        {CLUSTER(2, apex.z, 1, FXL_E_RESERVED)},
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
 }
 
 /* The normals of cluster 1 are 45 degrees off its axis. So a cone of 45 degrees is the widest, with
@@ -168,17 +163,16 @@ void test_cones(void)
 /* formats 1.8 */
 void test_cutoffs(void)
 {
-    made->clusters[1].cutoff = 0x7FFFFFFFu;
-    expect(FXL_E_CLUSTER, "cluster", 1);
-    made->clusters[1].cutoff = 0xFFFFFFFFu; /* a narrow one */
-    expect(FXL_OK, NULL, 0);
-    made->clusters[1].cutoff = 0;
-    expect(FXL_E_CLUSTER, "cluster", 1);
+    const unit_field fields[] = {
+        {CLUSTER(1, cutoff, 0x7FFFFFFFu, FXL_E_CLUSTER)},
+        {CLUSTER(1, cutoff, 0xFFFFFFFFu, FXL_OK)}, /* a narrow one */
+        {CLUSTER(1, cutoff, 0, FXL_E_CLUSTER)},
+        {CLUSTER(0, cutoff, 15, FXL_E_CLUSTER)}, /* less than rounding takes */
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
     made->clusters[1].axis.x = -made->clusters[1].axis.x; /* now +x looks the other way */
     made->clusters[1].cutoff = 0xFFFFFFFFu;
     expect(FXL_E_CLUSTER, "cluster", 1);
-    made->clusters[0].cutoff = 15; /* less than rounding takes */
-    expect(FXL_E_CLUSTER, "cluster", 0);
 }
 
 /* Numbers with which both sides of the condition are the same: 142846884^2. */

@@ -49,14 +49,20 @@ static void expect(fxl_status status, const char *what, uint32_t index)
     fxl_scene_fault fault = {"-", 99};
     TEST_ASSERT_EQUAL_STRING(fxl_status_text(status),
                              fxl_status_text(fxl_motion_check(&set, &scene, &fault)));
-    TEST_ASSERT_EQUAL_STRING(what, fault.what);
-    TEST_ASSERT_EQUAL_UINT32(index, fault.index);
+    TEST_ASSERT_EQUAL_STRING(status == FXL_OK ? "-" : what, fault.what);
+    TEST_ASSERT_EQUAL_UINT32(status == FXL_OK ? 99 : index, fault.index);
     make();
 }
 
+/* The member of a motion or a key, a value, and the status that names the motion or the key. */
+#define MOTION(number, member, value, status) \
+    UNIT_FIELD(motions[number].member, value), status, "motion", number
+#define KEY(number, member, value, status) \
+    UNIT_FIELD(keys[number].member, value), status, "motion key", number
+
 static void expect_fine(void)
 {
-    expect(FXL_OK, "-", 99);
+    expect(FXL_OK, NULL, 0);
 }
 
 void test_a_scene_with_placements_is_fine(void)
@@ -109,44 +115,40 @@ void test_missing_tables_are_refused(void)
 void test_motions_take_the_keys_in_turn(void)
 {
     make();
-    motions[1].first_key = 2;
-    expect(FXL_E_INDEX, "motion", 1);
-    motions[1].key_count = 0;
-    expect(FXL_E_INDEX, "motion", 1);
-    motions[2].key_count = 3;
-    expect(FXL_E_INDEX, "motion", 2);
-    motions[2].key_count = 1;
-    expect(FXL_E_COUNT, "motion key table", 0);
+    const unit_field fields[] = {
+        {MOTION(1, first_key, 2, FXL_E_INDEX)},
+        {MOTION(1, key_count, 0, FXL_E_INDEX)},
+        {MOTION(2, key_count, 3, FXL_E_INDEX)},
+        {UNIT_FIELD(motions[2].key_count, 1), FXL_E_COUNT, "motion key table", 0},
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
 }
 
 /* formats 1.10 */
 void test_keys_are_in_order(void)
 {
     make();
-    keys[0].frame = 1;
-    expect(FXL_E_INDEX, "motion key", 0);
-    keys[3].frame = 0;
-    expect(FXL_E_INDEX, "motion key", 3);
-    keys[3].frame = 1000000;
-    expect_fine();
-    keys[3].frame = 1000001;
-    expect(FXL_E_INDEX, "motion key", 3);
+    const unit_field fields[] = {
+        {KEY(0, frame, 1, FXL_E_INDEX)},
+        {KEY(3, frame, 0, FXL_E_INDEX)},
+        {KEY(3, frame, 1000000, FXL_OK)},
+        {KEY(3, frame, 1000001, FXL_E_INDEX)},
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
 }
 
 /* formats 1.10 */
 void test_reserved_fields_are_checked(void)
 {
     make();
-    motions[1].reserved = 1;
-    expect(FXL_E_RESERVED, "motion", 1);
-    motions[1].repeats = 1;
-    expect_fine();
-    motions[1].repeats = 2;
-    expect(FXL_E_RESERVED, "motion", 1);
-    motions[1].parent = 1;
-    expect_fine();
-    motions[1].parent = 2; /* itself */
-    expect(FXL_E_RESERVED, "motion", 1);
+    const unit_field fields[] = {
+        {MOTION(1, reserved, 1, FXL_E_RESERVED)},
+        {MOTION(1, repeats, 1, FXL_OK)},
+        {MOTION(1, repeats, 2, FXL_E_RESERVED)},
+        {MOTION(1, parent, 1, FXL_OK)},
+        {MOTION(1, parent, 2, FXL_E_RESERVED)}, /* itself */
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
 }
 
 /* motion 4.1 */
@@ -155,48 +157,36 @@ void test_a_key_is_within_the_extent(void)
     make();
     keys[3].centre = (fxl_point){FXL_UNITS(9), -FXL_UNITS(9), FXL_UNITS(9)};
     expect_fine();
-    keys[3].centre.x = FXL_UNITS(9) + 1;
-    expect(FXL_E_RANGE, "motion key", 3);
-    keys[3].centre.y = -FXL_UNITS(9) - 1;
-    expect(FXL_E_RANGE, "motion key", 3);
-    keys[2].centre.z = INT32_MIN;
-    expect(FXL_E_RANGE, "motion key", 2);
-    keys[2].scale = 32767;
-    expect(FXL_E_RANGE, "motion key", 2);
-    keys[2].scale = FXL_UNITS(2);
-    expect_fine();
-    keys[2].scale = FXL_UNITS(2) + 1;
-    expect(FXL_E_RANGE, "motion key", 2);
+    const unit_field fields[] = {
+        {KEY(3, centre.x, FXL_UNITS(9) + 1, FXL_E_RANGE)},
+        {KEY(3, centre.y, -FXL_UNITS(9) - 1, FXL_E_RANGE)},
+        {KEY(2, centre.z, INT32_MIN, FXL_E_RANGE)},
+        {KEY(2, scale, 32767, FXL_E_RANGE)},
+        {KEY(2, scale, FXL_UNITS(2), FXL_OK)},
+        {KEY(2, scale, FXL_UNITS(2) + 1, FXL_E_RANGE)},
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
 }
 
 /* formats 1.10 */
 void test_numbers_of_a_motion_are_in_range(void)
 {
     make();
-    motions[0].radius = -1;
-    expect(FXL_E_RANGE, "motion", 0);
-    motions[0].extent.x = -1;
-    expect(FXL_E_RANGE, "motion", 0);
-    motions[0].extent.y = -1;
-    expect(FXL_E_RANGE, "motion", 0);
-    motions[0].extent.z = INT32_MIN;
-    expect(FXL_E_RANGE, "motion", 0);
-    motions[0].extent.y = 1 << 30;
-    expect(FXL_E_RANGE, "motion", 0);
-    motions[0].extent.z = 1 << 30;
-    expect(FXL_E_RANGE, "motion", 0);
-    motions[0].radius = INT32_MAX;
-    expect(FXL_E_RANGE, "motion", 0);
-    motions[0].axis.x = (1 << 30) - 1;
-    expect_fine();
-    motions[0].axis.y = 1 << 30;
-    expect(FXL_E_RANGE, "motion", 0);
-    motions[0].axis.z = INT32_MIN;
-    expect(FXL_E_RANGE, "motion", 0);
-    motions[0].scale_low = FXL_SCALE_MIN - 1;
-    expect(FXL_E_RANGE, "motion", 0);
-    motions[0].scale_high = FXL_SCALE_MAX + 1;
-    expect(FXL_E_RANGE, "motion", 0);
+    const unit_field fields[] = {
+        {MOTION(0, radius, -1, FXL_E_RANGE)},
+        {MOTION(0, extent.x, -1, FXL_E_RANGE)},
+        {MOTION(0, extent.y, -1, FXL_E_RANGE)},
+        {MOTION(0, extent.z, INT32_MIN, FXL_E_RANGE)},
+        {MOTION(0, extent.y, 1 << 30, FXL_E_RANGE)},
+        {MOTION(0, extent.z, 1 << 30, FXL_E_RANGE)},
+        {MOTION(0, radius, INT32_MAX, FXL_E_RANGE)},
+        {MOTION(0, axis.x, (1 << 30) - 1, FXL_OK)},
+        {MOTION(0, axis.y, 1 << 30, FXL_E_RANGE)},
+        {MOTION(0, axis.z, INT32_MIN, FXL_E_RANGE)},
+        {MOTION(0, scale_low, FXL_SCALE_MIN - 1, FXL_E_RANGE)},
+        {MOTION(0, scale_high, FXL_SCALE_MAX + 1, FXL_E_RANGE)},
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
 }
 
 /* A motion without a parent reaches its extent, its circle, its sphere and the slack. */
@@ -205,14 +195,13 @@ void test_no_frame_leaves_the_world(void)
 {
     const fxl_q16_16 room = FXL_COORDINATE_MAX - 2 * TINY_RADIUS - FXL_PLACEMENT_SLACK;
     make();
-    motions[0].extent.y = room;
-    expect_fine();
-    motions[0].extent.y = room + 1;
-    expect(FXL_E_RANGE, "motion", 0);
-    motions[0].radius = room - FXL_UNITS(9);
-    expect_fine();
-    motions[0].radius = room - FXL_UNITS(9) + 1;
-    expect(FXL_E_RANGE, "motion", 0);
+    const unit_field fields[] = {
+        {MOTION(0, extent.y, room, FXL_OK)},
+        {MOTION(0, extent.y, room + 1, FXL_E_RANGE)},
+        {MOTION(0, radius, room - FXL_UNITS(9), FXL_OK)},
+        {MOTION(0, radius, room - FXL_UNITS(9) + 1, FXL_E_RANGE)},
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
 }
 
 /* A circle adds to x and to z, each by itself, and not to y. */

@@ -212,47 +212,44 @@ void test_the_edge_of_the_world_is_exact(void)
     }
 }
 
+static fxl_world_memory init_room;
+static const fxl_scene *init_scene;
+
+static void expect_init(fxl_status status, const char *what, uint32_t index)
+{
+    (void)what;
+    (void)index;
+    TEST_ASSERT_EQUAL(status, fxl_world_init(&world, init_scene, &init_room));
+    init_room = world_memory();
+}
+
 /* world 1.1 */
 void test_init_refuses(void)
 {
     const fxl_world_memory right = world_memory();
-    fxl_world_memory room = right;
+    fxl_world_memory room = init_room = right;
     fxl_world before;
     tiny_scene *tiny = world_start();
     before = world;
-    const fxl_scene *scene = &tiny->scene;
+    const fxl_scene *scene = init_scene = &tiny->scene;
+    const unit_field fields[] = {
+        {UNIT_FIELD(init_room.instances, 0), FXL_E_ARGUMENT, NULL, 0},
+        {UNIT_FIELD(init_room.slots, 0), FXL_E_ARGUMENT, NULL, 0},
+        {UNIT_FIELD(init_room.placements, 0), FXL_E_ARGUMENT, NULL, 0},
+        {UNIT_FIELD(init_room.placement_code, 0), FXL_E_ARGUMENT, NULL, 0},
+        {UNIT_FIELD(init_room.colours, 0), FXL_E_ARGUMENT, NULL, 0},
+        {UNIT_FIELD(init_room.instances, (intptr_t)right.instances + 1), FXL_E_ALIGNMENT, NULL, 0},
+        {UNIT_FIELD(init_room.slots, (intptr_t)right.slots + 2), FXL_E_ALIGNMENT, NULL, 0},
+        {UNIT_FIELD(init_room.placements, (intptr_t)right.placements + 1), FXL_E_ALIGNMENT, NULL, 0},
+        {UNIT_FIELD(init_room.colour_count, 256), FXL_E_COUNT, NULL, 0},
+        {UNIT_FIELD(init_room.capacity, FXL_SCENE_INSTANCES_MAX - WORLD_TURNED + 1), FXL_E_COUNT,
+         NULL, 0},
+        {UNIT_FIELD(init_room.capacity, TINY_INSTANCES - 1), FXL_E_CAPACITY, NULL, 0},
+    };
+    unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect_init);
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(NULL, scene, &room));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, NULL, &room));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, NULL));
-    room.instances = NULL;
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, &room));
-    room = right;
-    room.slots = NULL;
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, &room));
-    room = right;
-    room.placements = NULL;
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, &room));
-    room = right;
-    room.placement_code = NULL;
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, &room));
-    room = right;
-    room.colours = NULL;
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, &room));
-    room = right;
-    room.instances = (fxl_instance *)((uintptr_t)right.instances + 1);
-    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_world_init(&world, scene, &room));
-    room = right;
-    room.slots = (fxl_world_slot *)((uintptr_t)right.slots + 2);
-    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_world_init(&world, scene, &room));
-    room = right;
-    room.placements = (fxl_placement *)((uintptr_t)right.placements + 1);
-    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_world_init(&world, scene, &room));
-    room = right;
-    room.colour_count = 256;
-    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_world_init(&world, scene, &room));
-    room = right;
-    room.capacity = FXL_SCENE_INSTANCES_MAX - WORLD_TURNED + 1;
-    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_world_init(&world, scene, &room));
     room.capacity = UINT32_MAX;
     room.turned_capacity = 1;
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_world_init(&world, scene, &room));
@@ -264,9 +261,6 @@ void test_init_refuses(void)
     fxl_scene crowded = *scene;
     crowded.instance_count = FXL_SCENE_INSTANCES_MAX + 1;
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_world_init(&world, &crowded, &room));
-    room = right;
-    room.capacity = TINY_INSTANCES - 1;
-    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_world_init(&world, scene, &room));
     tiny->scene.draw_list_needed = 0;
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_world_init(&world, scene, &right));
     TEST_ASSERT_EQUAL_MEMORY(&before, &world, sizeof world);

@@ -182,3 +182,15 @@ void unit_expect_hashes(const unit_hash *record, size_t count,
     }
     TEST_ASSERT_EQUAL_UINT32(0, wrong);
 }
+
+void unit_expect_fields(const unit_field *fields, size_t count,
+                        void (*expect)(fxl_status status, const char *what, uint32_t index))
+{
+    for (size_t i = 0; i < count; i++) {
+        UNITY_SET_DETAIL(fields[i].change);
+        memcpy(fields[i].member, &fields[i].value,
+               fields[i].bytes); /* all cores are little-endian */
+        expect(fields[i].status, fields[i].what, fields[i].index);
+    }
+    UNITY_CLR_DETAILS();
+}

@@ -93,6 +93,22 @@ typedef struct {
 void unit_expect_hashes(const unit_hash *record, size_t count,
                         uint32_t (*hash_of)(uint8_t division, uint32_t with));
 
+/* A member of a record that becomes another value, and what a check says then. */
+typedef struct {
+    const char *change; /* what a failure prints */
+    void *member;
+    size_t bytes;
+    int64_t value;
+    fxl_status status;
+    const char *what; /* of the fault */
+    uint32_t index;
+} unit_field;
+#define UNIT_FIELD(member, value) #member " = " #value, &(member), sizeof(member), (value)
+
+/* Makes each change alone. expect asks the check, and puts the record back. */
+void unit_expect_fields(const unit_field *fields, size_t count,
+                        void (*expect)(fxl_status status, const char *what, uint32_t index));
+
 /* |a - b| <= bound, in double; Unity's own floats are off on the target. */
 #define TEST_ASSERT_NEAR(a, b, bound) \
     TEST_ASSERT_TRUE_MESSAGE(unit_near((double)(a), (double)(b), (double)(bound)), \
