@@ -26,9 +26,9 @@ $(JUDGES)/judge/%.o: JUDGES_SEE += -D_POSIX_C_SOURCE=200809L -pthread
 # Of other folders: a board's walk along a path, spans that count their pixels, and rotations in long double.
 JUDGES_PATH := $(JUDGES)/frames/path.o
 $(JUDGES_PATH): firmware/walk/path.c
-$(JUDGES)/visibility/counted_spans.o: host_tests/unit/counted_spans.c
+$(JUDGES)/visibility/painters.o: host_tests/unit/painters.c
 $(BUILD)/host/objects/unit/exact_placement.o: host_tests/unit/exact_placement.c
-$(JUDGES_PATH) $(JUDGES)/visibility/counted_spans.o $(BUILD)/host/objects/unit/exact_placement.o:
+$(JUDGES_PATH) $(JUDGES)/visibility/painters.o $(BUILD)/host/objects/unit/exact_placement.o:
 	$(MAKE_FOLDER)
 	$(SAY)
 	$(JUDGES_CC) $(JUDGES_SEE) -MMD -MP -c $< -o $@
@@ -54,7 +54,7 @@ JUDGES_MOVING := $(JUDGES)/frames/moving_reference.o
 
 # --- frames by every visibility method, against each other -------------------------------------------------------------
 
-$(BUILD)/host/hidden: $(call JUDGES_OBJECTS,visibility) $(JUDGES)/visibility/counted_spans.o $(JUDGES_SESSION) $(HOST_LIBRARIES)
+$(BUILD)/host/hidden: $(call JUDGES_OBJECTS,visibility) $(JUDGES)/visibility/painters.o $(JUDGES_SESSION) $(HOST_LIBRARIES)
 	$(SAY)
 	$(HOSTCC) $^ -o $@
 

@@ -1,8 +1,59 @@
 /* SPDX-License-Identifier: MIT */
 #include "painters.h"
 
+#include <string.h>
+
 #include "draw/submit.h"
+#include "raster/fill.h"
+#include "raster/scan.h"
 #include "study/study.h"
+#include "study/targets.h"
+
+static const uint8_t *counted_pixels;
+static uint8_t *counted_writes;
+
+static void count_and_fill(uint8_t *pixel, uint8_t *end, uint32_t four)
+{
+    for (const uint8_t *at = pixel; at < end; at++) {
+        counted_writes[at - counted_pixels]++;
+    }
+    fxl_fill_row(pixel, end, four);
+}
+
+/* The library's source, its functions by other names and its fill counted. */
+#define fxl_span_buffer_make  counted_span_buffer_make
+#define fxl_span_buffer_begin counted_span_buffer_begin
+#define fxl_span_buffer_draw  counted_span_buffer_draw
+#define fxl_fill_row          count_and_fill
+#include "../../lib/study/span_buffer.c"
+
+static bool paint_counted(fxl_workspace *workspace, const fxl_screen_polygon *polygon,
+                          const fxl_band *band)
+{
+    fxl_scan *scan = &workspace->work.scan;
+    const fxl_trapezoid *trapezoid;
+    fxl_scan_outline(polygon->points, polygon->count, band, scan);
+    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+        if (!counted_span_buffer_draw(workspace->target_memory, trapezoid, polygon->colour, band)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static fxl_target counting_spans;
+static choice counted;
+const choice *counted_begin(uint8_t *writes, const uint8_t *pixels, uint32_t count)
+{
+    counted_writes = writes;
+    counted_pixels = pixels;
+    memset(writes, 0, count);
+    counting_spans = fxl_palette_spans;
+    counting_spans.flat = paint_counted;
+    counted = choice_spans;
+    counted.target = &counting_spans;
+    return &counted;
+}
 
 static struct {
     uint8_t background;

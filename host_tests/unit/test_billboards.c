@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "frame_bands.h"
-#include "board_scene.h"
+#include "tiny_frames.h"
 
 enum {
     BACKGROUND = 250

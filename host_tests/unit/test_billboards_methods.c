@@ -4,7 +4,6 @@
 #include "choices.h"
 #include "frame_bands.h"
 #include "tiny.h"
-#include "board_scene.h"
 #include "tiny_frames.h"
 #include "study/targets.h"
 

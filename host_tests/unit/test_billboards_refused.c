@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Billboards that are refused: wrong tables, and null pointers. */
-#include "board_scene.h"
+#include "tiny_frames.h"
 
 static board_scene scene;
 

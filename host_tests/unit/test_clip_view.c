@@ -2,7 +2,7 @@
 /* The rules of clipping in the view, worked out by hand; what a new vertex may
  * err by stands in test_clip_view_bounds.c. */
 #include "clip/clip_view.h"
-#include "plane_cases.h"
+#include "clip_unit.h"
 #include "unit.h"
 #include "view/outcode.h"
 #include "view/view.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Distances and new vertices of the view against exact arithmetic, over the
  * whole range. */
-#include "plane_cases.h"
+#include "clip_unit.h"
 #include "unit.h"
 #include "wide.h"
 

@@ -2,7 +2,7 @@
 /* Polygons of the world, cut by one plane, and by the planes of a frustum. */
 #include <math.h>
 
-#include "plane_cases.h"
+#include "clip_unit.h"
 #include "unit.h"
 #include "study/clip_world.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The span buffer: each pixel is drawn once, by the first that covers it. */
-#include "counted_spans.h"
+#include "painters.h"
 #include "unit.h"
 #include "study/span_buffer.h"
 

@@ -3,7 +3,7 @@
  * and a face that is cut shows the texels of the whole face. */
 #include "bsp_scene.h"
 #include "frame_bands.h"
-#include "board_scene.h"
+#include "tiny_frames.h"
 
 enum {
     WIDTH = 48,

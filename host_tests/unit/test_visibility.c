@@ -2,7 +2,7 @@
 /* What hides what: front to back is back to front turned round, and the picture the same. */
 #include "../../lib/draw/submit.h"
 #include "choices.h"
-#include "counted_spans.h"
+#include "painters.h"
 #include "frame_bands.h"
 #include "tiny.h"
 #include "tiny_frames.h"

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "counted_spans.h"
+#include "painters.h"
 #include "frames/input.h"
 #include "frames/session.h"
 #include "path.h"
