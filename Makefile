@@ -162,6 +162,8 @@ endif
 # What is built, where something is. A command alone builds nothing itself, but calls a make for that: it needs no rules of
 # programs, which take make most of the time that it reads.
 BUILT_GOALS := $(filter-out help $(COMMANDS),$(MAKECMDGOALS))
+# Those that are no program of a board or of the host: they may need the rules of tests and of the bench, two thirds of all.
+WIDE_GOALS := $(strip $(foreach goal,$(BUILT_GOALS),$(if $(filter $(BUILD)/host/ $(BOARDS:%=$(BUILD)/boards/%/),$(dir $(goal))),,$(goal))))
 
 include $(wildcard lib/lib.mk)
 include $(wildcard firmware/firmware.mk)
@@ -173,14 +175,18 @@ include firmware/equality/equality.mk
 # On which headers the objects depend, as the compilers wrote it: thousands of files, a second to
 # read. A command has its files built by a sub-make, so a make of commands alone reads none of
 # them. Programs of boards and of the host, and the library, depend on no object of the tests or of
-# the bench, two thirds of all. seeded_bugs holds whole copies of the project, and prove the files of packages, of which a
+# the bench, nor of another core, four fifths of all. seeded_bugs holds whole copies of the project, and prove the files of packages, of which a
 # folder ends in .d.
-APART := $(addprefix $(BUILD)/,host/unit host/fuzz host/coverage core/*/unit boards/*/unit bench equality)
-ifeq ($(filter-out $(BUILD)/host/ $(BOARDS:%=$(BUILD)/boards/%/),$(dir $(filter-out lib,$(MAKECMDGOALS)))),)
+APART := $(addprefix $(BUILD)/,host/unit host/fuzz host/coverage boards/*/unit)
+GOAL_FOLDERS := $(dir $(BUILT_GOALS))
+READ_FROM := $(BUILD)
+ifeq ($(WIDE_GOALS),)
 UNREAD := $(foreach folder,$(APART),-path '$(folder)' -prune -o)
+READ_FROM := $(if $(filter lib,$(MAKECMDGOALS)),$(LIB_OUT)) $(if $(filter $(BUILD)/host/ $(BUILD)/boards/host/,$(GOAL_FOLDERS)),$(BUILD)/host $(BUILD)/boards/host) \
+    $(foreach board,$(BOARDS),$(if $(filter $(BUILD)/boards/$(board)/,$(GOAL_FOLDERS)),$(BUILD)/boards/$(board) $(call BOARD_CORE_OUT,$(board))/lib))
 endif
 ifneq ($(BUILT_GOALS)$(filter lib,$(MAKECMDGOALS)),)
--include $(shell find $(BUILD) -name seeded_bugs -prune -o -path $(BUILD)/prove -prune -o $(UNREAD) -name '*.d' -type f -print 2>/dev/null)
+-include $(sort $(shell find $(READ_FROM) -name seeded_bugs -prune -o -path $(BUILD)/prove -prune -o $(UNREAD) -name '*.d' -type f -print 2>/dev/null))
 endif
 
 HOST_WALK := $(call WALK_OF,host)

@@ -155,7 +155,7 @@ $(foreach real,double float,
 $(BENCH_OUT)/$(1)/$(real)/%.o: bench/listing/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -DLISTING_$(real)=1)
 )
-$(if $(BUILT_GOALS),$(foreach program,$(call BENCH_PROGRAMS_OF,$(1)),$(call BENCH_PROGRAM_RULES,$(1),$(program))$(newline)$(newline)))
+$(if $(WIDE_GOALS),$(foreach program,$(call BENCH_PROGRAMS_OF,$(1)),$(call BENCH_PROGRAM_RULES,$(1),$(program))$(newline)$(newline)))
 endef
 
 # $(1): the core, $(2): what its flags are called here, $(3): a folder.
@@ -165,7 +165,7 @@ $(call LIB_RULES,$(BENCH_OUT)/$(1)/$(3)lib,$$(call FIRMWARE_COMPILE,$$($(2).$(1)
 endef
 
 $(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_RULES,$(core)))\
-    $(if $(BUILT_GOALS),$(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC,))\
+    $(if $(WIDE_GOALS),$(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC,))\
     $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_OS,os/))\
     $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_ARDUINO,arduino/))\
     $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_SMALL,small/))\
@@ -214,7 +214,7 @@ $(BENCH_OUT)/m3/programs/$(1)/libfixel.a: $(call BENCH_PLACES,m3,$(BENCH_NEEDED:
 	@rm -f $$@
 	@$(CROSS)ar rcs $$@ $$^
 endef
-$(if $(BUILT_GOALS),$(foreach flag,os small,$(eval $(call BENCH_PROGRAM_LIBRARY_RULES,$(flag)))))
+$(if $(WIDE_GOALS),$(foreach flag,os small,$(eval $(call BENCH_PROGRAM_LIBRARY_RULES,$(flag)))))
 
 define BENCH_CORE_SIZE_RULES
 BENCH_CC_OS.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) -Os $(BENCH_CFLAGS)
@@ -230,7 +230,7 @@ $(foreach real,double float,
 $(BENCH_OUT)/$(1)/os/$(real)/%.o: bench/listing/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) -DLISTING_$(real)=1)
 )
-$(if $(BUILT_GOALS),$(foreach flag,O2 Os,$(foreach renderer,$(BENCH_SIZED),$(call BENCH_SIZE_RULES,$(1),$(renderer),$(flag))$(newline)$(newline)))
+$(if $(WIDE_GOALS),$(foreach flag,O2 Os,$(foreach renderer,$(BENCH_SIZED),$(call BENCH_SIZE_RULES,$(1),$(renderer),$(flag))$(newline)$(newline)))
 $(call BENCH_SIZE_RULES,$(1),fixel,small)
 $(call BENCH_SIZE_RULES,$(1),fixel,small-flto))
 endef
@@ -259,12 +259,12 @@ $(BENCH_OUT)/$(1)/$(2)/draw_costs.o: bench/firmware/draw_costs.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $(call COSTS_FLAGS,$(2)))
 endef
 $(foreach core,$(COSTED_CORES),$(foreach size,$(COSTS_SIZES),$(eval $(call COSTS_RULES,$(core),$(size)))\
-    $(if $(BUILT_GOALS),$(eval $(call BENCH_PROGRAM_RULES,$(core),costs-$(size))))))
+    $(if $(WIDE_GOALS),$(eval $(call BENCH_PROGRAM_RULES,$(core),costs-$(size))))))
 COSTS_PROGRAMS := $(foreach core,$(COSTED_CORES),$(COSTS_SIZES:%=$(BENCH_OUT)/$(core)/costs-%.elf))
 # What the tool is told: NAME=rows:words:entries:more.
 COSTS_SETTINGS := $(foreach size,$(COSTS_SIZES),$(size)=$(subst $(space),:,$(COSTS_$(size))))
 
-$(if $(BUILT_GOALS),$(foreach kind,$(filter-out /%,$(CELLS_KINDS)),$(eval $(call BENCH_PROGRAM_RULES,$(patsubst %/,%,$(dir $(kind))),$(notdir $(kind))))))
+$(if $(WIDE_GOALS),$(foreach kind,$(filter-out /%,$(CELLS_KINDS)),$(eval $(call BENCH_PROGRAM_RULES,$(patsubst %/,%,$(dir $(kind))),$(notdir $(kind))))))
 
 # $(1): cores.
 BENCH_BUILT_OF = $(BENCH_COUNTER) $(foreach core,$(1),$(BENCH_PROGRAMS.$(core)) $(BENCH_SIZES.$(core)))

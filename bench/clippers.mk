@@ -37,7 +37,7 @@ define CLIPPERS_CORE
 CLIPPERS_OBJECTS.$(1) := $(call CLIPPERS_OBJECTS_OF,$(1)) $(call BENCH_PARTS_OF,$(1),fixel) $(call BOARD_LINK_SCRIPTS,$(BENCH_BOARD.$(1)))
 CLIPPERS_SIZED.$(1) := $(call CLIPPERS_SIZED_OF,$(1))
 endef
-$(if $(BUILT_GOALS),$(foreach core,$(CLIPPERS_CORES),$(eval $(call CLIPPERS_CORE,$(core)))))
+$(if $(WIDE_GOALS),$(foreach core,$(CLIPPERS_CORES),$(eval $(call CLIPPERS_CORE,$(core)))))
 CLIPPERS_SIZE_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
     -Wl,--gc-sections,--no-warn-rwx-segments,-Map,$(@:.elf=.map),-e,fxl_frame_draw $(CLIPPERS_ROOTS:%=-Wl,-u,%)
 
@@ -53,7 +53,7 @@ $(BENCH_OUT)/$(1)/clippers/size/$(call CLIPPERS_NAME,$(2),$(3)).elf: \
 	$$(call FIRMWARE_LINK,$$(call CLIPPERS_SIZE_LINK,$(1)) $$(filter %.o,$$^) -lgcc)
 
 endef
-$(if $(BUILT_GOALS),$(foreach core,$(CLIPPERS_CORES),$(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden,$(CLIPPERS_HIDDEN),\
+$(if $(WIDE_GOALS),$(foreach core,$(CLIPPERS_CORES),$(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden,$(CLIPPERS_HIDDEN),\
     $(eval $(call CLIPPERS_PROGRAM_RULES,$(core),$(clipper),$(hidden)))))))
 
 # $(1): the core, $(2): a clipper, with the first of what hides what.
@@ -64,7 +64,7 @@ $(BENCH_OUT)/$(1)/clippers/operations/$(call CLIPPERS_PART,$(2),1).elf: $(BENCH_
 	$$(call FIRMWARE_LINK,$$(call BENCH_LINK,$(1)) $$(filter %.o,$$^) -lgcc)
 
 endef
-$(if $(BUILT_GOALS),$(foreach core,$(CLIPPERS_CORES),$(foreach clipper,$(CLIPPERS_CLIPPERS),\
+$(if $(WIDE_GOALS),$(foreach core,$(CLIPPERS_CORES),$(foreach clipper,$(CLIPPERS_CLIPPERS),\
     $(eval $(call CLIPPERS_OPERATIONS_RULES,$(core),$(clipper))))))
 
 # --- the host ----------------------------------------------------------------------
@@ -93,7 +93,7 @@ $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)): $(COMPARISON_OUT)/$(call CLIP
 	$$(HOSTCC) $$(filter-out %.mk,$$^) -lm -o $$@
 
 endef
-$(if $(BUILT_GOALS),$(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden,$(CLIPPERS_HIDDEN),\
+$(if $(WIDE_GOALS),$(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden,$(CLIPPERS_HIDDEN),\
     $(eval $(call COMPARISON_RULES,$(clipper),$(hidden))))))
 
 # What ONLY= names of the words $(1); all of them if it names none.

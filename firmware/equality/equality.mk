@@ -38,7 +38,7 @@ $(EQUALITY_OUT)/portable/$(1).a: $(patsubst %,$(EQUALITY_OUT)/portable/$(1)/%.o,
 	@$(CROSS)nm -g --defined-only $$@.fxl | sed -n 's/.* \(fxl_\([a-zA-Z0-9_]*\)\)$$$$/\1 portable_\2/p' > $$@.names
 	@$(CROSS)objcopy --redefine-syms=$$@.names --remove-section=.ARM.attributes $$@.fxl $$@
 endef
-$(if $(BUILT_GOALS),$(foreach core,$(EQUALITY_PORTABLE_CORES),$(eval $(call EQUALITY_PORTABLE_RULES,$(core)))))
+$(if $(WIDE_GOALS),$(foreach core,$(EQUALITY_PORTABLE_CORES),$(eval $(call EQUALITY_PORTABLE_RULES,$(core)))))
 
 define EQUALITY_RULES
 EQUALITY_CC.$(1) := $(filter-out -g,$($(EQUALITY_FLAGS).$(EQUALITY_CORE))) $(EQUALITY_CFLAGS) \
@@ -57,6 +57,6 @@ $(EQUALITY_OUT)/$(1).elf: $(EQUALITY_OBJECTS:%=$(EQUALITY_OUT)/$(1)/%) \
         $(call BOARD_LINK_SCRIPTS,$(BENCH_BOARD.$(EQUALITY_CORE))) bench/bench.mk
 	$$(call FIRMWARE_LINK,$$(call BENCH_LINK,$(EQUALITY_CORE)) $$(filter %.o %.a,$$^) $$(filter %.a,$$^) -lgcc)
 endef
-$(if $(BUILT_GOALS),$(foreach kind,$(EQUALITY_KINDS),$(eval $(call EQUALITY_RULES,$(kind)))))
+$(if $(WIDE_GOALS),$(foreach kind,$(EQUALITY_KINDS),$(eval $(call EQUALITY_RULES,$(kind)))))
 
 EQUALITY_PROGRAMS := $(EQUALITY_KINDS:%=$(EQUALITY_OUT)/%.elf)

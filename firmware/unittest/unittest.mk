@@ -72,7 +72,7 @@ $(BOARD_TESTS:%=$(CORE_OUT)/$(1)/unit/%.o): $(CORE_OUT)/$(1)/unit/%.o: firmware/
 $(CORE_OUT)/$(1)/unit/unity.o: $(UNITY_DIR)/src/unity.c firmware/unittest/unittest.mk
 	$$(call FIRMWARE_COMPILE,$$(call BOARD_TEST_FOREIGN_CC,$(1)))
 endef
-$(if $(BUILT_GOALS),$(foreach core,$(CORES_SHARED),$(eval $(call CORE_TEST_RULES,$(core)))))
+$(if $(WIDE_GOALS),$(foreach core,$(CORES_SHARED),$(eval $(call CORE_TEST_RULES,$(core)))))
 $(foreach core,$(UNIT_ASSERT_CORE),$(eval $(call LIB_RULES,$(CORE_OUT)/$(core)/unit/lib,\
     $$(call FIRMWARE_COMPILE,$$(filter-out -g,$$(CORE_CC.$(core))) -Ilib/include $$(CORE_TUNE.$(core)) -DFXL_ASSERT_HOOK),firmware/firmware.mk)))
 

@@ -60,7 +60,7 @@ $(UNIT_ARCHIVES):
 # A test links the helpers and the stages that it names, and what these use (lib/needs.py). $(1): its name.
 UNIT_OBJECTS_OF = $(addprefix $(UNIT_OUT)/,$(1).o $(1)_main.o unity.o assert.o $(UNIT_HELPERS.host_tests/unit/$(1).c:%=%.o) \
     $(patsubst %,lib/%.o,$(filter $(LIB_HOST_NAMES),$(call LIB_NEEDED,host_tests/unit/$(1).c))))
-$(if $(BUILT_GOALS),$(foreach program,$(UNIT_PROGRAMS),$(eval $(program): $(call UNIT_OBJECTS_OF,$(notdir $(program))))))
+$(if $(WIDE_GOALS),$(foreach program,$(UNIT_PROGRAMS),$(eval $(program): $(call UNIT_OBJECTS_OF,$(notdir $(program))))))
 $(UNIT_PROGRAMS): $(UNIT_PART_OBJECTS)
 	$(SAY)
 	$(HOSTCC) -fsanitize=address,undefined $^ -o $@ -lm
