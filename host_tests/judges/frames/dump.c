@@ -24,10 +24,13 @@ static void put_number(dump *to, uint64_t value, int size)
 }
 
 /* place pixel-format: the option pixels, the targets, frames as files */
-void dump_begin(dump *to, FILE *file, const fxl_scene_image *image, uint32_t frames,
+bool dump_begin(dump *to, const char *path, const fxl_scene_image *image, uint32_t frames,
                 uint8_t pixel_bits)
 {
-    *to = (dump){.file = file, .crc = UINT32_MAX, .pixel_bits = pixel_bits};
+    *to = (dump){.file = fopen(path, "wb"), .crc = UINT32_MAX, .pixel_bits = pixel_bits};
+    if (!to->file) {
+        return false;
+    }
     put(to, "FXLD", 4);
     put_number(to, 3, 2);
     put_number(to, image->lens.width, 2);
@@ -35,6 +38,7 @@ void dump_begin(dump *to, FILE *file, const fxl_scene_image *image, uint32_t fra
     put_number(to, pixel_bits, 2);
     put_number(to, frames, 4);
     put(to, image->palette, 768);
+    return true;
 }
 
 void dump_frame(dump *to, const fxl_pose *pose, const void *pixels, size_t area,
@@ -68,5 +72,5 @@ bool dump_end(dump *to)
     put(to, "FEND", 4);
     put_number(to, to->frames, 4);
     put_number(to, to->crc ^ UINT32_MAX, 4);
-    return !to->failed;
+    return fclose(to->file) == 0 && !to->failed;
 }

@@ -16,12 +16,13 @@ typedef struct {
     bool failed;
 } dump;
 
-void dump_begin(dump *to, FILE *file, const fxl_scene_image *image, uint32_t frames,
+/* Opens the file and writes the head. Returns false where it cannot be written. */
+bool dump_begin(dump *to, const char *path, const fxl_scene_image *image, uint32_t frames,
                 uint8_t pixel_bits);
 void dump_frame(dump *to, const fxl_pose *pose, const void *pixels, size_t area,
                 const fxl_counters *counters, uint32_t clamped);
 
-/* False where something could not be written. */
+/* Closes the file. Returns false where something could not be written. */
 bool dump_end(dump *to);
 
 #endif

@@ -199,31 +199,21 @@ int main(int count, char **arguments)
     }
     uint32_t frames = run.image.frame_count;
     frames = wanted.frames > 0 && wanted.frames < frames ? wanted.frames : frames;
-    FILE *file = fopen(wanted.files[1], "wb");
-    if (!file) {
+    dump to, picks;
+    sums counted = {0};
+    if (!dump_begin(&to, wanted.files[1], &run.image, frames, session_pixel_bits(&run))) {
         return fail(wanted.files[1], "it cannot be written");
     }
-    dump to;
-    sums counted = {0};
-    dump_begin(&to, file, &run.image, frames, session_pixel_bits(&run));
-    dump picks;
-    FILE *pick_file = wanted.picks ? fopen(wanted.picks, "wb") : NULL;
-    if (wanted.picks && !pick_file) {
+    if (wanted.picks && !dump_begin(&picks, wanted.picks, &run.image, frames, 8)) {
         return fail(wanted.picks, "it cannot be written");
     }
-    if (pick_file) {
-        dump_begin(&picks, pick_file, &run.image, frames, 8);
-    }
-    fxl_status status = draw_all(&wanted, &run, &to, pick_file ? &picks : NULL, frames, &counted);
+    const fxl_status status =
+        draw_all(&wanted, &run, &to, wanted.picks ? &picks : NULL, frames, &counted);
     if (status != FXL_OK) {
-        fclose(file);
         return fail(wanted.files[0], fxl_status_text(status));
     }
-    bool saved = dump_end(&to);
-    if (pick_file) {
-        saved = dump_end(&picks) && fclose(pick_file) == 0 && saved;
-    }
-    if (fclose(file) != 0 || !saved) {
+    const bool is_saved = dump_end(&to);
+    if ((wanted.picks && !dump_end(&picks)) || !is_saved) {
         return fail(wanted.files[1], "it cannot be written");
     }
     printf("{\"clipper\": \"%s\", \"hidden\": \"%s\", \"frames\": %" PRIu32 ", \"drawn\": %" PRIu64

@@ -106,15 +106,12 @@ static bool draw_all(const session *run, const ref_lens *lens, moving_reference 
 static int save(const char *out, const session *run, const ref_lens *lens, moving_reference *moving,
                 uint32_t frames, findings *found)
 {
-    FILE *file = fopen(out, "wb");
     dump to;
-    if (!file) {
+    if (!dump_begin(&to, out, &run->image, frames, 8)) {
         return fail(out, strerror(errno));
     }
-    dump_begin(&to, file, &run->image, frames, 8);
     const bool done = draw_all(run, lens, moving, &to, frames, found);
-    const bool saved = dump_end(&to);
-    if (fclose(file) != 0 || !saved) {
+    if (!dump_end(&to)) {
         return fail(out, "it cannot be written");
     }
     return done ? 0 : fail(out, "a frame cannot be drawn");

@@ -101,16 +101,13 @@ static int run(spy_sides sides, const char *scene, const char *out, uint32_t fra
     if (status != FXL_OK || !spy_begin(&run.renderer, sides)) {
         return fail(scene, fxl_status_text(status));
     }
-    FILE *file = fopen(out, "wb");
-    if (!file) {
-        return fail(out, "it cannot be written");
-    }
     frames = frames > 0 ? frames : run.image.frame_count;
     dump to;
-    dump_begin(&to, file, &run.image, frames, 8);
+    if (!dump_begin(&to, out, &run.image, frames, 8)) {
+        return fail(out, "it cannot be written");
+    }
     status = draw_all(&run, &to, frames);
-    const bool saved = dump_end(&to);
-    if (fclose(file) != 0 || !saved) {
+    if (!dump_end(&to)) {
         return fail(out, "it cannot be written");
     }
     if (status != FXL_OK) {
