@@ -33,7 +33,7 @@ SETTINGS_OF_TESTS := BUILD PY MAKE
 
 # A value is text and never runs. make would expand a $(shell ...) in it at each use, and once more when it exports the
 # variable; a recipe would hand its quotes to the shell. So each variable that the user gives is taken literally and
-# exported, and no recipe names one: tools/fixel/base/make_variables.py makes a tool's options of them. What the tests
+# exported, and no recipe names one: tools/fixel/base/make.py makes a tool's options of them. What the tests
 # set is not exported, nor read from the environment.
 OF_COMMAND_LINE := $(foreach name,$(VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
 GIVEN := $(foreach name,$(VARIABLES) $(SETTINGS),$(if $(filter command environment,$(firstword $(origin $(name)))),$(name)))

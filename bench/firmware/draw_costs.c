@@ -14,7 +14,7 @@
 #define DRAW_ORDER_ENTRIES 8192u
 #endif
 #ifndef DRAW_ROOM_BYTES
-#define DRAW_ROOM_BYTES (8u * DRAW_LIST_WORDS + 65536u) /* room_of in costs_renewal.py */
+#define DRAW_ROOM_BYTES (8u * DRAW_LIST_WORDS + 65536u) /* room_of in costs.py */
 #endif
 
 static fxl_draw_entry order[DRAW_ORDER_ENTRIES];

@@ -3,7 +3,7 @@
 # programs $(BOARD_UNITS_FOLDER.<board>)/units-NN.elf, of many files each; programs.py
 # finds which files fit the board, and $(BOARD_UNITS.<board>) says it: units.json.
 #
-# fixel test runs each by fixel.board.units. On a board a failing TEST_ASSERT ends one test;
+# fixel test runs each by fixel.board.unit_tests. On a board a failing TEST_ASSERT ends one test;
 # a fault, or a failed assertion of the library, ends the program and counts as one test failed;
 # then the program runs once more, from the next file on.
 

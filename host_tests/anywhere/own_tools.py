@@ -5,8 +5,8 @@ import json
 
 from board_programs import ROOT, built, made
 from conftest import run_cli, run_make
-from fixel.board import frame_crc, unit_tests
-from fixel.check import frozen_frames
+from fixel.board import crc, unit_tests
+from fixel.check import frame_hashes
 from fixel.scene import making, target
 
 SCENES = [("plaza", []), ("spin", []), ("room", ["PIXELS=rgb565"]), ("gallery", ["DEPTH=16"]), ("knot", [])]
@@ -39,9 +39,9 @@ def draw_exported(board, folder, name):
     assert done.returncode == 0, done.stderr
     made("build/host/frames")
     making.build(str(source), str(folder / "scene.fxls"), asked=target.Target(depth=depth))
-    frames = frozen_frames.drawn_by_host(folder / "scene.fxls", ROOT / "build", folder).frames[:2]
+    frames = frame_hashes.drawn_by_host(folder / "scene.fxls", ROOT / "build", folder).frames[:2]
     _, summary = run(board, folder / "out", f"PROGRAM={own}", "FRAMES=2")
-    assert summary["frame_crc"] == frame_crc.drawn(frames).each and summary["host_frames_equal"]
+    assert summary["frame_crc"] == crc.drawn(frames).each and summary["host_frames_equal"]
 
 
 def draw_game(board, out, words):

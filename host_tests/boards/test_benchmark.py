@@ -7,13 +7,13 @@ import subprocess
 import pytest
 from board_programs import ROOT, built
 from fixel.base.errors import ToolError
-from fixel.board import benchmarking
+from fixel.board import benchmark
 
 
 def test_the_lines_have_the_crcs_of_the_page():
     page = (ROOT / "docs/results.md").read_text(encoding="utf-8")
     promised = dict(re.findall(r"^\| (\w+) \| `([0-9a-f]{8})` \|", page, re.MULTILINE))
-    lines = [match.groupdict() for match in benchmarking.LINE.finditer(benchmarking.run(built("host/benchmark"), "host"))]
+    lines = [match.groupdict() for match in benchmark.LINE.finditer(benchmark.run(built("host/benchmark"), "host"))]
     assert {line["scene"]: line["crc"] for line in lines} == promised and len(promised) == 3
     assert all(line["board"] == "host" and line["clock"] == "0" for line in lines)
 
@@ -25,7 +25,7 @@ def test_a_run_that_was_not_whole_is_refused(tmp_path, said, code):
     program.write_text(f"#!/bin/sh\nprintf '{said}\\n'\nexit {code}\n", encoding="ascii")
     program.chmod(0o755)
     with pytest.raises(ToolError, match="did not end as it should"):
-        benchmarking.run(program, "host")
+        benchmark.run(program, "host")
 
 
 def test_a_board_without_a_main_is_refused():

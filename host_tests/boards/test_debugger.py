@@ -19,7 +19,7 @@ from board_programs import BOARD, ROOT, built, fake_qemu
 from conftest import LAUNCHER, assert_one_sentence, environment, run_cli
 from fixel.base import limits
 from fixel.scene import making
-from fixel.board import debugger, flash_memory, qemu
+from fixel.board import gdb, flash_memory, qemu
 
 ELSEWHERE = "stm32vldiscovery"  # its flash does not begin at 0
 
@@ -97,7 +97,7 @@ def test_numbers_and_angles_are_printed_readably(tmp_path):
     subprocess.run(["gcc", "-g", f"-I{ROOT / 'lib' / 'include'}", tmp_path / "numbers.c", "-o", tmp_path / "numbers"], check=True)
     names = ("length", "sine", "part", "product", "left", "quarter", "plain", "/r length")
     asked = [word for name in names for word in ("-ex", f"print{name}" if name.startswith("/") else f"print {name}")]
-    done = subprocess.run([debugger.GDB, "-nx", "-q", "-batch", "-ex", f"source {debugger.PRINTERS}", *asked, tmp_path / "numbers"],
+    done = subprocess.run([gdb.GDB, "-nx", "-q", "-batch", "-ex", f"source {gdb.PRINTERS}", *asked, tmp_path / "numbers"],
                           text=True, capture_output=True, check=True)
     assert [line.partition(" = ")[2] for line in done.stdout.splitlines()] == [
         "-2.5 [-163840]", "0.5 [536870912]", "1 [2147483648]", "-0.75 [-52776558133248]", "-12 degrees [0xf7777777]",

@@ -12,7 +12,7 @@ from PIL import Image
 from conftest import CHECKOUT
 from fixel.base import picture
 from fixel.image import image_surface
-from fixel.report import examples, looks
+from fixel.report import examples, first_program
 from fixel.scene import compiler, look
 
 BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "host/judge", "host/libfixel.a", "host/frames")
@@ -158,21 +158,21 @@ LOOKS = re.findall(r"^\| !\[(\w+)\]\(looks/(\w+)\.png\) \| .* \| `([^`]+)`; `([^
 
 
 def test_the_page_has_every_pair_with_its_commands():
-    assert [(name, wrong, right) for name, _, wrong, right in LOOKS] == [(name, wrong, right) for name, (wrong, right, _) in looks.LOOKS.items()]
+    assert [(name, wrong, right) for name, _, wrong, right in LOOKS] == [(name, wrong, right) for name, (wrong, right, _) in first_program.LOOKS.items()]
     assert all(name == file for name, file, *_ in LOOKS) and len(LOOKS) > 5
-    assert sorted(file.stem for file in (CHECKOUT / "docs" / "looks").glob("*.png")) == sorted(looks.LOOKS)
+    assert sorted(file.stem for file in (CHECKOUT / "docs" / "looks").glob("*.png")) == sorted(first_program.LOOKS)
 
 
 def test_the_page_shows_the_commands_of_a_half():
-    assert f".venv/bin/fixel build docs/looks/open.toml --screen {looks.SCREEN} --frames {looks.FRAMES} -o open.fxls" in LOOKS_PAGE
-    assert "--look backs" in LOOKS_PAGE and list(looks.LOOKS).index("backs") == 2
+    assert f".venv/bin/fixel build docs/looks/open.toml --screen {first_program.SCREEN} --frames {first_program.FRAMES} -o open.fxls" in LOOKS_PAGE
+    assert "--look backs" in LOOKS_PAGE and list(first_program.LOOKS).index("backs") == 2
 
 
-@pytest.mark.parametrize("name", list(looks.LOOKS))
+@pytest.mark.parametrize("name", list(first_program.LOOKS))
 def test_a_pair_is_what_the_page_shows(build, name):
-    drawn = numpy.array(looks.pair(build / "host" / "frames", name))
+    drawn = numpy.array(first_program.pair(build / "host" / "frames", name))
     assert numpy.array_equal(drawn, numpy.array(Image.open(CHECKOUT / "docs" / "looks" / f"{name}.png").convert("RGB")))
-    width = (drawn.shape[1] - looks.GAP) // 2
+    width = (drawn.shape[1] - first_program.GAP) // 2
     differs = (drawn[:, :width] != drawn[:, -width:]).any(axis=2)
     assert differs.mean() > 0.01
 

@@ -18,7 +18,7 @@ import pytest
 
 from board_programs import built, flashed
 from fixel.base import output
-from fixel.board import dump, dump_file, emulator, firmware
+from fixel.board import dump, emulator, firmware
 from fixel.image import image
 from fixel.board.programs import HostPrograms
 from fixel.board.session import Session, touch_keys
@@ -127,7 +127,7 @@ def play(scene, folder):
         gate.open()
         assert board.wait_for_end(120) == emulator.exit_code("DONE"), board.text()
     gate.finish()
-    dump_file.check(gate.file, FRAMES)
+    dump.check(gate.file, FRAMES)
     return dump.read_dump(gate.file)
 
 

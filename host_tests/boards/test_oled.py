@@ -11,7 +11,7 @@ from board_programs import flashed, screen_after
 
 from conftest import CHECKOUT
 from fixel.base.errors import ToolError
-from fixel.board import dump, emulator, grey, oled, session
+from fixel.board import dump, emulator, grey, session
 
 # --- lm3s6965evb: 128x64, 16 greys --------------------------------------------------
 
@@ -35,7 +35,7 @@ def assert_shown(scene, frames, folder):
     picture, dump = screen_after(scene, frames, folder)
     for drawn, expected in zip(dump.frames, scene.host.frames):
         assert (drawn.pixels == expected.pixels).all()
-    levels = oled.levels(picture, HIGHEST)
+    levels = grey.levels_of_screen(picture, HIGHEST)
     assert levels.shape == (SIZE[1], SIZE[0])
     expected = grey.levels(scene.host.frames[frames - 1].pixels, scene.host.palette, HIGHEST)
     differ = numpy.argwhere(levels != expected)
@@ -60,22 +60,22 @@ def test_frames_of_another_size_are_not_for_it(tmp_path, tmp_path_factory):
     picture, dump = screen_after(wide, 2, tmp_path)
     assert len(dump.frames) == 2
     assert (dump.frames[1].pixels == wide.host.frames[1].pixels).all()
-    assert not oled.levels(picture, HIGHEST).any()
+    assert not grey.levels_of_screen(picture, HIGHEST).any()
 
 
 def test_what_is_no_picture_of_an_oled_is_refused():
     picture = numpy.zeros((256, 512, 3), numpy.uint8)
     picture[4:8, 8:12] = 34
-    assert oled.levels(picture, HIGHEST)[1, 2] == 2
+    assert grey.levels_of_screen(picture, HIGHEST)[1, 2] == 2
     for change, words in ((lambda p: p.__setitem__((5, 9), 17), "squares"),
                           (lambda p: p.__setitem__((slice(4, 8), slice(8, 12), 2), 17), "squares"),
                           (lambda p: p.__setitem__((slice(0, 4), slice(0, 4)), 18), "none of its 16")):
         broken = picture.copy()
         change(broken)
         with pytest.raises(ToolError, match=words):
-            oled.levels(broken, HIGHEST)
+            grey.levels_of_screen(broken, HIGHEST)
     with pytest.raises(ToolError, match="squares"):
-        oled.levels(picture[:-1], HIGHEST)
+        grey.levels_of_screen(picture[:-1], HIGHEST)
 
 
 # --- an SSD0303 on mps2-an385: the middle of the frame, dark and light --------------
@@ -112,7 +112,7 @@ def middle(frame):
 def test_every_pixel_of_the_window(request, tmp_path, name, frames):
     scene = request.getfixturevalue(name)
     picture, drawn = screen_after(scene, frames, tmp_path, "small", DISPLAY)
-    levels = oled.levels(picture, 1)
+    levels = grey.levels_of_screen(picture, 1)
     whole = grey.levels(scene.host.frames[frames - 1].pixels, scene.host.palette, 1)
     assert levels.shape == (HEIGHT, WIDTH)
     assert (levels == middle(whole)).all()
@@ -123,7 +123,7 @@ def test_every_pixel_of_the_window(request, tmp_path, name, frames):
 def test_a_frame_that_is_smaller_is_not_for_it(tmp_path, tmp_path_factory):
     small = flashed(SMALL, "tiny", tmp_path_factory.mktemp("small"), (WIDTH, HEIGHT - 1))
     picture, drawn = screen_after(small, 2, tmp_path, "small", DISPLAY)
-    assert not oled.levels(picture, 1).any()
+    assert not grey.levels_of_screen(picture, 1).any()
     assert (drawn.frames[-1].pixels == small.host.frames[1].pixels).all()
 
 

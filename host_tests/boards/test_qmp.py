@@ -10,7 +10,7 @@ import threading
 import pytest
 from PIL import Image
 
-from fixel.board import emulator, qmp
+from fixel.board import emulator, qemu as qmp
 from fixel.base.errors import ToolError
 
 

@@ -10,7 +10,7 @@ import pytest
 from elftools.elf.elffile import ELFFile
 
 from board_programs import BOARD, ROOT, built
-from fixel.board import emulator, ending, flash_memory
+from fixel.board import emulator, execute, flash_memory
 from fixel.board.symbols import Symbols
 
 SOURCE = "firmware/faults/core_cases.c"
@@ -69,14 +69,14 @@ def test_a_lockup_names_the_function(faults):
 
 def test_a_hang_names_the_function(faults):
     hung = run(faults, "hang", timeout=0.5)
-    words = ending.describe(hung)
+    words = execute.describe(hung)
     assert words.startswith("nothing new came while it used 0.5 s of CPU time: it hangs\n  pc  0x")
     assert re.search(rf"^  pc  0x[0-9a-f]{{8}}  in hang\+0x\d \({ENDLESS}:\d+\)$", words, re.MULTILINE), words
     assert re.search(r"^  lr  0x[0-9a-f]{8}  in main\+0x", words, re.MULTILINE), words
 
 
 def test_endless_text_names_the_function(faults):
-    assert re.search(r"prints without end\n  pc  0x[0-9a-f]{8}  in \w+\+", ending.describe(run(faults, "chatter")))
+    assert re.search(r"prints without end\n  pc  0x[0-9a-f]{8}  in \w+\+", execute.describe(run(faults, "chatter")))
 
 
 def test_text_that_is_no_fault_stays_as_it_is(faults):
@@ -141,9 +141,9 @@ def test_with_what_a_tool_ends(image, faults, tmp_path, monkeypatch, capsys, cas
                                       "--dump", str(tmp_path / "x.fxld"), "--timeout", "1"])
     with pytest.raises(SystemExit) as caught:
         run_main(boot.main)
-    assert caught.value.code == (ending.exit_code(code) if isinstance(code, str) else code)
+    assert caught.value.code == (execute.exit_code(code) if isinstance(code, str) else code)
     assert capsys.readouterr().err.startswith("error: board mps2-an385 failed: ")
 
 
 def test_the_codes_of_tools_and_programs_differ():
-    assert not {ending.BAD, ending.HANG, ending.LOCKUP, 0, 2, 130} & set(ending.exit_meanings())
+    assert not {execute.BAD, execute.HANG, execute.LOCKUP, 0, 2, 130} & set(execute.exit_meanings())

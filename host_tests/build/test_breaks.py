@@ -10,8 +10,8 @@ import pytest
 from conftest import CHECKOUT
 
 from fixel.base.errors import ToolError
-from fixel.check import break_commands, breaks, clauses, planting, trace_break
-from fixel.check.break_commands import NAMED, PASSED, UNNAMED
+from fixel.check import breaks, clauses, planting, trace_break
+from fixel.check.breaks import NAMED, PASSED, UNNAMED
 
 BUILT_PROGRAMS = ()
 BREAK = """["lib/a.c".sum.%s]
@@ -120,8 +120,8 @@ def test_a_break_that_a_command_names_is_noticed(root, capsys):
 
 def test_a_break_that_no_command_names_is_printed_with_its_harm(root, capsys, monkeypatch):
     listed(root, ("sum", "clause", "return a + b;", "return a - b;", "make trace", "SPEC 1.1"))
-    monkeypatch.setattr(break_commands.Commands, "host_tests", lambda *_: break_commands.Step("make test", UNNAMED, "test_a.c:1: FAIL"))
-    monkeypatch.setattr(break_commands.Commands, "proofs_of_file", lambda *_: break_commands.Step("make prove", PASSED))
+    monkeypatch.setattr(breaks.Commands, "host_tests", lambda *_: breaks.Step("make test", UNNAMED, "test_a.c:1: FAIL"))
+    monkeypatch.setattr(breaks.Commands, "proofs_of_file", lambda *_: breaks.Step("make prove", PASSED))
     code, said, found = broken(root, capsys)
     assert code == 1 and "0 of 1 breaks noticed (0 failed and named, 1 failed, not named, 0 passed)" in said
     assert "sum: lib/a.c: w\n  make trace: passed\n  make test: failed, not named: test_a.c:1: FAIL\n  make prove: passed\n" in said
@@ -130,7 +130,7 @@ def test_a_break_that_no_command_names_is_printed_with_its_harm(root, capsys, mo
 
 def test_no_command_runs_once_one_has_named_the_break():
     def step(result):
-        return lambda each: ran.append(result) or break_commands.Step("c", result)
+        return lambda each: ran.append(result) or breaks.Step("c", result)
 
     ran = []
     commands = types.SimpleNamespace(of=lambda each: map(step, (PASSED, NAMED, UNNAMED)))
@@ -138,7 +138,7 @@ def test_no_command_runs_once_one_has_named_the_break():
 
 
 def commands_of(root, *drawn):
-    return break_commands.Commands(argparse.Namespace(root=root, build=root / "build", units="units", cc="gcc", jobs=1, samples=1), drawn)
+    return breaks.Commands(argparse.Namespace(root=root, build=root / "build", units="units", cc="gcc", jobs=1, samples=1), drawn)
 
 
 def test_breaks_of_different_files_are_made_together_and_named_one_by_one(root):
@@ -179,7 +179,7 @@ def test_a_test_without_the_tag_names_no_clause(root, monkeypatch):
     """The tests of the tag run first; all others fail without naming it."""
     tree = types.SimpleNamespace(dependents=lambda file: ["lib/a.c"], linked=lambda sources, suites: sources)
     breaker = types.SimpleNamespace(try_change=lambda each, suites: {"result": "killed", "by": "test_a: words"})
-    monkeypatch.setattr(break_commands.Commands, "_breaker", (tree, breaker))
+    monkeypatch.setattr(breaks.Commands, "_breaker", (tree, breaker))
     monkeypatch.setattr(trace_break.Suite, "main", lambda *_: None)
     each = blind("one", "clause", "return a;", "make test", "SPEC 1.1")
     commands = commands_of(root, each)

@@ -7,7 +7,7 @@ import pytest
 
 from conftest import CHECKOUT
 from fixel.base.errors import ToolError
-from fixel.check import clang_coverage, coverage, gaps
+from fixel.check import coverage
 
 BUILT_PROGRAMS = ()
 SOURCE = """/* A file. */
@@ -69,14 +69,14 @@ def shown(root, first="0", second="not covered"):
 
 
 def measured(root, *views):
-    return {name: file.result() for name, file in clang_coverage.views("\n".join(views), root).items()}
+    return {name: file.result() for name, file in coverage.views("\n".join(views), root).items()}
 
 
 def test_what_no_test_reaches_is_told_by_its_text(root):
     files = measured(root, "/usr/include/c.h:\n    1|      1|int x;", shown(root))
     assert files == {"lib/math/a.h": {
         "lines": [4, 5], "branches": [4, 6], "conditions": [1, 2],
-        "open": [clang_coverage.Gap(5, "of_room", "b < 3", ("true", "alone")), clang_coverage.Gap(8, "of_room", "a > 0 #2", ("true",))]}}
+        "open": [coverage.Gap(5, "of_room", "b < 3", ("true", "alone")), coverage.Gap(8, "of_room", "a > 0 #2", ("true",))]}}
 
 
 def test_what_one_view_reaches_is_reached(root):
@@ -89,42 +89,42 @@ def test_what_one_view_reaches_is_reached(root):
     (5, "if (a[i] < f(b, c) && d) {", "a[i] < f(b, c)"), (10, "    x = (a ? b : c);", "a"), (8, "while (next(&x) != NULL) {", "next(&x) != NULL"),
     (5, "if (a <", "a < b + 1"), (6, "case 7:", "7")])
 def test_the_text_of_a_condition(column, text, condition):
-    assert clang_coverage.condition_at([text, "      b + 1 || c) {"], 1, column) == condition
+    assert coverage.condition_at([text, "      b + 1 || c) {"], 1, column) == condition
 
 
 @pytest.mark.parametrize("line, name", [(1, "MAX"), (2, "MAX"), (5, "first"), (9, "second"), (10, "second")])
 def test_the_function_of_a_line(line, name):
     text = ["#define MAX(a, b) \\", "    ((a) > (b) ? (a) : (b))", "int first(int a);", "static const int *first(int a,", "    int b) { a; }", "",
             "FXL_COLD fxl_status", "second(int a)", "{", "}"]
-    assert clang_coverage.function_of(text, line) == name
+    assert coverage.function_of(text, line) == name
 
 
 def test_rooms():
     counts = {"lines": [9, 10], "branches": [3, 4], "conditions": [1, 3], "open": []}
-    rooms = clang_coverage.by_room({"lib/math/a.c": counts, "lib/math/b.c": counts, "lib/include/fixel/c.h": counts})
+    rooms = coverage.by_room({"lib/math/a.c": counts, "lib/math/b.c": counts, "lib/include/fixel/c.h": counts})
     assert list(rooms) == ["lib/include/fixel", "lib/math", "all together"]
     assert rooms["lib/math"] == {"lines": [18, 20], "branches": [6, 8], "conditions": [2, 6]}
-    assert clang_coverage.rows(rooms)[-1] == ["all together", "27 of 30   90.0 %", "9 of 12   75.0 %", "3 of 9   33.3 %"]
+    assert coverage.rows(rooms)[-1] == ["all together", "27 of 30   90.0 %", "9 of 12   75.0 %", "3 of 9   33.3 %"]
 
 
 def test_a_room_without_decisions():
-    assert clang_coverage.rows({"lib/a": {"lines": [1, 1], "branches": [0, 0], "conditions": [0, 0]}}) == \
+    assert coverage.rows({"lib/a": {"lines": [1, 1], "branches": [0, 0], "conditions": [0, 0]}}) == \
         [["lib/a", "1 of 1  100.0 %", "0 of 0", "0 of 0"]]
 
 
 def reasons(root, *lines):
     path = root / "uncovered.toml"
     path.write_text('[[reason]]\nwhy = "b is at least 3"\ngaps = [' + "".join(f'\n    "{line}",' for line in lines) + "\n]\n", encoding="utf-8")
-    return gaps.read(path)
+    return coverage.read(path)
 
 
 def test_each_gap_has_a_reason_or_fails(root, capsys):
     files = measured(root, shown(root))
     all_of = reasons(root, "lib/math/a.h | of_room | b < 3 | true alone", "lib/math/a.h | of_room | a > 0 #2 | true")
-    assert gaps.sentences(files, all_of) == ([], []) and coverage.compare(files, all_of, "r.toml")
+    assert coverage.sentences(files, all_of) == ([], []) and coverage.compare(files, all_of, "r.toml")
     assert "2 branches, 1 conditions; without one: 0 places" in capsys.readouterr().out
     part = reasons(root, "lib/math/a.h | of_room | b < 3 | true")
-    assert gaps.sentences(files, part)[0] == ["lib/math/a.h:5: lib/math/a.h | of_room | b < 3 | alone",
+    assert coverage.sentences(files, part)[0] == ["lib/math/a.h:5: lib/math/a.h | of_room | b < 3 | alone",
                                               "lib/math/a.h:8: lib/math/a.h | of_room | a > 0 #2 | true"]
     assert not coverage.compare(files, part, "r.toml")
     assert "a.h:8: " in capsys.readouterr().err
@@ -134,12 +134,12 @@ def test_a_reason_that_nothing_needs_fails(root):
     files = measured(root, shown(root, "7", "covered: (1,3)"))
     stated = reasons(root, "lib/math/a.h | of_room | b < 3 | true alone", "lib/math/a.h | of_room | a > 0 #2 | true",
                      "lib/math/a.h | of_hall | a > 0 | true")
-    assert gaps.sentences(files, stated) == ([], ["lib/math/a.h | of_room | b < 3 | true alone", "lib/math/a.h | of_hall | a > 0 | true"])
+    assert coverage.sentences(files, stated) == ([], ["lib/math/a.h | of_room | b < 3 | true alone", "lib/math/a.h | of_hall | a > 0 | true"])
     assert not coverage.compare(files, stated, "r.toml")
 
 
 def test_a_condition_may_have_a_bar():
-    assert gaps.parsed("lib/a.c | f | (a | b) == 0 | false alone", "r.toml") == (("lib/a.c", "f", "(a | b) == 0"), ("false", "alone"))
+    assert coverage.parsed("lib/a.c | f | (a | b) == 0 | false alone", "r.toml") == (("lib/a.c", "f", "(a | b) == 0"), ("false", "alone"))
 
 
 def test_a_gap_keeps_its_reason_where_lines_move(root):
@@ -148,7 +148,7 @@ def test_a_gap_keeps_its_reason_where_lines_move(root):
     moved = shown(root)
     for line in (8, 6, 5, 4, 2, 1):
         moved = moved.replace(f"  {line}|", f"  {line + 2}|").replace(f"({line}:", f"({line + 2}:")
-    assert gaps.sentences(measured(root, moved), stated) == ([], [])
+    assert coverage.sentences(measured(root, moved), stated) == ([], [])
 
 
 @pytest.mark.parametrize("line, words", [
@@ -166,7 +166,7 @@ def test_without_clang_it_is_not_run(monkeypatch, root):
 
 
 def test_the_reasons_name_functions_that_are_there():
-    stated = gaps.read(CHECKOUT / "host_tests" / "unit" / "uncovered.toml")
+    stated = coverage.read(CHECKOUT / "host_tests" / "unit" / "uncovered.toml")
     texts = {file: (CHECKOUT / file).read_text(encoding="utf-8") for file in {key[0] for key in stated}}
     assert len(stated) > 20 and [key for key in stated if f"{key[1]}(" not in texts[key[0]]] == []
 
@@ -179,6 +179,6 @@ def test_programs_that_fail_are_named_and_the_others_counted(tmp_path):
         program.write_text(f"#!{sys.executable}\n{words}\n", encoding="utf-8")
         program.chmod(0o755)
         programs.append([program])
-    counts, failed = clang_coverage.run_programs(programs, tmp_path, 2)
+    counts, failed = coverage.run_programs(programs, tmp_path, 2)
     assert [each.name for each in counts] == ["0.profraw", "1.profraw"]
     assert failed == {"bad": "no pixel\n", "worse": ""}

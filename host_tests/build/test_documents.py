@@ -11,7 +11,7 @@ import subprocess
 import pytest
 
 from conftest import CHECKOUT, environment
-from fixel.check import recipes
+from fixel.check import places as recipes
 from fixel.image import fields, formats
 
 BUILT_PROGRAMS = ()

@@ -12,16 +12,16 @@ import sys
 import pytest
 
 from conftest import CHECKOUT, LAUNCHER, environment, run_make
-from fixel.base import make_variables, nearest
+from fixel.base import make, nearest
 
 LAUNCHED = str(LAUNCHER.relative_to(CHECKOUT))
-COMMANDS = make_variables.commands()
+COMMANDS = make.variables()
 # make itself compares these with the names that there are, and refuses any other value.
 CHECKED = {"SIZE", "BOARD", "PROGRAM", "VISIBILITY", "CLIPPER", "ROWS", "DRIVER", "PIXELS", "ORDER", "DEPTH", "COSTS_CORES", "COSTS_BOARDS", "LIB_FLAGS"}
 # Read by make in the commands that are named here, and by a tool in the others.
 CHECKED_IN = {"CORE": ["lib", "bench", "size"], "ONLY": ["coverage", "pictures"], "RENDERER": ["profile"]}
 # For each variable the first command that has it.
-TAKEN_BY = {name: next(command for command in COMMANDS if name in COMMANDS[command]) for name in make_variables.names()}
+TAKEN_BY = {name: next(command for command in COMMANDS if name in COMMANDS[command]) for name in make.names()}
 # Commands that call none of the tools.
 WITHOUT_TOOL = {"help", "lib", "all", "format", "clean", "test-campaigns"}
 
@@ -58,7 +58,7 @@ def hostile(marker):
 def free(command):
     """A command's variables that may have any value."""
     return [name for name in COMMANDS[command]
-            if name not in CHECKED and not {name, f"{command} {name}"} & make_variables.FLAGS and command not in CHECKED_IN.get(name, ())]
+            if name not in CHECKED and not {name, f"{command} {name}"} & make.FLAGS and command not in CHECKED_IN.get(name, ())]
 
 
 @pytest.mark.parametrize("command", [command for command in COMMANDS if free(command)])
@@ -74,7 +74,7 @@ def test_no_value_runs_and_each_reaches_the_tool(stand_in, tmp_path, command):
     assert not any("touch" in word for word in words)
     assert {name: variables[name] for name in given} == given
     for name, value in given.items():
-        option, = make_variables.option(command, name, value)
+        option, = make.option(command, name, value)
         assert option[option.index("=") + 1:] == value
 
 
@@ -139,7 +139,7 @@ BAD = {"SCENE": ("nothere.glb", "cannot be read"), "CPU_LIMIT": ("0", "from 1 to
        "THOUSANDS": ("0", "from 1 to"), "RUNS": ("0", "from 1 to"), "EXAMPLES": ("x", "examples"), "HARNESS": ("x", "pipeline"), "ADD": ("nothere", "harness"),
        "KILLS": ("0", "from 1 to"), "SAMPLE": ("-1", "negative"), "PART": ("x", "tools"), "DRAW": ("0", "DRAW"),
        "JSON": ("/proc/x", "cannot be written")}
-BAD |= {flag.rpartition(" ")[2]: ("0", "must be 1") for flag in make_variables.FLAGS if " " not in flag} | {"DEVICE": ("a/b", "ssd0303")}
+BAD |= {flag.rpartition(" ")[2]: ("0", "must be 1") for flag in make.FLAGS if " " not in flag} | {"DEVICE": ("a/b", "ssd0303")}
 BAD_OF = {("compare", "JSON"): ("0", "must be 1"), ("mutants", "COUNT"): ("0", "from 1 to"), ("costs", "FRAMES"): ("0", "from 1 to")}
 # Any text is one: a word that draws breaks, a reason.
 ANY = {"breaks SEED", "REASON"}
@@ -236,7 +236,7 @@ def test_every_command_is_looked_at_before_its_set_up(command):
 
 def test_no_recipe_names_a_users_variable():
     """But LIB_FLAGS, which make refuses where it is more than words."""
-    named = re.compile(rf"\$\(({'|'.join(sorted(make_variables.names() - {'LIB_FLAGS'}))})[):]")
+    named = re.compile(rf"\$\(({'|'.join(sorted(make.names() - {'LIB_FLAGS'}))})[):]")
     for file in [CHECKOUT / "Makefile", *CHECKOUT.glob("tools/**/*.mk"), *CHECKOUT.glob("*/*.mk"), *CHECKOUT.glob("*/*/*.mk")]:
         for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
             if line.startswith("\t"):
@@ -338,8 +338,8 @@ def test_unknown_names_do_not_run(tmp_path):
 def test_make_and_the_tools_find_the_same_variables():
     """The Makefile finds them by sed, the tools by a regular expression."""
     line, = re.findall(r"^VARIABLES := (.*)$", run_make("-pn", "help").stdout, re.MULTILINE)
-    assert set(line.split()) == make_variables.names()
-    assert {"SCENE", "A", "GDB_COMMANDS", "COSTS_BOARDS"} <= make_variables.names()
+    assert set(line.split()) == make.names()
+    assert {"SCENE", "A", "GDB_COMMANDS", "COSTS_BOARDS"} <= make.names()
 
 
 # --- words ----------------------------------------------------------------------------

@@ -11,7 +11,7 @@ import pytest
 from conftest import CHECKOUT, run_cli
 from fixel.base import version
 from fixel.board import dump
-from fixel.check import frozen_frames
+from fixel.check import frame_hashes
 from fixel.package import one_text, private_names
 from fixel.scene import making
 from test_compilers import PICTURE, PROGRAM, WARNINGS, clang_named
@@ -99,8 +99,8 @@ def test_the_walk_with_it_draws_the_librarys_frames(build, images, compiled, com
     run("gcc", *parts, compiled(compiler, standard), "-o", tmp_path / "walk")
     for scene, (image, hashes) in images.items():
         assert drawn(tmp_path / "walk", image, tmp_path) == hashes and len(hashes) == 2, scene
-    frozen = frozen_frames.load()["plaza"]["frames"][:2]
-    assert [found[:frozen_frames.DIGITS] for found in images["plaza"][1]] == frozen
+    frozen = frame_hashes.load()["plaza"]["frames"][:2]
+    assert [found[:frame_hashes.DIGITS] for found in images["plaza"][1]] == frozen
 
 
 def test_it_exports_what_the_library_exports(build, compiled):

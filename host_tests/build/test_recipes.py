@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The recipes: each place of a change has its tag (fixel.check.recipes), and CONTRIBUTING.md tells each change."""
+"""The recipes: each place of a change has its tag (fixel.check.places), and CONTRIBUTING.md tells each change."""
 
 import json
 import re
@@ -8,7 +8,7 @@ import pytest
 
 from conftest import CHECKOUT, run_cli, write_files
 from fixel.base.errors import ToolError
-from fixel.check import recipes
+from fixel.check import places as recipes
 
 CONTRIBUTING = (CHECKOUT / "CONTRIBUTING.md").read_text(encoding="utf-8")
 BUILT_PROGRAMS = ()

@@ -16,7 +16,7 @@ import pytest
 from conftest import CHECKOUT, dry_run
 from fixel.base.errors import ToolError
 from fixel.base.version import version
-from fixel.package import api, artefacts, bill, repository
+from fixel.package import api_check, release, repository
 from fixel.package.packages import table
 
 BUILT_PROGRAMS = ()
@@ -43,45 +43,45 @@ def fixture_root(tmp_path):
 
 @pytest.fixture(scope="module", name="packages")
 def fixture_packages():
-    return artefacts.packages(CHECKOUT, SECONDS)
+    return release.packages(CHECKOUT, SECONDS)
 
 
 def test_a_clean_checkout_is_taken(root):
-    artefacts.refuse_changes(root)
+    release.refuse_changes(root)
     git(root, "tag", f"v{version()}")
     git(root, "tag", "v0.0.1")
-    artefacts.refuse_changes(root)
+    release.refuse_changes(root)
 
 
 @pytest.mark.parametrize("name", ["one.c", "new.c"])
 def test_a_file_that_differs_from_the_commit_is_named(root, name):
     (root / name).write_text("int two;\n", encoding="utf-8")
     with pytest.raises(ToolError, match=f"these files differ from it: {name}$"):
-        artefacts.refuse_changes(root)
+        release.refuse_changes(root)
 
 
 def test_of_many_files_five_are_named(root):
     for number in range(7):
         (root / f"{number}.c").touch()
     with pytest.raises(ToolError, match="0.c, 1.c, 2.c, 3.c, 4.c and 2 more$"):
-        artefacts.refuse_changes(root)
+        release.refuse_changes(root)
 
 
 def test_a_tag_of_another_version_is_refused(root):
     git(root, "tag", "v0.0.1")
     with pytest.raises(ToolError, match=f"tag v0.0.1, and .* says {version()}"):
-        artefacts.refuse_changes(root)
+        release.refuse_changes(root)
 
 
 def test_a_folder_without_git_is_refused(tmp_path):
     with pytest.raises(ToolError, match="needs a checkout of git"):
-        artefacts.refuse_changes(tmp_path)
+        release.refuse_changes(tmp_path)
 
 
 def test_the_same_commit_gives_the_same_source(root):
-    seconds = artefacts.time_of(root)
-    made = artefacts.source(root, seconds)
-    assert made == artefacts.source(root, seconds)
+    seconds = release.time_of(root)
+    made = release.source(root, seconds)
+    assert made == release.source(root, seconds)
     (content,) = made.values()
     with tarfile.open(fileobj=io.BytesIO(content)) as archive:
         (member,) = [each for each in archive.getmembers() if each.isfile()]
@@ -91,8 +91,8 @@ def test_the_same_commit_gives_the_same_source(root):
 
 def test_the_same_texts_give_the_same_packages(packages):
     assert set(packages) == {f"fixel-{version()}-{name}.zip" for name in ("one-file", *table())}
-    assert packages == artefacts.packages(CHECKOUT, SECONDS)
-    later = artefacts.packages(CHECKOUT, SECONDS + 60)
+    assert packages == release.packages(CHECKOUT, SECONDS)
+    later = release.packages(CHECKOUT, SECONDS + 60)
     assert not [name for name in packages if packages[name] == later[name]], "the time of the commit is in each"
 
 
@@ -108,20 +108,20 @@ def test_an_archive_has_one_folder_with_the_licence(packages):
 
 
 def test_the_hashes_are_those_of_the_files(packages, tmp_path):
-    artefacts.write(packages, tmp_path)
-    assert {file.name for file in tmp_path.iterdir()} == {*packages, artefacts.SUMS}
-    subprocess.run(["sha256sum", "--check", "--strict", "--quiet", artefacts.SUMS], cwd=tmp_path, check=True)
+    release.write(packages, tmp_path)
+    assert {file.name for file in tmp_path.iterdir()} == {*packages, release.SUMS}
+    subprocess.run(["sha256sum", "--check", "--strict", "--quiet", release.SUMS], cwd=tmp_path, check=True)
     (tmp_path / min(packages)).write_bytes(b"")
-    assert subprocess.run(["sha256sum", "--check", "--quiet", artefacts.SUMS], cwd=tmp_path, check=False, capture_output=True).returncode == 1
+    assert subprocess.run(["sha256sum", "--check", "--quiet", release.SUMS], cwd=tmp_path, check=False, capture_output=True).returncode == 1
 
 
 def test_what_an_earlier_release_wrote_goes_and_other_files_stay(tmp_path):
-    artefacts.write({"fixel-0.0.1-a.zip": b"a", "fixel-0.0.1-b.zip": b"b", "fixel-c.zip": b"c"}, tmp_path)
+    release.write({"fixel-0.0.1-a.zip": b"a", "fixel-0.0.1-b.zip": b"b", "fixel-c.zip": b"c"}, tmp_path)
     (tmp_path / "fixel-0.0.1-b.zip").write_bytes(b"of the user")
     (tmp_path / "fixel-notes.txt").touch()
-    artefacts.write({"fixel-c.zip": b"new"}, tmp_path)
-    assert {file.name for file in tmp_path.iterdir()} == {"fixel-0.0.1-b.zip", "fixel-c.zip", "fixel-notes.txt", artefacts.SUMS}
-    assert (tmp_path / "fixel-c.zip").read_bytes() == b"new" and artefacts.earlier(tmp_path) == {"fixel-c.zip"}
+    release.write({"fixel-c.zip": b"new"}, tmp_path)
+    assert {file.name for file in tmp_path.iterdir()} == {"fixel-0.0.1-b.zip", "fixel-c.zip", "fixel-notes.txt", release.SUMS}
+    assert (tmp_path / "fixel-c.zip").read_bytes() == b"new" and release.earlier(tmp_path) == {"fixel-c.zip"}
 
 
 def faults(document, made):
@@ -140,26 +140,26 @@ def faults(document, made):
 
 def test_the_list_names_each_artefact_with_its_hash(packages):
     made = {**packages, **PIP}
-    document = json.loads(bill.text(CHECKOUT, made, COMMIT, SECONDS))
+    document = json.loads(release.spdx_text(CHECKOUT, made, COMMIT, SECONDS))
     assert faults(document, made) == []
     assert document["spdxVersion"] == "SPDX-2.3" and document["documentNamespace"].endswith(COMMIT)
     assert document["creationInfo"]["created"] == "2030-03-17T17:46:40Z"
     described = [each["relatedSpdxElement"] for each in document["relationships"] if each["relationshipType"] == "DESCRIBES"]
-    assert described == [bill.identifier(name) for name in sorted(made)]
+    assert described == [release.identifier(name) for name in sorted(made)]
 
 
 def test_the_list_names_what_the_python_package_needs(packages):
-    document = bill.document(CHECKOUT, {**packages, **PIP}, COMMIT, SECONDS)
-    needed = bill.needed(CHECKOUT)
+    document = release.document(CHECKOUT, {**packages, **PIP}, COMMIT, SECONDS)
+    needed = release.needed(CHECKOUT)
     assert needed["numpy"] == ">=2.0,<3" and len(needed) >= 6
     pairs = [(each["spdxElementId"], each["relatedSpdxElement"]) for each in document["relationships"] if each["relationshipType"] == "DEPENDS_ON"]
-    assert sorted(pairs) == sorted((bill.identifier(name), bill.identifier(f"pypi-{other}")) for name in PIP for other in needed)
-    without = bill.document(CHECKOUT, packages, COMMIT, SECONDS)
+    assert sorted(pairs) == sorted((release.identifier(name), release.identifier(f"pypi-{other}")) for name in PIP for other in needed)
+    without = release.document(CHECKOUT, packages, COMMIT, SECONDS)
     assert {each["name"] for each in without["packages"]} == {"fixel"}, "nothing in the packages is of others"
 
 
 def test_a_fault_of_the_list_is_seen(packages):
-    document = bill.document(CHECKOUT, packages, COMMIT, SECONDS)
+    document = release.document(CHECKOUT, packages, COMMIT, SECONDS)
     assert faults(document, {**packages, "fixel-more.zip": b""}) == ["the hashes are others"]
     del document["name"]
     document["relationships"][0]["relatedSpdxElement"] = "SPDXRef-none"
@@ -254,7 +254,7 @@ def fixture_empty(tmp_path):
 
 
 def test_before_the_first_tag_there_is_nothing_to_compare(empty, capsys):
-    assert api.check(empty) == 0
+    assert api_check.check(empty) == 0
     assert capsys.readouterr().out == "api: no tag to compare\n"
 
 
@@ -265,21 +265,21 @@ def test_the_last_tag_is_that_of_a_version(empty):
 
 
 def test_without_abidiff_it_is_not_run(empty, monkeypatch):
-    monkeypatch.setattr(api.shutil, "which", lambda name: None)
+    monkeypatch.setattr(api_check.shutil, "which", lambda name: None)
     with pytest.raises(ToolError, match="not run: needs abidiff"):
-        api.compared(empty, "v0.9.0")
+        api_check.compared(empty, "v0.9.0")
 
 
 def test_api_check_refuses_a_folder_without_git(tmp_path):
     with pytest.raises(ToolError, match="needs a checkout of git"):
-        api.check(tmp_path)
+        api_check.check(tmp_path)
 
 
 @pytest.mark.parametrize("before, now, allowed", [
     ("0.9.0", "0.9.1", False), ("0.9.0", "0.10.0", True), ("0.9.3", "1.0.0", True), ("1.2.0", "1.3.0", False), ("1.9.0", "2.0.0", True),
     ("0.9.0", "0.9.0", False), ("1.0.0", "0.10.0", False)])
 def test_what_a_version_may_break(before, now, allowed):
-    assert api.may_break(before, now) is allowed
+    assert api_check.may_break(before, now) is allowed
 
 
 @pytest.mark.parametrize("said, new", [
@@ -287,12 +287,12 @@ def test_what_a_version_may_break(before, now, allowed):
     (SAID.format(0, 0, 0) + "Unreachable types summary: 0 removed, 1 changed, 0 added type\n", False),
     (SAID.format(0, 0, 0) + "Unreachable types summary: 0 removed, 0 changed (1 filtered out), 1 added types\n", True)])
 def test_what_is_new_alone_is_no_change(said, new):
-    assert api.is_all_new(said) is new
+    assert api_check.is_all_new(said) is new
 
 
 def test_an_enumeration_without_a_name_gets_that_of_its_first_member():
     header = "typedef enum { A } a;\nenum { /* of b */\n    FXL_B, FXL_C };\nenum d { FXL_D };\n"
-    assert api.with_names(header) == header.replace("enum { /* of b", "enum of_FXL_B { /* of b")
+    assert api_check.with_names(header) == header.replace("enum { /* of b", "enum of_FXL_B { /* of b")
 
 
 def test_make_installs_nothing_for_it_before_the_first_tag():

@@ -9,7 +9,7 @@ import sys
 import pytest
 from conftest import CHECKOUT
 
-from fixel.bench import linked_size, sizes, stack
+from fixel.bench import linked_size, size, stack
 from fixel.board import fleet
 from fixel.scene import making
 
@@ -36,7 +36,7 @@ def library(folder, source, core="cortex-m0"):
 
 
 def test_whole_numbers_and_memory_functions_pass(tmp_path):
-    proof = sizes.prove_pure(library(tmp_path, PURE), CROSS)
+    proof = size.prove_pure(library(tmp_path, PURE), CROSS)
     assert proof["passes"], proof["wrong"]
     assert {"memcpy", "__aeabi_ldivmod", "__aeabi_uidivmod"} <= set(proof["undefined"])
     assert proof["linked_symbols"] > 10
@@ -47,7 +47,7 @@ def test_what_does_not_link_by_itself_fails(tmp_path):
     file = library(tmp_path, PURE)
     (tmp_path / "other.o").write_bytes((tmp_path / "fixel.o").read_bytes())
     subprocess.run([f"{CROSS}ar", "rcs", "libfixel.a", "other.o"], cwd=tmp_path, check=True)
-    proof = sizes.prove_pure(file, CROSS)
+    proof = size.prove_pure(file, CROSS)
     assert not proof["passes"] and proof["linked_symbols"] == 0
     assert [sentence.partition(":")[0] for sentence in proof["wrong"]] == ["it does not link by itself"]
 
@@ -64,7 +64,7 @@ def test_what_does_not_link_by_itself_fails(tmp_path):
     "int elsewhere(void); int fxl_bad(void) { return elsewhere(); }",
 ])
 def test_float_heap_and_strangers_fail(tmp_path, body):
-    proof = sizes.prove_pure(library(tmp_path, PURE + body + "\n"), CROSS)
+    proof = size.prove_pure(library(tmp_path, PURE + body + "\n"), CROSS)
     assert not proof["passes"] and proof["wrong"]
 
 
@@ -72,14 +72,14 @@ def test_float_heap_and_strangers_fail(tmp_path, body):
                                   "__aeabi_cdcmple", "__aeabi_f2d", "__aeabi_ul2f", "__adddf3",
                                   "__floatsisf", "__fixdfsi", "malloc", "_malloc_r", "free", "_sbrk", "printf"])
 def test_forbidden_names(name):
-    assert sizes.FORBIDDEN.match(name) and not sizes.ALLOWED.match(name)
+    assert size.FORBIDDEN.match(name) and not size.ALLOWED.match(name)
 
 
 @pytest.mark.parametrize("name", ["memcpy", "__aeabi_lmul", "__aeabi_uidiv", "__aeabi_uldivmod", "__clzsi2",
                                   "__aeabi_llsl", "__gnu_thumb1_case_uqi", "__aeabi_memcpy4", "__divsi3",
                                   "__udivmoddi4", "fxl_fill_band", "fxl_frustum_from_sides", "__aeabi_idiv0"])
 def test_names_that_are_not_forbidden(name):
-    assert not sizes.FORBIDDEN.match(name)
+    assert not size.FORBIDDEN.match(name)
 
 
 def test_stack_adds_up_along_the_calls(tmp_path):
@@ -90,7 +90,7 @@ def test_stack_adds_up_along_the_calls(tmp_path):
     int fxl_top(int n) { return fxl_mid(n) + 1; }
     """
     file = library(tmp_path, source, "cortex-m3")
-    graph = stack.Graph(stack.disassemble(file, CROSS), stack.read_usage(tmp_path), sizes.is_public)
+    graph = stack.Graph(stack.disassemble(file, CROSS), stack.read_usage(tmp_path), size.is_public)
     deepest = graph.depth("fxl_top")
     assert deepest.path == ["fxl_top", "fxl_mid", "fxl_leaf"]
     usage = stack.read_usage(tmp_path)
@@ -102,12 +102,12 @@ def test_frames_without_su_files_come_from_the_instructions(tmp_path):
     source = "int use(int, int); int fxl_one(int a, int b) { volatile char room[64]; room[a] = 1; return use(a, b) + room[b]; }"
     file = library(tmp_path, source, "cortex-m3")
     usage = stack.read_usage(tmp_path)
-    assert stack.Graph(stack.disassemble(file, CROSS), {}, sizes.is_public).frame("fxl_one") == usage["fxl_one"]
+    assert stack.Graph(stack.disassemble(file, CROSS), {}, size.is_public).frame("fxl_one") == usage["fxl_one"]
 
 
 def test_recursion_is_reported(tmp_path):
     source = "int fxl_loop(int n) { return n < 2 ? n : fxl_loop(n - 1) * fxl_loop(n - 2); }"
-    graph = stack.Graph(stack.disassemble(library(tmp_path, source), CROSS), {}, sizes.is_public)
+    graph = stack.Graph(stack.disassemble(library(tmp_path, source), CROSS), {}, size.is_public)
     graph.depth("fxl_loop")
     assert graph.unbounded() == ["fxl_loop"]
 
@@ -120,7 +120,7 @@ def test_call_through_a_pointer_counts_as_the_deepest_that_nobody_names(tmp_path
     int fxl_any(int which, int n) { return table[which](n) + 1; }
     """
     file = library(tmp_path, source, "cortex-m3")
-    graph = stack.Graph(stack.disassemble(file, CROSS), stack.read_usage(tmp_path), sizes.is_public)
+    graph = stack.Graph(stack.disassemble(file, CROSS), stack.read_usage(tmp_path), size.is_public)
     deepest = graph.depth("fxl_any")
     assert deepest.path == ["fxl_any", "large"] and deepest.size > 200
     assert graph.unbounded() == []
@@ -128,7 +128,7 @@ def test_call_through_a_pointer_counts_as_the_deepest_that_nobody_names(tmp_path
 
 def graph_of(folder, source, core="cortex-m3"):
     file = library(folder, source, core)
-    return stack.Graph(stack.disassemble(file, CROSS), stack.read_usage(folder), sizes.is_public,
+    return stack.Graph(stack.disassemble(file, CROSS), stack.read_usage(folder), size.is_public,
                        stack.addresses_taken(file, CROSS))
 
 
@@ -180,17 +180,17 @@ def test_a_pointer_behind_a_pointer_makes_the_figure_the_least(tmp_path):
     """
     graph = graph_of(tmp_path, source.replace("fxl_inner[n](n)", "((int (*const volatile *)(int))fxl_inner)[n](n)"))
     each = {"stack": graph.depth("fxl_any").size, "not_bounded": graph.unbounded()}
-    assert each["not_bounded"] and sizes.stack_text(each).startswith("at least")
-    assert sizes.stack_text({"stack": 8, "stack_measured": 900, "not_bounded": ["outer"]}) == "at least 900"
-    assert sizes.stack_text({"stack": 8, "not_bounded": []}) == "8"
+    assert each["not_bounded"] and size.stack_text(each).startswith("at least")
+    assert size.stack_text({"stack": 8, "stack_measured": 900, "not_bounded": ["outer"]}) == "at least 900"
+    assert size.stack_text({"stack": 8, "not_bounded": []}) == "8"
 
 
 def test_the_firmwares_figure_is_not_below_what_a_run_shows(build):
     elf = build / "boards" / "mps2-an385" / "walk.elf"
-    found = sizes.measure_firmware(elf, CROSS, [elf.parent, *build.glob("core/cpu-cortex-m3*")])
-    found["stack_measured"] = sizes.measure_run("mps2-an385", elf, sizes.SCENES[:1])
+    found = size.measure_firmware(elf, CROSS, [elf.parent, *build.glob("core/cpu-cortex-m3*")])
+    found["stack_measured"] = size.measure_run("mps2-an385", elf, size.SCENES[:1])
     assert found["stack_measured"] > 500 and len(found["stack_path"]) > 4
-    figure = sizes.stack_text(found)
+    figure = size.stack_text(found)
     assert int(figure.removeprefix("at least ").replace(",", "")) >= found["stack_measured"]
 
 
@@ -203,7 +203,7 @@ def test_the_stack_with_a_depth_buffer_is_what_its_page_says(build, tmp_path, ro
     scene = tmp_path / "scene.toml"
     scene.write_text(text if beams else re.sub(r"\[\[beams\]\]\n(.+ = .+\n)+", "", text), encoding="utf-8")
     made = tmp_path / "scene.fxls"
-    making.build(scene, made, frames=sizes.SCENE_FRAMES)
+    making.build(scene, made, frames=size.SCENE_FRAMES)
     seen = fleet.stack_seen(board, build / f"boards/{board}/walk.elf", made, tmp_path)
     page = (CHECKOUT / "docs/extras/depth.md").read_text(encoding="utf-8")
     stated = float(re.search(rf"^\| {row} \| ([\d.]+) KB \| ([\d.]+) KB \|$", page, re.M)[column])
@@ -237,7 +237,7 @@ def test_the_first_program_links_a_part_of_the_library(build):
     """world 1.4."""
     subprocess.run(["make", "lib", "CORE=cortex-m3"], cwd=build.parent, check=True, capture_output=True)
     file = build / "lib" / "cortex-m3" / "libfixel.a"
-    linked, whole = linked_size.measure("cortex-m3", file, CROSS), sizes.archive_size(file, CROSS)
+    linked, whole = linked_size.measure("cortex-m3", file, CROSS), size.archive_size(file, CROSS)
     assert 5_000 < linked["linked_flash"] < whole["flash"] / 2
     assert "fxl_render(&renderer" in linked_size.first_program()
     said = re.search(r"program below links ([\d.]+) KB of library code on a Cortex-M3", (build.parent / "README.md").read_text(encoding="utf-8"))
@@ -253,7 +253,7 @@ def test_what_is_printed(capsys, passes, wrong, last):
     library = {"core": "cortex-m3", "linked_flash": 4000, "linked_ram": 0, "linked_helpers": 77, "stack": 64,
                "not_bounded": [], "stack_path": ["g"]}
     proof = {"passes": passes, "core": "cortex-m0", "undefined": ["memcpy"], "wrong": wrong}
-    sizes.print_sizes({"board": "b", "firmware": [firmware], "library": [library], "proof": proof})
+    size.print_sizes({"board": "b", "firmware": [firmware], "library": [library], "proof": proof})
     said = capsys.readouterr().out
     rows = {" ".join(line.split()) for line in said.splitlines()}
     assert {"firmware b 5,000 300 at least 120 120 2,048", "library cortex-m3 4,000 0 64 - -"} <= rows

@@ -4,7 +4,7 @@
 import json
 
 from conftest import run_cli, write_files
-from fixel.check import recipes, size_of_tree
+from fixel.check import places, size_of_tree
 
 BUILT_PROGRAMS = ()
 
@@ -47,6 +47,6 @@ def test_a_place_is_a_file_with_the_tag(tmp_path):
     """A file counts once, however many tags of the recipe it has."""
     record = '[one]\ntitle = "One"\nfinds = [{ pattern = "one" }]\n[one.no_comment]\n"a figure" = ["lib/c.json"]\n'
     tag = "/* place {}: what */\n"
-    write_files(tmp_path, {recipes.RECORD: record, "lib/a.c": tag.format("one") * 2, "lib/b.c": "one\n", "lib/c.json": "one\n"})
-    recipes.listed("init", "--quiet", folder=tmp_path)
+    write_files(tmp_path, {places.RECORD: record, "lib/a.c": tag.format("one") * 2, "lib/b.c": "one\n", "lib/c.json": "one\n"})
+    places.listed("init", "--quiet", folder=tmp_path)
     assert size_of_tree.count_places(tmp_path) == {"places of One": 2}

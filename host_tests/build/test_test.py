@@ -18,7 +18,7 @@ import warm_start
 from board_programs import built, EVERY_BOARD, ROOT
 from conftest import assert_one_sentence, CHECKOUT, dry_run, environment, run_cli, run_make, TOOLS, write_files
 from fixel.base.errors import ToolError
-from fixel.check import all_tests, anywhere, pytest_client, pytest_server, test as check_test
+from fixel.check import test_anywhere, pytest_client, pytest_server, test as check_test
 
 GOOD = "a.c:1:test_one:PASS\na.c:2:test_two:PASS\n\n-----------------------\n2 Tests 0 Failures 0 Ignored \nOK"
 BAD = "a.c:1:test_one:PASS\na.c:2:test_two:FAIL: Expected 1 Was 2\n\n2 Tests 1 Failures 0 Ignored \nFAIL"
@@ -174,10 +174,10 @@ def test_several_files_of_tests_are_built_together(tmp_path):
 
 
 def test_a_file_that_names_no_programs_has_all_of_them(tmp_path):
-    everything = all_tests.needs(types.SimpleNamespace(only="build/test_test", board="", host_units=[], units=[]))
+    everything = check_test.needs(types.SimpleNamespace(only="build/test_test", board="", host_units=[], units=[]))
     assert everything == ["everything"]
     (tmp_path / "test_own.py").write_text("A, B = 1, 2\nBUILT_PROGRAMS = ('host/judge',)\n")
-    assert all_tests.programs_of(tmp_path / "test_own.py") == ("host/judge",)
+    assert check_test.programs_of(tmp_path / "test_own.py") == ("host/judge",)
 
 
 def command_of(board):
@@ -249,7 +249,7 @@ def test_a_board_that_is_none_is_refused():
 def test_a_run_of_pytest_that_fails_itself_counts_as_a_test_that_failed(tmp_path, code, failures, failed):
     report = tmp_path / "report.xml"
     report.write_text(f'<testsuites><testsuite tests="5" skipped="1" failures="{failures}" errors="0"/></testsuites>')
-    outcome = all_tests._pytest_outcome("f", report, code, "words")
+    outcome = check_test._pytest_outcome("f", report, code, "words")
     assert (outcome.passed, outcome.failed, outcome.skipped, outcome.output) == (4 - failed, failed, 1, "words")
 
 
@@ -276,8 +276,8 @@ def test_a_file_whose_process_ends_is_a_failure_and_the_others_run(tmp_path):
         files[f"room/test_{number}_{name}.py"] = f"import os, signal\ndef test_it():\n    {body}\n"
         files[f"room/test_{number}_then.py"] = "def test_it():\n    pass\n"
     write_files(tmp_path, files)
-    program = (f"import pathlib, sys\nsys.path.insert(0, {str(TOOLS)!r})\nfrom fixel.check import all_tests, test\n"
-               f"all_tests.TESTS = pathlib.Path({str(tmp_path)!r})\nsys.exit(test.main(['--only', 'room/', '--workers', '1']))")
+    program = (f"import pathlib, sys\nsys.path.insert(0, {str(TOOLS)!r})\nfrom fixel.check import test\n"
+               f"test.TESTS = pathlib.Path({str(tmp_path)!r})\nsys.exit(test.main(['--only', 'room/', '--workers', '1']))")
     done = subprocess.run([sys.executable, "-c", program], env=environment(), stdin=subprocess.DEVNULL, capture_output=True,
                           text=True, check=False)
     lines = done.stdout.splitlines()
@@ -310,8 +310,8 @@ def test_a_process_that_ends_between_two_runs_is_started_anew(tmp_path, noticed)
 def test_a_job_that_cannot_be_done_is_a_failure_of_each_of_its_suites(capsys):
     def cannot(_argument):
         raise OSError("no more processes")
-    jobs = [all_tests.Job(("board/a", "board/b"), cannot, None), all_tests.Job(("c",), lambda _: all_tests.Outcome(passed=1), None)]
-    outcomes, _ = all_tests.run_jobs(jobs, 1)
+    jobs = [check_test.Job(("board/a", "board/b"), cannot, None), check_test.Job(("c",), lambda _: check_test.Outcome(passed=1), None)]
+    outcomes, _ = check_test.run_jobs(jobs, 1)
     assert {name: outcome.failed for name, outcome in outcomes.items()} == {"board/a": 1, "board/b": 1, "c": 0}
     assert capsys.readouterr().out.count("OSError: no more processes") == 2
 
@@ -347,8 +347,8 @@ def outcome_of(folder, text):
     """The outcome of a file of tests, run by pytest as the command does."""
     file = folder / "test_one.py"
     file.write_text(text, encoding="utf-8")
-    code, said, report = anywhere.run_file(file, folder)
-    return anywhere.outcome(code, report), said
+    code, said, report = test_anywhere.run_file(file, folder)
+    return test_anywhere.outcome(code, report), said
 
 
 @pytest.mark.parametrize("text, line", [
@@ -364,7 +364,7 @@ def outcome_of(folder, text):
 ])
 def test_what_a_line_says(tmp_path, text, line):
     found, said = outcome_of(tmp_path, text)
-    assert anywhere.line("p", found) == line, said
+    assert test_anywhere.line("p", found) == line, said
 
 
 def test_figures_of_tests_are_kept(tmp_path):
@@ -373,13 +373,13 @@ def test_figures_of_tests_are_kept(tmp_path):
 
 
 def test_parts_are_folders_and_make_test_has_none_of_them():
-    found = anywhere.files()
+    found = test_anywhere.files()
     assert "packages/test_cmake" in found
     assert not list((CHECKOUT / "host_tests" / "anywhere").glob("test_*.py")), "make test would run it"
-    assert list(anywhere.chosen("packages/test_cmake", found)) == ["packages/test_cmake"]
-    assert set(anywhere.chosen("packages", found)) < set(anywhere.chosen("", found)) or set(found) == set(anywhere.chosen("packages", found))
+    assert list(test_anywhere.chosen("packages/test_cmake", found)) == ["packages/test_cmake"]
+    assert set(test_anywhere.chosen("packages", found)) < set(test_anywhere.chosen("", found)) or set(found) == set(test_anywhere.chosen("packages", found))
     with pytest.raises(ToolError, match="no part 'package'; did you mean packages"):
-        anywhere.chosen("package", found)
+        test_anywhere.chosen("package", found)
 
 
 def test_an_unknown_part_is_one_sentence():

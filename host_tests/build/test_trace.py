@@ -9,7 +9,7 @@ import pytest
 from conftest import CHECKOUT, run_cli, run_make, write_files
 
 from fixel.base.errors import ToolError
-from fixel.check import clauses, planting, tags, trace, trace_break
+from fixel.check import clauses, planting, trace, trace_break
 
 BUILT_PROGRAMS = ()
 SAMPLE = 5
@@ -109,24 +109,24 @@ def test_the_ids_of_a_tag(text, ids):
 
 
 def test_a_tag_of_code_ends_at_the_next_one_and_with_its_function():
-    assert [(tag.id, tag.line, tag.last) for tag in tags.c_code("lib/a.c", CODE, PAGES)] == [
+    assert [(tag.id, tag.line, tag.last) for tag in clauses.c_code("lib/a.c", CODE, PAGES)] == [
         ("SPEC 1.1", 1, 5), ("SPEC 1.2", 11, 12), ("beams 2.1", 11, 12), ("SPEC 1.1", 13, 15)]
 
 
 def test_a_tag_of_a_test_is_about_that_test():
-    assert [(tag.id, tag.test) for tag in tags.c_tests("host_tests/unit/test_a.c", TEST, PAGES)] == [
+    assert [(tag.id, tag.test) for tag in clauses.c_tests("host_tests/unit/test_a.c", TEST, PAGES)] == [
         ("SPEC 1.1", "test_sum"), ("SPEC 1.2", "test_sum")]
-    assert [(tag.id, tag.test) for tag in tags.python_tests("host_tests/build/test_b.py", PYTEST, PAGES)] == [
+    assert [(tag.id, tag.test) for tag in clauses.python_tests("host_tests/build/test_b.py", PYTEST, PAGES)] == [
         ("beams 2.1", "build/test_b.py::test_beam")]
 
 
 def test_other_comments_are_no_tags():
-    assert tags.c_code("lib/a.c", "/* IEEE 802.3, reflected. */\n/* SPEC 1.1 says why. */ int a;\n", PAGES) == []
+    assert clauses.c_code("lib/a.c", "/* IEEE 802.3, reflected. */\n/* SPEC 1.1 says why. */ int a;\n", PAGES) == []
 
 
 def test_tags_of_modules():
     text = "# beams 2.1\ndef f():\n    pass\n\n\ndef g():\n    # SPEC 1.1\n    pass\n    # SPEC 1.2\n    pass\n"
-    assert [(tag.id, tag.line, tag.last) for tag in tags.python_code("a.py", text, PAGES)] == [
+    assert [(tag.id, tag.line, tag.last) for tag in clauses.python_code("a.py", text, PAGES)] == [
         ("beams 2.1", 1, 3), ("SPEC 1.1", 7, 8), ("SPEC 1.2", 9, 10)]
 
 
@@ -206,7 +206,7 @@ def test_a_reason_for_what_is_no_normative_clause_is_refused(root, capsys):
 def test_mutants_are_of_the_tagged_lines_alone(root):
     (root / "lib/room").mkdir()
     (root / "lib/room/a.c").write_text(CODE)
-    found = trace_break.tagged_mutants(root, tags.c_code("lib/room/a.c", CODE, PAGES)[1:2])
+    found = trace_break.tagged_mutants(root, clauses.c_code("lib/room/a.c", CODE, PAGES)[1:2])
     assert {mutant.line for _, mutant in found} == {12} and "(void)0;" in {mutant.becomes for _, mutant in found}
 
 

@@ -13,7 +13,7 @@ import subprocess
 import pytest
 from conftest import CHECKOUT
 from fixel.base.errors import ToolError
-from fixel.check import corpus, fuzz, fuzz_shards
+from fixel.check import corpus, fuzz
 
 TARGETS = list(corpus.HARNESSES)
 LEAST = 90          # per cent of the branches of lib/
@@ -134,14 +134,14 @@ exit 1
 def test_one_process_and_eight_find_the_same(tmp_path, monkeypatch):
     monkeypatch.chdir(CHECKOUT)
     for harness in TARGETS:
-        program = fuzz_shards.program_of(tmp_path, harness)
+        program = fuzz.program_of(tmp_path, harness)
         program.parent.mkdir(parents=True, exist_ok=True)
         program.write_text(FUZZER)
         program.chmod(0o755)
     rows = []
     for jobs in (1, 8):
         options = fuzz.parser().parse_args(["--build", str(tmp_path), "--jobs", str(jobs)])
-        options.runs = 3 * fuzz_shards.SHARD + 1
+        options.runs = 3 * fuzz.SHARD + 1
         rows.append(fuzz.run_fuzzers(options))
     assert rows[0] == rows[1]
     what = "ERROR: AddressSanitizer: heap-buffer-overflow on address at pc"
@@ -154,12 +154,12 @@ def test_one_process_and_eight_find_the_same(tmp_path, monkeypatch):
 
 
 def test_a_fuzzer_that_ends_without_an_input_is_one_sentence(tmp_path):
-    program = fuzz_shards.program_of(tmp_path, "scene")
+    program = fuzz.program_of(tmp_path, "scene")
     program.parent.mkdir(parents=True)
     program.write_text("#!/bin/sh\necho 'no memory' >&2\nexit 3\n")
     program.chmod(0o755)
     with pytest.raises(ToolError, match="^fuzz_scene ended with 3: no memory$"):
-        fuzz_shards.run_shard(tmp_path, {"harness": "scene", "shard": 0, "runs": 1})
+        fuzz.run_shard(tmp_path, {"harness": "scene", "shard": 0, "runs": 1})
 
 
 def test_an_input_is_added_once(monkeypatch, tmp_path, capsys):

@@ -12,11 +12,11 @@ from conftest import CHECKOUT
 from fixel.bench import bench_plan
 from fixel.board import dump
 from fixel.image import image, image_surface
-from fixel.report import report_averages, report_claims
+from fixel.report import report_claims
 
 FRAMES = 12     # of a path, at most
 PLAN = bench_plan.Plan(CHECKOUT / "build")
-RECORD = report_averages.record()
+RECORD = report_claims.record()
 # The seed of the report, and the samples that it draws of each claim.
 SAMPLES = {name: entry["samples"] for name, entry in RECORD["claims"].items()}
 
@@ -81,8 +81,8 @@ def claims(change=1.0):
 
 def test_a_mean_that_is_the_record_s_holds_and_a_larger_one_fails():
     """accuracy 3.5."""
-    assert all(claim["holds"] and "mean_most" in claim for claim in report_averages.hold(claims(), RECORD["seed"]))
-    worse = report_averages.hold(claims(1.001), RECORD["seed"])
+    assert all(claim["holds"] and "mean_most" in claim for claim in report_claims.hold(claims(), RECORD["seed"]))
+    worse = report_claims.hold(claims(1.001), RECORD["seed"])
     assert not any(claim["holds"] for claim in worse)
     assert "and the record's is" in report_claims.complaints({"claims": worse})[0]
 
@@ -92,7 +92,7 @@ def test_a_mean_of_other_samples_is_not_compared():
     fewer = copy.deepcopy(claims(2.0))
     for claim in fewer:
         claim["samples"] -= 1
-    for found in (report_averages.hold(claims(2.0), RECORD["seed"] + 1), report_averages.hold(fewer, RECORD["seed"])):
+    for found in (report_claims.hold(claims(2.0), RECORD["seed"] + 1), report_claims.hold(fewer, RECORD["seed"])):
         assert all(claim["holds"] and "mean_most" not in claim for claim in found)
 
 

@@ -12,7 +12,7 @@ import pytest
 from fixel.base.errors import ToolError
 from fixel.scene import making
 from fixel.board import dump, emulator, flash_memory
-from fixel.check import frozen_frames
+from fixel.check import frame_hashes
 
 MODELS = CHECKOUT.parent / "shared" / "models"
 OWN = sorted((CHECKOUT / "scenes").glob("*.toml"))
@@ -48,47 +48,47 @@ def fixture_scene(request, tmp_path_factory):
 
 
 def test_each_scene_has_a_record_and_no_record_is_without_a_scene():
-    assert sorted(frozen_frames.load()) == sorted(SCENES)
+    assert sorted(frame_hashes.load()) == sorted(SCENES)
 
 
 def test_the_host_draws_what_is_on_record(build, scene, tmp_path):
     name, image = scene
-    drawn = frozen_frames.drawn_by_host(image, build, tmp_path)
-    assert frozen_frames.difference(frozen_frames.load()[name], drawn) == ""
+    drawn = frame_hashes.drawn_by_host(image, build, tmp_path)
+    assert frame_hashes.difference(frame_hashes.load()[name], drawn) == ""
 
 
 @pytest.mark.parametrize("board, scene", ON_BOARDS, indirect=["scene"])
 def test_emulated_cores_draw_it(build, board, scene, tmp_path):
     name, image = scene
-    record = frozen_frames.load()[name]
+    record = frame_hashes.load()[name]
     elf = built(f"{board}/walk.elf")
     flash_memory.flash(board, elf, image, tmp_path / "flash.bin")
     out = tmp_path / "frames.fxld"
     emulator.run(board, tmp_path / "flash.bin", elf, out, timeout=TIMEOUT)
-    assert frozen_frames.difference(record, dump.read_dump(out)) == ""
+    assert frame_hashes.difference(record, dump.read_dump(out)) == ""
 
 
 def test_a_changed_pixel_or_counter_is_seen(build, tmp_path):
     image = tmp_path / "tiny.fxls"
     making.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(image))
-    record = frozen_frames.load()["tiny"]
-    drawn = frozen_frames.drawn_by_host(image, build, tmp_path)
+    record = frame_hashes.load()["tiny"]
+    drawn = frame_hashes.drawn_by_host(image, build, tmp_path)
     drawn.frames[3].counters["drawn"] += 1
-    assert frozen_frames.difference(record, drawn).startswith("counters are")
+    assert frame_hashes.difference(record, drawn).startswith("counters are")
     pixels = drawn.frames[5].pixels.copy()
     pixels[7, 9] ^= 1
     object.__setattr__(drawn.frames[5], "pixels", pixels)
-    assert frozen_frames.difference(record, drawn).startswith("frame 5 ")
+    assert frame_hashes.difference(record, drawn).startswith("frame 5 ")
 
 
 def test_the_tool_alters_no_record(build, tmp_path, monkeypatch):
     image = tmp_path / "tiny.fxls"
     making.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(image))
-    records = frozen_frames.load()
-    assert frozen_frames.add(image, records, build, tmp_path) == "on record"
-    records["tiny"] = {**records["tiny"], "frames": ["0" * frozen_frames.DIGITS] * len(records["tiny"]["frames"])}
+    records = frame_hashes.load()
+    assert frame_hashes.add(image, records, build, tmp_path) == "on record"
+    records["tiny"] = {**records["tiny"], "frames": ["0" * frame_hashes.DIGITS] * len(records["tiny"]["frames"])}
     with pytest.raises(ToolError, match="frame 0"):
-        frozen_frames.add(image, records, build, tmp_path)
+        frame_hashes.add(image, records, build, tmp_path)
 
 
 def test_wrong_usage_is_said():

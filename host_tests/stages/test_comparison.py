@@ -9,12 +9,10 @@ import types
 
 import pytest
 
-from fixel.bench import clippers as clippers_tool
-from fixel.bench import clippers_report
+from fixel.bench import clippers as clippers_tool, clippers_page, clippers_plan, clippers_run
 from clipper_names import clipper_names
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 from fixel.scene import making
-from fixel.bench import clippers_page, clippers_plan, clippers_rows
 from fixel.base.errors import ToolError
 
 pytestmark = pytest.mark.usefixtures("bench_programs")
@@ -193,19 +191,19 @@ def test_the_run_that_was_kept_is_whole_and_sound(plan, kept):
     keys = {(row["clipper"], row["hidden"], row["scene"], row["board"]) for row in kept["rows"]}
     assert keys == {(each.clipper, each.hidden, scene, core) for each in plan.combinations()
                     for scene in plan.scenes for core in plan.cores}
-    assert kept["complaints"] == [] == clippers_rows.complaints(plan, kept)
+    assert kept["complaints"] == [] == clippers_run.complaints(plan, kept)
 
 
 def test_a_run_with_gaps_or_complaints_is_not_kept(sample, plan, tmp_path):
     with pytest.raises(ToolError, match="are missing"):
-        clippers_report.accept(plan, sample[0])
+        clippers_tool.accept(plan, sample[0])
     (tmp_path / "clippers.json").write_text(json.dumps({**sample[1], "complaints": ["something"]}), encoding="utf-8")
     with pytest.raises(ToolError, match="something"):
-        clippers_report.accept(plan, tmp_path)
+        clippers_tool.accept(plan, tmp_path)
 
 
 def test_lines_are_the_same_data(sample):
-    lines = clippers_rows.as_lines(sample[1])
+    lines = clippers_run.as_lines(sample[1])
     rows = [{key: value for key, value in row.items() if key != "crcs"} for row in sample[1]["rows"]]
     assert json.loads(lines) == {**sample[1], "rows": rows}
     assert len(lines.splitlines()) > len(rows)
@@ -222,15 +220,15 @@ def test_lines_are_the_same_data(sample):
 def test_complaints(sample, plan, change, words):
     result = copy.deepcopy(sample[1])
     result["rows"][0].update(change)
-    (sentence,) = clippers_rows.complaints(plan, result)
+    (sentence,) = clippers_run.complaints(plan, result)
     assert words in sentence and sentence.startswith("view x sorted, w1, m3: ")
 
 
 def test_a_complaint_is_an_exit_code(monkeypatch, tmp_path, sample):
     result = {**sample[1], "complaints": ["something"]}
-    monkeypatch.setattr(clippers_report, "measure", lambda *_: (result, {}))
-    monkeypatch.setattr(clippers_report.clippers_page, "render", lambda *_: "page")
+    monkeypatch.setattr(clippers_tool, "measure", lambda *_: (result, {}))
+    monkeypatch.setattr(clippers_tool.clippers_page, "render", lambda *_: "page")
     monkeypatch.chdir(CHECKOUT)
     assert clippers_tool.main(["--out", str(tmp_path / "out")]) == 1
-    monkeypatch.setattr(clippers_report, "measure", lambda *_: ({**result, "complaints": []}, {}))
+    monkeypatch.setattr(clippers_tool, "measure", lambda *_: ({**result, "complaints": []}, {}))
     assert clippers_tool.main(["--out", str(tmp_path / "out")]) == 0

@@ -9,7 +9,7 @@ import pytest
 from board_programs import ROOT, made
 from conftest import assert_one_sentence, run_cli
 from fixel.campaign.shards import Shard
-from fixel.check import kernel_equality
+from fixel.check import equality as kernel_equality
 
 CORES = ("m0", "m3", "m4f", "m55", "m0-small", "m3-small", "m3-os")
 FEWEST = "m3-small"     # of these, the program with the fewest kernels

@@ -11,10 +11,9 @@ import numpy
 import pytest
 from elftools.elf.elffile import ELFFile
 
-from fixel.bench import bench_report
+from fixel.bench import bench
 from conftest import CHECKOUT, assert_one_sentence, run_cli
-from fixel.bench import (bench_budgets, bench_changes, bench_goals, bench_head, bench_page, bench_plan, bench_plots, bench_rgb565,
-                         bench_rows, bench_run, bench_terrain, link_map)
+from fixel.bench import bench_budgets, bench_changes, bench_goals, bench_page, bench_plan, bench_plots, bench_rgb565, bench_rows, bench_run, linked_size
 from fixel.board import dump
 from fixel.image import image
 from fixel.base.errors import ToolError
@@ -85,7 +84,7 @@ def test_a_second_run_counts_the_same(measured, plan, tmp_path):
 
 def test_a_run_writes_tables_and_plots_and_prints_the_goals(measured):
     text, folder, printed = measured
-    assert {path.name for path in folder.iterdir()} == set(bench_report.PATTERNS)
+    assert {path.name for path in folder.iterdir()} == set(bench.PATTERNS)
     assert (folder / "bench.png").read_bytes()[:4] == b"\x89PNG"
     goals = json.loads(text)["goals"]
     for goal in goals:
@@ -190,10 +189,10 @@ def test_a_row_and_its_ratios_by_hand():
 def test_a_renderer_that_draws_something_else_is_refused():
     plan = types.SimpleNamespace(workloads={"w1": {}, "f32": {"judged": "covered"}})
     row = {"core": "m3", "workload": "w1", "renderer": "listing-float", "pixels": 1000, "differing": 2, "uncovered": 2}
-    bench_report.check_pictures(plan, [row, {**row, "workload": "f32", "differing": 1000}])
+    bench.check_pictures(plan, [row, {**row, "workload": "f32", "differing": 1000}])
     for wrong in ({**row, "differing": 3}, {**row, "workload": "f32", "uncovered": 3}):
         with pytest.raises(ToolError, match="3 of 1,000 pixels") as refused:
-            bench_report.check_pictures(plan, [wrong])
+            bench.check_pictures(plan, [wrong])
         assert refused.value.exit_code == 1
 
 
@@ -211,19 +210,19 @@ def test_a_variant_that_draws_something_else_is_refused():
     drawn = {("m3", "w1", "fixel"): types.SimpleNamespace(instructions=[200, 200], pixels=frames)}
     other = types.SimpleNamespace(instructions=[300, 301], pixels=frames.copy(), memory=7, stack=8)
     others = {("m3", "w1", "bands"): other}
-    bench_report.check_variants(drawn, others)
+    bench.check_variants(drawn, others)
     assert bench_rows.variants(drawn, others) == [{"variant": "bands", "workload": "w1", "core": "m3", "frame": 300,
                                                    "by_fixel": 1.5025, "ram_bytes": 7, "stack_bytes": 8}]
     other.pixels[0, 1, 1] = 1
     with pytest.raises(ToolError, match="fixel-bands on m3 draws w1 unlike fixel: 1 pixels") as refused:
-        bench_report.check_variants(drawn, others)
+        bench.check_variants(drawn, others)
     assert refused.value.exit_code == 1
 
 
 @pytest.mark.parametrize("flags", ["Os", "small", "small-flto"])
 def test_bytes_of_the_map_are_those_of_the_program(flags):
     folder = CHECKOUT / "build/bench/m3/size" / flags
-    found = link_map.measure(folder / "fixel.map")
+    found = linked_size.sizes_of_map(folder / "fixel.map")
     with (folder / "fixel.elf").open("rb") as file:
         elf = ELFFile(file)
         sections = [section for section in elf.iter_sections() if section["sh_flags"] & 2]
@@ -236,7 +235,7 @@ def test_bytes_of_the_map_are_those_of_the_program(flags):
 
 
 def test_by_flto_the_library_is_one_file_and_the_memory_functions_stay_outside():
-    apart, together = (link_map.measure(CHECKOUT / "build/bench/m3/size" / flags / "fixel.map")
+    apart, together = (linked_size.sizes_of_map(CHECKOUT / "build/bench/m3/size" / flags / "fixel.map")
                        for flags in ("small", "small-flto"))
     assert list(together["files"]) == ["ltrans0"]       # not the linker's name of it, which is new with each link
     assert together["run_time"] == apart["run_time"] > 0
@@ -251,18 +250,18 @@ def test_the_map_tells_helpers_from_memory_functions(tmp_path):
                     " .text          0x00000130       0x30 /usr/lib/gcc/libgcc.a(_udivmoddi4.o)\n"
                     " .text          0x00000130        0x0 /usr/lib/gcc/libgcc.a(_empty.o)\n"
                     " .text.memset   0x00000160       0x10 build/memory_functions.o\n")
-    assert link_map.measure(file) == {"code": 0x24, "constants": 8, "run_time": 0x40, "ram": 0x10,
+    assert linked_size.sizes_of_map(file) == {"code": 0x24, "constants": 8, "run_time": 0x40, "ram": 0x10,
                                       "helpers": ["_udivmoddi4"], "files": {"a": 0x28, "b": 4}}
     file.write_text("nothing")
     with pytest.raises(ToolError, match="not a linker's map"):
-        link_map.measure(file)
+        linked_size.sizes_of_map(file)
 
 
 # --- frames as pixels of RGB565, and steps ------------------------------------------
 
 def test_the_generated_head_is_closed_and_has_968_triangles(tmp_path):
-    bench_head.write(tmp_path)
-    rows = [line.split() for line in (tmp_path / bench_head.NAME).read_text().splitlines()]
+    bench_changes.write_head(tmp_path)
+    rows = [line.split() for line in (tmp_path / bench_changes.HEAD).read_text().splitlines()]
     faces = [[int(word) for word in words[1:]] for words in rows if words[0] == "f"]
     edges = {(face[i], face[(i + 1) % 3]) for face in faces for i in range(3)}
     assert len(faces) == 968 and len(edges) == 3 * 968
@@ -433,18 +432,18 @@ def double_area_from_above(vertices, corners):
 @pytest.mark.parametrize("faces, patch, models", [(500, None, 1), (8000, None, 1), (500, 5, 10), (8000, 5, 160)])
 def test_a_terrain_has_the_faces_and_all_are_turned_up(plan, tmp_path, faces, patch, models):
     _, scene = bench_plan.compile_scene(plan.workloads["w1"], tmp_path)
-    made = bench_terrain.terrain(scene, faces, patch)
+    made = bench_changes.terrain(scene, faces, patch)
     assert bench_plan.faces_of(made) == faces and len(made.models) == len(made.objects) == models
     # In 2.30: by less than 27 degrees from upright, and no direction from the eye is farther than 53 from it.
     assert all(face.normal[1] > 0.9 * 2 ** 30 for model in made.models for face in model.faces)
     points = {tuple(a + b for a, b in zip(vertex, item.centre))
               for item in made.objects for vertex in made.models[item.model].vertices}
-    columns, rows = bench_terrain.sides(faces // 2)
+    columns, rows = bench_changes.sides(faces // 2)
     assert len(points) == (columns + 1) * (rows + 1)
-    steps = bench_terrain.WIDTH * bench_terrain.ONE // columns, bench_terrain.DEPTH * bench_terrain.ONE // rows
+    steps = bench_changes.TERRAIN_WIDTH * bench_changes.ONE // columns, bench_changes.TERRAIN_DEPTH * bench_changes.ONE // rows
     assert (min(y for _, y, _ in points), max(y for _, y, _ in points)) == (0, 7 * min(steps) // 32)
     # From above the faces cover the ground once, and each model has its origin in the middle of its patch.
-    whole = 2 * bench_terrain.WIDTH * bench_terrain.DEPTH * bench_terrain.ONE ** 2
+    whole = 2 * bench_changes.TERRAIN_WIDTH * bench_changes.TERRAIN_DEPTH * bench_changes.ONE ** 2
     areas = [double_area_from_above(model.vertices, face.corners) for model in made.models for face in model.faces]
     assert min(areas) > 0 and sum(areas) == whole
     for model in made.models:
@@ -468,10 +467,9 @@ def test_the_cores_that_are_asked_for_are_measured_or_all(monkeypatch, asked, co
     def measure(_plan, given, left_out):
         assert (given, left_out) == (cores, ["m0"])
         raise ToolError("nothing is measured here")
-    monkeypatch.setattr(bench_report, "measure", measure)
-    options = types.SimpleNamespace(build=CHECKOUT / "build", workloads=None, cores=asked, left_out=["m0"])
+    monkeypatch.setattr(bench, "measure", measure)
     with pytest.raises(ToolError, match="nothing is measured here"):
-        bench_report.command(options)
+        bench.main(["--build", str(CHECKOUT / "build"), *(["--cores", *asked] if asked else []), "--left-out", "m0"])
 
 
 # --- the document -------------------------------------------------------------------

@@ -9,7 +9,7 @@ import pytest
 
 from conftest import CHECKOUT
 from fixel.bench import bench_plan, bench_run, counter
-from fixel.board import ending
+from fixel.board import execute
 from fixel.base.errors import ToolError
 from fixel.bench.machine_code import MachineCode
 
@@ -137,11 +137,11 @@ def test_a_file_that_is_not_whole_is_refused(text):
 def test_a_program_that_fails_is_an_error_of_its_last_words(monkeypatch, tmp_path):
     monkeypatch.setattr(counter.firmware, "load", lambda elf: types.SimpleNamespace(scene_base=0))
     monkeypatch.setattr(counter, "map_text", lambda *_: "")
-    ended = ending.Ending(ending.exit_code("STORE"), "first\nlast words", "", 1.0)
+    ended = execute.Ending(execute.exit_code("STORE"), "first\nlast words", "", 1.0)
     monkeypatch.setattr(counter.emulator, "emulate", lambda *_: ended)
     with pytest.raises(ToolError, match="a.elf") as refused:
         counter.run("a.elf", [], __file__, tmp_path)
-    assert refused.value.exit_code == ending.exit_status(ended) != 0 and "last words" in refused.value.words
+    assert refused.value.exit_code == execute.exit_status(ended) != 0 and "last words" in refused.value.words
     with pytest.raises(ToolError, match="nowhere is not built"):
         counter.run("a.elf", [], tmp_path / "nowhere", tmp_path)
 

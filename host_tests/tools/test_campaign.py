@@ -15,7 +15,7 @@ from conftest import CHECKOUT, LAUNCHER, assert_one_sentence, environment, run_c
 
 from fixel.base import kept
 from fixel.base.errors import ToolError
-from fixel.campaign import rates, runner, sent, shards
+from fixel.campaign import runner, sent, shards
 from fixel.report import report_shards
 
 CLAIMS = "orientation_axis matrix_entry depth_16"
@@ -126,13 +126,12 @@ def test_other_programs_and_other_parameters_are_other_shards(command):
 
 def test_a_report_of_many_samples_ends_after_its_minutes(command, monkeypatch, capsys):
     """With a budget that is spent at once only the first ten million samples are drawn, and the report is about them."""
-    from fixel.report import accuracy
     monkeypatch.setattr(report_shards, "CORES", 0)
     monkeypatch.chdir(CHECKOUT)
     options = ["--samples", "30000000", "--minutes", "1"]
     monkeypatch.setattr(report_shards.runner.Budget, "is_left", lambda self: False)
     from fixel.report import report
-    assert accuracy.command(report.parser().parse_args([*map(str, command.words("short")[1:]), *options])) == 0
+    assert report.main([*map(str, command.words("short")[1:]), *options]) == 0
     said = capsys.readouterr().err
     assert "after 1 minutes of 0 cores the report is about the shards that are done" in said
     assert len(command.asked()) == SHARDS
@@ -167,13 +166,13 @@ def test_a_damaged_shard_is_computed_anew(command):
 
 def test_the_rate_and_the_hours_of_large_campaigns():
     done = [shards.Shard("report", number, {}, "a", 500) for number in range(4)]
-    (row,) = rates.rows(done, {0: 1.0, 1: 1.0, 2: 2.0, 3: 0.0})
+    (row,) = runner.rates_of(done, {0: 1.0, 1: 1.0, 2: 2.0, 3: 0.0})
     assert row == {"kind": "a", "shards": 4, "samples": 2000, "seconds": 4.0, "shard_seconds": 1.0, "samples_a_second": 500.0,
                    "core_hours": {"10^9": 555.556, "10^10": 5555.556, "10^12": 555555.556}}
-    assert rates.whole([row], done[:2], 100) == {"kind": "all, in proportion", "shards": 2, "samples": 100, "seconds": 2.0,
+    assert runner.rate_of_whole([row], done[:2], 100) == {"kind": "all, in proportion", "shards": 2, "samples": 100, "seconds": 2.0,
                                                  "shard_seconds": 1.0, "samples_a_second": 50.0,
                                                  "core_hours": {"10^9": 5555.556, "10^10": 55555.556, "10^12": 5555555.556}}
-    assert "core hours of 10^12" in rates.shown([row]) and "5.556e+05" in rates.shown([row])
+    assert "core hours of 10^12" in runner.rates_as_text([row]) and "5.556e+05" in runner.rates_as_text([row])
 
 
 def test_large_campaigns_have_longer_shards_and_no_more_of_them():

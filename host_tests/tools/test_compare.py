@@ -12,7 +12,7 @@ from conftest import assert_one_sentence, dump_bytes, random_frames, run_cli, ru
 from PIL import Image
 from test_input_bounds import run_bounded
 
-from fixel.report import comparison
+from fixel.report import compare as comparison
 from fixel.base import picture
 from fixel.base.errors import ToolError
 

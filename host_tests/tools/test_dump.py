@@ -13,7 +13,7 @@ from hypothesis import given, settings, strategies as st
 
 from conftest import COUNTERS_OF_A_FRAME, assert_one_sentence, dump_bytes, random_frames, run_cli
 from fixel.base.errors import ToolError
-from fixel.board import dump, dump_file, frame_crc
+from fixel.board import dump, crc
 
 FRAMES = random_frames(3, 5, 7)
 WHOLE = dump_bytes(FRAMES)
@@ -137,8 +137,8 @@ def fixture_file(tmp_path):
 
 
 def test_a_dump_that_is_whole_passes(file):
-    assert dump_file.shape(file) == (3, file.stat().st_size)
-    assert dump_file.check(file, 3) is None
+    assert dump.shape(file) == (3, file.stat().st_size)
+    assert dump.check(file, 3) is None
 
 
 @pytest.mark.parametrize("place", [HEAD + 100, (1 << 20) + 1, -5, -1])
@@ -147,7 +147,7 @@ def test_a_byte_that_differs_anywhere_is_damage(file, place):
     data[place] ^= 1
     file.write_bytes(data)
     with pytest.raises(ToolError, match="damaged") as refused:
-        dump_file.check(file, 3)
+        dump.check(file, 3)
     assert refused.value.exit_code == 1
 
 
@@ -156,31 +156,31 @@ def test_a_dump_of_another_length_is_not_whole(file, change):
     size = file.stat().st_size
     file.write_bytes(change(file.read_bytes()))
     with pytest.raises(ToolError, match=f"{size} expected for 3 frames"):
-        dump_file.check(file, 3)
+        dump.check(file, 3)
 
 
 def test_a_dump_of_other_frames_or_none_is_not_whole(file, tmp_path):
     with pytest.raises(ToolError, match="not whole"):
-        dump_file.check(file, 4)
+        dump.check(file, 4)
     with pytest.raises(ToolError, match="left no frame dump"):
-        dump_file.check(tmp_path / "none.fxld", 3)
+        dump.check(tmp_path / "none.fxld", 3)
 
 
 @pytest.mark.parametrize("head", [b"", b"FXLX", WHOLE[:HEAD - 1], b"FXLX" + WHOLE[4:], dump_bytes(FRAMES, version=2),
                                   dump_bytes(FRAMES, bits=9)])
 def test_a_head_that_is_none_announces_nothing(tmp_path, head):
     (tmp_path / "board.fxld").write_bytes(head)
-    assert dump_file.shape(tmp_path / "board.fxld") is None
+    assert dump.shape(tmp_path / "board.fxld") is None
 
 
 def test_pixels_of_16_bits_take_two_bytes(tmp_path):
     (tmp_path / "board.fxld").write_bytes(dump_bytes(FRAMES, bits=16)[:HEAD])
-    assert dump_file.shape(tmp_path / "board.fxld") == (3, len(WHOLE) + 3 * 5 * 7)
+    assert dump.shape(tmp_path / "board.fxld") == (3, len(WHOLE) + 3 * 5 * 7)
 
 
 def test_frames_are_told_while_a_dump_grows(tmp_path):
     told, file = [], tmp_path / "board.fxld"
-    look = dump_file.watch(file, lambda done, frames: told.append((done, frames)))
+    look = dump.watch(file, lambda done, frames: told.append((done, frames)))
     assert look() == (0, None) and not told
     part = tmp_path / "board.fxld.part"
     for size in (HEAD - 1, HEAD, HEAD + FRAME - 1, HEAD + FRAME, len(WHOLE)):
@@ -206,7 +206,7 @@ def test_a_dump_that_is_renamed_while_it_is_looked_at(tmp_path, monkeypatch, loo
         return real(path, *more, **how)
 
     monkeypatch.setattr(os, "stat", stat)
-    look = dump_file.watch(file, None)
+    look = dump.watch(file, None)
     assert [look() for _ in range(4)][-1] == (len(WHOLE), None)
 
 
@@ -256,5 +256,5 @@ def test_options_that_make_no_sense(tmp_path, frames, words, sentence):
 
 
 def test_the_high_byte_of_a_colour_comes_first():
-    assert frame_crc.pixel_bytes(numpy.array([[0x1234, 0x00FF]], "<u2")) == bytes([0x12, 0x34, 0x00, 0xFF])
-    assert frame_crc.pixel_bytes(numpy.array([[0x12, 0xFF]], numpy.uint8)) == bytes([0x12, 0xFF])
+    assert crc.pixel_bytes(numpy.array([[0x1234, 0x00FF]], "<u2")) == bytes([0x12, 0x34, 0x00, 0xFF])
+    assert crc.pixel_bytes(numpy.array([[0x12, 0xFF]], numpy.uint8)) == bytes([0x12, 0xFF])

@@ -13,7 +13,7 @@ import pytest
 
 from board_programs import ROOT, made
 from conftest import assert_one_sentence, run_cli
-from fixel.bench import frame_costs, prediction
+from fixel.bench import frame_costs, predict
 from fixel.image import c_names, c_scene, c_text, image, memory_needed
 from fixel.base.errors import ToolError
 from fixel.scene import compiler, making
@@ -381,9 +381,9 @@ def test_what_less_memory_costs(tmp_path):
     for file, core in itertools.product(MODELS, ("m3", "m0")):
         compiled_scene, options.scene = tmp_path / "scene.fxls", str(file)
         making.build(str(ROOT / file), compiled_scene, 12 if str(file).endswith(".obj") else None)
-        told = prediction.of_memory(options, compiled_scene, frame_costs.load()["cores"][core])
+        told = predict.of_memory(options, compiled_scene, frame_costs.load()["cores"][core])
         fast, moderate, least = ({way: each[way] for way in ("bytes", "fxl_render", "bands")} for each in told)
-        bands = -(-image.load(compiled_scene).height // prediction.BAND_ROWS)
+        bands = -(-image.load(compiled_scene).height // predict.BAND_ROWS)
         for way in ("fxl_render", "bands"):
             assert fast[way] <= 1.001 * moderate[way] and moderate[way] <= 1.001 * least[way], (file, way)
             most[core, way] = [max(old, each[way] / fast[way]) for old, each in zip(most.get((core, way), (0, 0)), (moderate, least))]

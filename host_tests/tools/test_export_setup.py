@@ -12,8 +12,8 @@ from PIL import Image
 from board_programs import ROOT, made
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 from fixel.base.errors import ToolError
-from fixel.board import frame_crc
-from fixel.check import frozen_frames
+from fixel.board import crc
+from fixel.check import frame_hashes
 from fixel.image import image as images
 from fixel.report import showcase_models
 from fixel.scene import command as scene_command, compiler, look, making, target
@@ -155,7 +155,7 @@ def fixture_drawn(request, tmp_path_factory):
     scene, _ = compiler.compile_scene(str(source), None, None, None, "program")
     frames = len(scene.path) if scene.path_kind == images.POSES else None
     making.export(str(source), str(folder / "scene.h"), "scene", frames)
-    return folder, frozen_frames.drawn_by_host(folder / "scene.fxls", ROOT / "build", folder).frames[:FRAMES]
+    return folder, frame_hashes.drawn_by_host(folder / "scene.fxls", ROOT / "build", folder).frames[:FRAMES]
 
 
 @pytest.mark.parametrize("language", [["gcc", "-std=c11"], ["g++", "-std=c++11"]], ids=["c", "c++"])
@@ -165,7 +165,7 @@ def test_the_setup_draws_the_frames_of_make_run(drawn, language):
     text = PROGRAM if name == "main.cpp" else PROGRAM.replace("fxl_band band = fxl_band();", "fxl_band band = {0};")
     program = compiled(folder, text, "-Wno-redundant-decls", compiler=language, name=name)
     poses = [str(number) for frame in frames for number in (*frame.position, *frame.angles)]
-    crcs = frame_crc.drawn(frames).each
+    crcs = crc.drawn(frames).each
     assert printed(program, *poses).split() == [crcs[frame % len(crcs)] for frame in range(FRAMES) for _ in range(2)]
 
 
@@ -218,7 +218,7 @@ def demand_frames_of_make_run(tmp_path, source, asked, options, **build):
     making.build(str(source), str(tmp_path / "scene.fxls"), looks=looks, **build)
     done = run_cli("export", "--c", source, "-o", header, "--name", "scene", "--program", program, *options)
     assert done.returncode == 0 and str(program) in done.stdout, done.stderr
-    frames = frozen_frames.drawn_by_host(tmp_path / "scene.fxls", ROOT / "build", tmp_path).frames
+    frames = frame_hashes.drawn_by_host(tmp_path / "scene.fxls", ROOT / "build", tmp_path).frames
     text, shown = program.read_text(encoding="utf-8"), "(void)fxl_band_crc(&crc, &band);"
     height, path = frames[0].pixels.shape[0], images.load(tmp_path / "scene.fxls").path_kind == images.POSES
     for rows in (16, height):
@@ -230,7 +230,7 @@ def demand_frames_of_make_run(tmp_path, source, asked, options, **build):
         drawn = drawn.replace("WIDTH", str(frames[0].pixels.shape[1])).replace("if (draw(", "crc = FXL_CRC_START;\n        if (draw(")
         drawn = drawn.replace("{ return 2; }", '{ return 2; }\n        printf("%08x\\n", (unsigned)crc);')
         crcs = printed(compiled(tmp_path, drawn, name="shown.c")).split()
-        assert crcs == frame_crc.drawn(frames).each[:len(crcs)] if path else len(crcs) == 1
+        assert crcs == crc.drawn(frames).each[:len(crcs)] if path else len(crcs) == 1
         assert len(crcs) == (len(frames) if path else 1)
 
 

@@ -10,7 +10,7 @@ import sys
 import pytest
 from conftest import LAUNCHER, run_make
 
-from fixel.base import bounded, make_variables
+from fixel.base import bounded, make
 from fixel.base.errors import ToolError
 from fixel.scene import making
 from model_files import gltf, png, stl
@@ -125,11 +125,11 @@ def test_each_command_that_compiles_has_the_option(command):
 
 
 def test_each_command_of_make_that_takes_a_scene_has_the_variables():
-    taking = [command for command, names in make_variables.commands().items() if "SCENE" in names]
+    taking = [command for command, names in make.variables().items() if "SCENE" in names]
     assert "run" in taking
     for command in taking:
         given = {"ALLOW_OUTSIDE": "1", "CPU_LIMIT": "9", "MEMORY_LIMIT": "300"}
-        assert sorted(make_variables.options(command, given)) == ["--allow-outside", "--cpu-limit=9", "--memory-limit=300"], command
+        assert sorted(make.options(command, given)) == ["--allow-outside", "--cpu-limit=9", "--memory-limit=300"], command
 
 
 def test_make_draws_a_scene_with_files_outside(tmp_path):

@@ -10,7 +10,7 @@ import tempfile
 import pytest
 from hypothesis import given, strategies as st
 
-from fixel.image import c_font
+from fixel.image import font as c_font
 from board_programs import ROOT
 from conftest import assert_one_sentence, run_cli
 from fixel.image import bdf

@@ -12,11 +12,10 @@ import sys
 import pytest
 from conftest import CHECKOUT, LAUNCHER, TOOLS, environment, run_cli
 
-from fixel.board import run as run_tool
+from fixel.board import qemu, run as run_tool
 from fixel.base import kept
-from fixel.board import qemu
 from fixel.board.programs import HostPrograms
-from fixel.report import report_frames, report_scale
+from fixel.report import report_frames
 
 SCENE = "scenes/tiny.toml"
 PARTS = ["board", "host", "double", "rays"]
@@ -261,7 +260,7 @@ def test_a_report_shares_the_frames_of_the_claim_scale(allowed, folder, tmp_path
 
     def measure():
         programs = HostPrograms(folder, kept.Kept(folder))
-        return report_scale.measure(programs, "mps2-an385", scene, tmp_path), programs.kept.parts
+        return report_frames.measure(programs, "mps2-an385", scene, tmp_path), programs.kept.parts
 
     (first, none), (second, parts) = measure(), measure()
     assert first == second and none == [] and parts == ["board"] * 4

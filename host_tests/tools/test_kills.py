@@ -10,7 +10,7 @@ import pytest
 
 from board_programs import built
 from conftest import run_cli
-from fixel.check import kill_campaign, killing
+from fixel.check import kills
 import viewers
 
 BOARDS = viewers.BOARDS[:2]     # of all commands but view-stream, and of that one
@@ -36,14 +36,14 @@ def test_refused(arguments, words):
 @pytest.fixture
 def campaign(build, tmp_path):
     """One in which nothing was killed yet. The old image and its frames are made up."""
-    made = kill_campaign.Campaign(tmp_path, build, {}, "1000", *BOARDS)
+    made = kills.Campaign(tmp_path, build, {}, "1000", *BOARDS)
     made.images, made.frames = {"old": b"image"}, {"new": ["hash"]}
     return made
 
 
 def test_how_long_a_command_takes_is_from_its_start_to_its_end(campaign, monkeypatch):
     moments = iter([1000.0, 1002.5])
-    monkeypatch.setattr(kill_campaign, "time", types.SimpleNamespace(monotonic=lambda: next(moments)))
+    monkeypatch.setattr(kills, "time", types.SimpleNamespace(monotonic=lambda: next(moments)))
     ended = types.SimpleNamespace(poll=lambda: 0, wait=lambda: 0, returncode=0)
     monkeypatch.setattr(campaign, "start", lambda command: ended)
     monkeypatch.setattr(campaign, "wait", lambda *_: None)
@@ -56,7 +56,7 @@ def test_nothing_is_left(campaign):
 
 
 def test_a_process_that_is_left(campaign, monkeypatch):
-    monkeypatch.setattr(kill_campaign, "GONE_WITHIN", 0)
+    monkeypatch.setattr(kills, "GONE_WITHIN", 0)
     process = subprocess.Popen(["sleep", "600"], env=campaign.environment)
     try:
         while "sleep 600" not in str(campaign.marked()):
@@ -68,11 +68,11 @@ def test_a_process_that_is_left(campaign, monkeypatch):
     assert campaign.left() == []
 
 
-@pytest.mark.parametrize("number", kill_campaign.SIGNALS)
+@pytest.mark.parametrize("number", kills.SIGNALS)
 def test_a_signal_that_the_caller_ignores(campaign, monkeypatch, number):
     """A campaign in the background, or under nohup, kills as any other."""
     monkeypatch.setattr(campaign, "words", lambda command, scene: ["sleep", "600"])
-    ignored = [each for each in kill_campaign.SIGNALS if each != signal.SIGKILL]
+    ignored = [each for each in kills.SIGNALS if each != signal.SIGKILL]
     before = [signal.signal(each, signal.SIG_IGN) for each in ignored]
     try:
         process = campaign.start("run")
@@ -110,8 +110,8 @@ def test_a_whole_image(campaign):
 
 def test_tracebacks():
     text = "Traceback (most recent call last):\n  File ...\nValueError"
-    assert kill_campaign.is_traceback(text) and not kill_campaign.is_traceback("error: no")
-    assert os.environ.get(kill_campaign.MARK) is None
+    assert kills.is_traceback(text) and not kills.is_traceback("error: no")
+    assert os.environ.get(kills.MARK) is None
 
 
 @pytest.mark.parametrize("complaints, code", [([], 0), (["it is left"], 1)])
@@ -121,13 +121,13 @@ def test_the_command_ends_with_what_it_found(monkeypatch, tmp_path, capsys, comp
 
     def carry_out(options, campaign):
         seen.append((signal.getsignal(signal.SIGINT), options.kills, options.seed, campaign))
-        return [kill_campaign.Kill("run", signal.SIGKILL, 0.5, False, False, complaints=complaints)]
-    monkeypatch.setattr(killing, "carry_out", carry_out)
-    monkeypatch.setattr(killing, "make_campaign", lambda options, folder: folder.parent)
+        return [kills.Kill("run", signal.SIGKILL, 0.5, False, False, complaints=complaints)]
+    monkeypatch.setattr(kills, "carry_out", carry_out)
+    monkeypatch.setattr(kills, "make_campaign", lambda options, folder: folder.parent)
     build, before = tmp_path / "new" / "build", signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
-        options = types.SimpleNamespace(kills="3", seed="5", build=str(build), commands=["run"])
-        assert killing.command(options) == code
+        words = ["--kills", "3", "--seed", "5", "--build", str(build), "--commands", "run", "--board", "mps2-an385", "--streaming", "microbit"]
+        assert kills.main(words) == code
     finally:
         signal.signal(signal.SIGINT, before)
     assert seen == [(signal.default_int_handler, 3, 5, seen[0][3])] and build.is_dir()

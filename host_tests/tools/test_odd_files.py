@@ -14,7 +14,7 @@ from board_programs import BOARD, scene_bytes
 from conftest import CHECKOUT, assert_one_sentence, dump_bytes, environment, random_frames, run_cli, without_progress
 from fixel.base import foreign, output, progress, reading
 from fixel.base.errors import ToolError, one_line
-from fixel.board import boot as boot_tool, emulator, flash as flash_tool, flashing, judged_run
+from fixel.board import boot as boot_tool, emulator, flash as flash_tool, run
 from fixel.board.symbols import Symbols
 from fixel.model import model_file, suffixes
 from fixel.report import pictures as pictures_tool
@@ -83,8 +83,8 @@ def test_names_of_images_and_dumps(tmp_path, monkeypatch, capsys):
     result = type("Result", (), {"board": BOARD, "cpu": "m3", "frames": 2, "seconds": 1.0, "parts": (), "verified": 4,
                                  "sectors_erased": (), "image": tmp_path / ODD, "uf2": 0})
     monkeypatch.setattr(emulator, "run", lambda *_: result)
-    monkeypatch.setattr(flashing, "flash", lambda *_: result)
-    monkeypatch.setattr(flashing, "table", lambda *_: "")
+    monkeypatch.setattr(flash_tool.flash_memory, "flash", lambda *_: result)
+    monkeypatch.setattr(flash_tool, "table", lambda *_: "")
     boot_tool.main(["--board", BOARD, "--elf", "a", "--image", "a", "--dump", ODD])
     flash_tool.main(["--board", BOARD, "--elf", "a", "--scene", "a.fxls", "--image", ODD])
     said = capsys.readouterr().out
@@ -97,7 +97,7 @@ def test_names_of_a_run(capsys):
                "instructions_per_frame": {"min": None}, "cycles_per_frame": {"min": None}, "host_frames_equal": True, "frames_empty": 0,
                "order_wrong_pixels": None, "pixels_unexplained": None, "wires_frames_equal": None, "kept": [], "spilled_note": "",
                "frame_crc_all": "00000000", "sent_crc_all": None}
-    judged_run.print_summary(summary, ODD)
+    run.print_summary(summary, ODD)
     said = capsys.readouterr().out
     assert said.count(SHOWN) == 3 and "\x1b" not in said, said
 

@@ -11,8 +11,8 @@ from PIL import Image
 from conftest import dump_bytes
 from fixel.base import picture
 from fixel.base.errors import ToolError
-from fixel.report import picture_row
-from fixel.view import recording
+from fixel.report import pictures
+from fixel.view import record
 
 PALETTE = numpy.array([[number, 255 - number, 7] for number in range(256)], dtype=numpy.uint8)
 
@@ -109,21 +109,20 @@ def test_equal_or_small_frames_are_not_enlarged():
 def test_frames_stand_side_by_side_with_white_between_them(tmp_path):
     drawn = [noise(6, 10, seed) % 3 for seed in range(3)]
     (tmp_path / "a.fxld").write_bytes(dump_bytes(drawn, PALETTE.tobytes()))
-    options = types.SimpleNamespace(frames="2,0", dumps=[tmp_path / "a.fxld"] * 2, run=None, out=tmp_path / "row.png")
-    assert picture_row.command(options) == 0
-    with Image.open(options.out) as opened:
+    words = ["--dumps", *[str(tmp_path / "a.fxld")] * 2, "--out", str(tmp_path / "row.png"), "--frames"]
+    assert pictures.main([*words, "2,0"]) == 0
+    with Image.open(tmp_path / "row.png") as opened:
         row = numpy.asarray(opened.convert("RGB"))
-    gap = picture_row.GAP
+    gap = pictures.GAP
     assert row.shape == (6, 2 * 10 + gap, 3)
     assert (row[:, :10] == PALETTE[drawn[2]]).all() and (row[:, 10 + gap:] == PALETTE[drawn[0]]).all()
     assert (row[:, 10:10 + gap] == 255).all()
-    options.frames = "2"
     with pytest.raises(ToolError, match="a number for each of --dumps"):
-        picture_row.command(options)
+        pictures.main([*words, "2"])
 
 
 def test_a_recording_holds_keys_down_until_it_lets_them_go():
     said = []
     keyboard = types.SimpleNamespace(**{name: lambda key, name=name: said.append((name, key)) for name in ("down", "up", "press")})
-    recording.play(types.SimpleNamespace(keyboard=keyboard), ["+w", "2", "-w"])
+    record.play(types.SimpleNamespace(keyboard=keyboard), ["+w", "2", "-w"])
     assert said == [("down", "w"), ("press", "2"), ("up", "w")]

@@ -5,7 +5,7 @@ import types
 
 import pytest
 
-from fixel.bench import bench_plots, clippers_plots
+from fixel.bench import bench_plots, clippers_page
 from fixel.report import report_plots
 
 PIXEL = report_plots.PIXEL
@@ -14,7 +14,7 @@ PIXEL = report_plots.PIXEL
 @pytest.fixture
 def figures(monkeypatch):
     """Plots stay matplotlib's figures, which a test can ask."""
-    for module in (report_plots, clippers_plots):
+    for module in (report_plots, clippers_page):
         monkeypatch.setattr(module, "as_svg", lambda figure, name: figure)
 
 
@@ -97,28 +97,28 @@ CLIPPER_PLAN = types.SimpleNamespace(scenes=["w0", "w1", "w3"], clippers=["view"
 
 
 def test_clippers_stand_side_by_side_in_each_scene(figures):
-    (axes,) = clippers_plots.costs(CLIPPER_PLAN, CLIPPER_ROWS, "m3", "sorted").axes
+    (axes,) = clippers_page.costs(CLIPPER_PLAN, CLIPPER_ROWS, "m3", "sorted").axes
     assert bars(axes) == {"view": [(-0.21, 4)], "near": [(0.21, 2), (1.21, 3)]}
     assert spans(axes) == [(-0.21, 1, 9), (0.21, 1, 9), (1.21, 1, 9)]
     assert ticks(axes) == ["w1", "w3"] and bench_plots.NAMES["m3"] in axes.get_ylabel()
 
 
 def test_methods_stand_side_by_side_in_each_scene(figures):
-    (axes,) = clippers_plots.methods(CLIPPER_PLAN, CLIPPER_ROWS, "m3", "near").axes
+    (axes,) = clippers_page.methods(CLIPPER_PLAN, CLIPPER_ROWS, "m3", "near").axes
     assert bars(axes) == {"sorted": [(-0.21, 2), (0.79, 3)], "spans": [(0.21, 5)]}
 
 
 def test_errors_of_clippers_are_points_and_a_pixel_is_marked(figures):
-    (axes,) = clippers_plots.errors(CLIPPER_PLAN, CLIPPER_ROWS[:3], "sorted").axes
+    (axes,) = clippers_page.errors(CLIPPER_PLAN, CLIPPER_ROWS[:3], "sorted").axes
     assert lines(axes) == [[(0, 0.4), (1, 0.2)], [(1, 0.3)], [(0, PIXEL), (1, PIXEL)]]
     assert ticks(axes) == ["view", "near"]
     assert axes.get_xlim() == (-0.5, 1.5) and axes.get_ylim() == (0.3, 2 * PIXEL)
     rows = [{**CLIPPER_ROWS[0], "max_error_units_at_all": 3 * PIXEL}]
-    assert clippers_plots.errors(CLIPPER_PLAN, rows, "sorted").axes[0].get_ylim() == (0.3, 6 * PIXEL)
+    assert clippers_page.errors(CLIPPER_PLAN, rows, "sorted").axes[0].get_ylim() == (0.3, 6 * PIXEL)
 
 
 def test_sizes_of_clippers_stand_side_by_side_for_each_core(figures):
-    (axes,) = clippers_plots.sizes(CLIPPER_PLAN, [CLIPPER_ROWS[0], CLIPPER_ROWS[2], CLIPPER_ROWS[4]], ["m0", "m3"], "sorted").axes
+    (axes,) = clippers_page.sizes(CLIPPER_PLAN, [CLIPPER_ROWS[0], CLIPPER_ROWS[2], CLIPPER_ROWS[4]], ["m0", "m3"], "sorted").axes
     assert bars(axes) == {"m0": [(0.79, 6)], "m3": [(0.21, 4), (1.21, 2)]}
 
 

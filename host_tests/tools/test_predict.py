@@ -16,7 +16,7 @@ import drawn_scenes
 from board_programs import ROOT, built, made
 from conftest import assert_one_sentence, dry_run, run_cli, run_make, sampled
 from fixel.base.errors import ToolError
-from fixel.bench import bench_plan, costs_renewal, frame_costs, prediction
+from fixel.bench import bench_plan, costs, frame_costs, predict
 from fixel.board import counted, dump, emulator, flash_memory, fleet
 from fixel.image import image, memory_needed
 from fixel.scene import making, target
@@ -133,7 +133,7 @@ def test_what_is_counted_is_called_from_other_files(build):
 
 
 def test_the_scenes_are_not_in_the_fit():
-    fitted = costs_renewal.scenes_of(bench_plan.Plan("build"))
+    fitted = costs.scenes_of(bench_plan.Plan("build"))
     judged = {scene.split()[0] for _, scene in MEASURED}
     assert not judged & set(fitted) and all((ROOT / scene).exists() for scene in (*judged, *fitted))
 
@@ -157,9 +157,9 @@ def test_a_scene_without_room_is_passed_over_and_a_stack_that_overflows_is_not(t
     scenes = [ROOT / "scenes/tiny.toml", ROOT / "scenes/cube.toml"]
     if seen is None:
         with pytest.raises(ToolError, match="the board failed"):
-            costs_renewal.deepest_stack("microbit", "walk.elf", scenes, 1 << 20, tmp_path)
+            costs.deepest_stack("microbit", "walk.elf", scenes, 1 << 20, tmp_path)
     else:
-        assert costs_renewal.deepest_stack("microbit", "walk.elf", scenes, 1 << 20, tmp_path) == seen
+        assert costs.deepest_stack("microbit", "walk.elf", scenes, 1 << 20, tmp_path) == seen
 
 
 @pytest.mark.parametrize("board", BOARDS)
@@ -299,7 +299,7 @@ def test_the_fit_finds_what_is_there():
 
 def test_the_parts_add_up():
     names, table_of = ["frames", "pixels"], {"frames": 10.0, "pixels": 2.0}
-    parts = prediction.parts(names, numpy.array([[1, 50], [1, 70]], dtype=float), table_of)
+    parts = predict.parts(names, numpy.array([[1, 50], [1, 70]], dtype=float), table_of)
     assert [part[2] for part in parts] == [120, 10]
     assert frame_costs.instructions(table_of, names, numpy.array([[1, 50]])).tolist() == [110]
 

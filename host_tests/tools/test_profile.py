@@ -10,7 +10,7 @@ import xml.etree.ElementTree
 import pytest
 
 from conftest import CHECKOUT, assert_one_sentence, run_cli
-from fixel.bench import bench_plan, counter, cycles, debug_lines, flame, places, profiling, thumb
+from fixel.bench import bench_plan, counter, cycles, debug_lines, places, profile, thumb
 from fixel.bench.debug_lines import DebugLines
 from fixel.base.errors import ToolError
 from fixel.bench.machine_code import MachineCode
@@ -296,20 +296,20 @@ def bars(svg):
 
 
 def test_a_flame_graph_has_bars_as_wide_as_what_they_took():
-    found = bars(flame.svg(STACKS, "title", "below", "(inlined)"))
-    whole = flame.WIDTH - 2 * flame.MARGIN
+    found = bars(profile.svg(STACKS, "title", "below", "(inlined)"))
+    whole = profile.WIDTH - 2 * profile.MARGIN
     assert set(found) == {"main: 100 (100.00 %)", "a<b>: 74 (74.00 %)", "tiny: 24 (24.00 %)", "hair: 1 (1.00 %)"}
     main, inner, tiny = (found[name] for name in ("main: 100 (100.00 %)", "a<b>: 74 (74.00 %)", "tiny: 24 (24.00 %)"))
     assert [round(bar[2] / whole, 3) for bar in (main, inner, tiny)] == [1, 0.74, 0.24]
-    assert main[1] - inner[1] == inner[1] - tiny[1] == flame.ROW      # callers below
+    assert main[1] - inner[1] == inner[1] - tiny[1] == profile.ROW      # callers below
     assert main[0] <= inner[0] and inner[0] + inner[2] <= main[0] + main[2]
 
 
 def test_a_flame_graph_says_what_it_shows_and_is_the_same_twice():
-    svg = flame.svg(STACKS, "w1 & more", "instructions", "(inlined)")
+    svg = profile.svg(STACKS, "w1 & more", "instructions", "(inlined)")
     root = xml.etree.ElementTree.fromstring(svg)
     assert "w1 & more" in [text.text for text in root.iter(f"{SVG}text")]
-    assert svg == flame.svg(dict(reversed(STACKS.items())), "w1 & more", "instructions", "(inlined)")
+    assert svg == profile.svg(dict(reversed(STACKS.items())), "w1 & more", "instructions", "(inlined)")
 
 
 # --- the command --------------------------------------------------------------------
@@ -337,17 +337,16 @@ def test_the_command_says_what_there_is(workload, core, words):
 def test_what_is_drawn_to_rgb565_is_profiled_as_it_is_drawn():
     plan = bench_plan.Plan(CHECKOUT / "build")
     for renderer, named, change in ((None, "fixel-native", ["rgb565"]), ("fixel-rgb565", "fixel-rgb565", [])):
-        workload, taken = profiling.chosen(plan, types.SimpleNamespace(workload="tqpl", renderer=renderer))
+        workload, taken = profile.chosen(plan, types.SimpleNamespace(workload="tqpl", renderer=renderer))
         assert (taken, workload["with"]) == (named, ["lit", *change])
-    workload, taken = profiling.chosen(plan, types.SimpleNamespace(workload="w1", renderer=None))
+    workload, taken = profile.chosen(plan, types.SimpleNamespace(workload="w1", renderer=None))
     assert (taken, workload["name"]) == ("fixel", "w1")
 
 
 def test_the_command_says_which_renderers_there_are(monkeypatch):
-    monkeypatch.setattr(profiling.qemu, "find_qemu", None)    # nothing is run
-    options = types.SimpleNamespace(build=CHECKOUT / "build", workload="w1", core="m3", renderer="fixed")
+    monkeypatch.setattr(profile.qemu, "find_qemu", None)    # nothing is run
     with pytest.raises(ToolError, match="no renderer 'fixed' of w1; the renderers are: .*fixel"):
-        profiling.command(options)
+        profile.main(["--build", str(CHECKOUT / "build"), "--workload", "w1", "--core", "m3", "--renderer", "fixed"])
 
 
 assert set(cycles.LEAVING) <= set(thumb.KINDS)

@@ -16,7 +16,7 @@ from fractions import Fraction
 import pytest
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 
-from fixel.report import report_claims, report_frames, report_page, report_plots, report_scale, report_shards, report_stages
+from fixel.report import report_claims, report_frames, report_page, report_plots, report_shards
 from fixel.image import image
 from fixel.base.errors import ToolError
 
@@ -185,18 +185,18 @@ class Scene:
 
 
 def test_a_scene_of_another_scale_has_other_lengths_and_the_same_angles():
-    assert report_scale.scaled(Scene(), 4) == Scene(
+    assert report_frames.scaled(Scene(), 4) == Scene(
         8, 12, 20, [Model([(4, 8, 12), (16, 20, 24)])], [Placed((28, 32, 36))], image.POSES, [(4, 8, 12, 4, 5, 6)],
         (40, 44, 48, 13, 14, 15), (64, 68, 72, 19))
     strides = Scene(path_kind=image.STRIDES, path=((1, 3),))
-    assert report_scale.scaled(strides, 4).path == ((1, 3),)
+    assert report_frames.scaled(strides, 4).path == ((1, 3),)
 
 
 def test_a_board_that_does_not_count_is_no_division_by_zero(monkeypatch, tmp_path):
     frame = types.SimpleNamespace(instructions=0, pixels=None, number=0)
-    monkeypatch.setattr(report_scale, "_draw", lambda *_: types.SimpleNamespace(frames=[frame], width=1, height=1))
+    monkeypatch.setattr(report_frames, "_draw", lambda *_: types.SimpleNamespace(frames=[frame], width=1, height=1))
     with pytest.raises(ToolError, match="did not count the instructions"):
-        report_scale.measure(None, "mps2-an385", types.SimpleNamespace(frames=1), tmp_path)
+        report_frames.measure(None, "mps2-an385", types.SimpleNamespace(frames=1), tmp_path)
 
 
 def test_scales_change_nothing(result):
@@ -348,9 +348,9 @@ def test_a_row_of_no_samples_is_no_row(result):
     _, report, _ = result
     assert report["twins"] and all(row["samples"] > 0 for row in report["twins"])
     random = [{"stage": stage, "input": "random", "samples": 1, "beyond_bound": 0, "mismatched": 0, "bound": ""}
-              for stage in report_stages.STAGES]
-    assert report_stages.complaints(random) == []
-    assert report_stages.complaints(random[1:]) == ["sphere: no random sample was compared with double"]
+              for stage in report_claims.STAGES]
+    assert report_claims.complaints_of_stages(random) == []
+    assert report_claims.complaints_of_stages(random[1:]) == ["sphere: no random sample was compared with double"]
 
 
 def test_unexplained_pixel_fails():

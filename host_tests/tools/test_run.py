@@ -18,7 +18,7 @@ from conftest import CHECKOUT, assert_one_sentence, dump_bytes, random_frames, r
 from PIL import Image
 
 from fixel.bench import frame_costs
-from fixel.board import counted, firmware, judged_run, model_look, spilled
+from fixel.board import counted, firmware, model_look, spilled
 from fixel.board import run as run_tool
 from fixel.base import scratch
 from fixel.scene import making
@@ -97,7 +97,7 @@ def test_summary_figures(result):
 def test_a_summary_adds_up_all_frames(tmp_path):
     (tmp_path / "drawn.fxld").write_bytes(dump_bytes(random_frames(5, 3, 4)))
     options = types.SimpleNamespace(board="b", program="walk", scene="s", visibility="v", clipper="c", driver=None)
-    summary = judged_run.summarise(options, firmware.Program(pathlib.Path("e"), "b", "cpu", (), (), ()), dump.read_dump(tmp_path / "drawn.fxld"), True)
+    summary = run_tool.summarise(options, firmware.Program(pathlib.Path("e"), "b", "cpu", (), (), ()), dump.read_dump(tmp_path / "drawn.fxld"), True)
     assert (summary["width"], summary["height"], summary["frames"], summary["pixels"]) == (4, 3, 5, 60)
     assert (summary["polygons"]["in"], summary["polygons"]["drawn"], summary["frames_empty"]) == (50, 20, 0)
     assert summary["instructions_per_frame"] == {"min": 1000, "median": 1002, "mean": 1002, "max": 1004}
@@ -207,7 +207,7 @@ def spoil(data):
 
 def run_spoilt(tmp_path, monkeypatch, board):
     """The folder of a run of a board, which fails; the host's dump is spoilt."""
-    real = judged_run.walk
+    real = run_tool.walk
 
     def spoiling(walked, *arguments, **more):
         file, cpu = real(walked, *arguments, **more)
@@ -215,7 +215,7 @@ def run_spoilt(tmp_path, monkeypatch, board):
             file.write_bytes(spoil(file.read_bytes()))
         return file, cpu
 
-    monkeypatch.setattr(judged_run, "walk", spoiling)
+    monkeypatch.setattr(run_tool, "walk", spoiling)
     monkeypatch.chdir(CHECKOUT)
     out = tmp_path / "out"
     assert run_tool.main(["--board", board, "--scene", SCENE, "--frames", "2", "--out", str(out)]) == 1
@@ -237,14 +237,14 @@ def test_unexplained_pixels_fail(build, tmp_path, monkeypatch):
 def test_frames_equal_looks_at_pixels_poses_palette_and_count():
     frames = random_frames(2)
     one = dump.parse_dump(dump_bytes(frames), "one")
-    assert judged_run.frames_equal(one, dump.parse_dump(dump_bytes(frames, instructions=5), "other"))
+    assert run_tool.frames_equal(one, dump.parse_dump(dump_bytes(frames, instructions=5), "other"))
     other = random_frames(2, seed=2)
-    assert not judged_run.frames_equal(one, dump.parse_dump(dump_bytes(other), "other"))
-    assert not judged_run.frames_equal(one, dump.parse_dump(dump_bytes(frames[:1]), "other"))
-    assert not judged_run.frames_equal(one, dump.parse_dump(dump_bytes(frames, bytes(768)), "other"))
+    assert not run_tool.frames_equal(one, dump.parse_dump(dump_bytes(other), "other"))
+    assert not run_tool.frames_equal(one, dump.parse_dump(dump_bytes(frames[:1]), "other"))
+    assert not run_tool.frames_equal(one, dump.parse_dump(dump_bytes(frames, bytes(768)), "other"))
     turned = dataclasses.replace(one, frames=[dataclasses.replace(one.frames[0], angles=(0, 0, 0)),
                                               one.frames[1]])
-    assert not judged_run.frames_equal(one, turned)
+    assert not run_tool.frames_equal(one, turned)
 
 
 # --- a walk that cannot be made -----------------------------------------------

@@ -9,7 +9,7 @@ import struct
 
 import pytest
 
-from fixel.check import frozen_frames
+from fixel.check import frame_hashes
 from conftest import CHECKOUT, run_cli
 from fixel.board import dump
 from fixel.image import image, image_cluster
@@ -210,7 +210,7 @@ def test_a_terrain_draws_the_same_pixels_without_clusters(build, tmp_path):
     drawn = []
     for made in (scene, plain):
         (tmp_path / "scene.fxls").write_bytes(image.pack(made))
-        drawn.append(frozen_frames.drawn_by_host(tmp_path / "scene.fxls", build, tmp_path))
+        drawn.append(frame_hashes.drawn_by_host(tmp_path / "scene.fxls", build, tmp_path))
     for one, other in zip(drawn[0].frames, drawn[1].frames, strict=True):
         assert (one.pixels == other.pixels).all()
         for name in ("in", "drawn", "clipped", "degenerate", "refused"):

@@ -11,7 +11,7 @@ from board_programs import BOARD
 from conftest import run_cli
 from fixel.base.errors import ToolError
 from fixel.image import image
-from fixel.report import showcase_models, showcase_page
+from fixel.report import showcase_models, showcase
 from fixel.scene import compiler, look
 
 
@@ -124,4 +124,4 @@ def test_the_page_has_a_command_and_a_picture_of_each_model(build, tmp_path):
 
 def test_a_model_that_is_not_there_is_named():
     with pytest.raises(ToolError, match="ONLY is lorry; the models are: crate, village"):
-        showcase_page.chosen("lorry")
+        showcase.chosen("lorry")

@@ -7,7 +7,7 @@ import pytest
 from conftest import CHECKOUT, write_files
 
 from fixel.base.errors import ToolError
-from fixel.check import lines, mutants, mutate_python, survivors, tool_mutants, trees
+from fixel.check import lines, mutants, mutate_python, mutate, tool_mutants
 
 CODE = '''"""A text with 1 + 1."""
 LIMIT = 1 + 1
@@ -67,8 +67,8 @@ def survivor(folder, **changes):
 def test_a_survivor_that_is_known(tmp_path):
     text = CODE % "return a < b"
     (tmp_path / "a.py").write_text(text, encoding="utf-8")
-    known = survivors.load(survivor(tmp_path), tmp_path, mutate_python.mutants)
-    keys = [key[:3] for key, _ in survivors.keyed(mutate_python.mutants("a.py", text), text)]
+    known = mutate.load(survivor(tmp_path), tmp_path, mutate_python.mutants)
+    keys = [key[:3] for key, _ in mutate.keyed(mutate_python.mutants("a.py", text), text)]
     assert [known.get(key) for key in keys] == ["a is never b", None]
 
 
@@ -79,17 +79,17 @@ def test_a_survivor_that_is_known(tmp_path):
 def test_a_survivor_whose_line_has_changed_is_refused(tmp_path, changes, words):
     (tmp_path / "a.py").write_text(CODE % "return a < b", encoding="utf-8")
     with pytest.raises(ToolError, match=words):
-        survivors.load(survivor(tmp_path, **changes), tmp_path, mutate_python.mutants)
+        mutate.load(survivor(tmp_path, **changes), tmp_path, mutate_python.mutants)
 
 
 def test_the_survivors_of_the_project_are_there():
-    survivors.load(CHECKOUT / mutants.KNOWN, CHECKOUT, mutants.mutants_of)
+    mutate.load(CHECKOUT / mutants.KNOWN, CHECKOUT, mutants.mutants_of)
 
 
 def test_a_change_of_one_line_moves_no_other_mutant():
     def order(text):
-        keyed = survivors.keyed(mutate_python.mutants("a.py", text), text)
-        return [key for key, _ in sorted(keyed, key=lambda pair: survivors.place_of(7, pair[0])) if "a < b" in key[1]]
+        keyed = mutate.keyed(mutate_python.mutants("a.py", text), text)
+        return [key for key, _ in sorted(keyed, key=lambda pair: mutate.place_of(7, pair[0])) if "a < b" in key[1]]
     before = CODE % "a < b; a < b"
     assert len(order(before)) == 4
     assert order(before) == order("x = 1\n\n" + before + "    return 3 * a\n") != sorted(order(before))
@@ -352,12 +352,12 @@ def campaign(tmp_path_factory):
                            "host_tests/conftest.py": CONFTEST, "host_tests/tools/test_a.py": TESTS % {"mark": str(mark)}})
     (checkout / ".venv").symlink_to(sys.prefix)
     records = lines.Records(folder / "lines", checkout)
-    records.complete(lambda: [trees.Tree(folder / "recorded", checkout)])
+    records.complete(lambda: [tool_mutants.Tree(folder / "recorded", checkout)])
     mark.touch()
     wanted = [(line, change) for line, change, _, _ in TRIED]
     drawn = [each for each in mutants.draw(tool_mutants.files(checkout), "", 1, checkout) if each[0][1:3] in wanted]
     known = {(WHERE, "if value > 0:", "'>' becomes '>='"): "0 is answered by 0 either way"}
-    tree = trees.Tree(folder / "tree", checkout)
+    tree = tool_mutants.Tree(folder / "tree", checkout)
     trial = tool_mutants.Trial(tree)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(tool_mutants, "CPU_MORE", 1.0)
@@ -372,7 +372,7 @@ def campaign(tmp_path_factory):
 @pytest.mark.parametrize("line, change, result, words", TRIED)
 def test_what_becomes_of_a_mutant(campaign, line, change, result, words):
     text = TOOL.split("\n")
-    found = [each for mutant, each in campaign if text[mutant.line - 1].strip() == line and survivors.change_of(mutant) == change]
+    found = [each for mutant, each in campaign if text[mutant.line - 1].strip() == line and mutate.change_of(mutant) == change]
     assert [each["result"] for each in found] == [result], found
     assert words in found[0].get("words", "")
 
@@ -413,6 +413,6 @@ def test_a_tree_has_journals_of_its_own(tmp_path):
     """A mutant of scratch.py may take the temporary files of commands that live for left over: it must not know them."""
     checkout = tmp_path / "checkout"
     write_files(checkout, {"tools/fixel/base/scratch.py": "", "host_tests/a.py": "", "build/.scratch/1-a": "", "build/host/frames": "", "README.md": ""})
-    tree = trees.Tree(tmp_path / "tree", checkout).folder
+    tree = tool_mutants.Tree(tmp_path / "tree", checkout).folder
     assert not (tree / "build/.scratch").exists() and not (tree / "build").is_symlink()
     assert (tree / "build/host/frames").exists() and (tree / "README.md").is_symlink()

@@ -14,7 +14,7 @@ import time
 import numpy
 import pytest
 import warm_start
-from fixel.view import recording
+from fixel.view import record
 from PIL import Image
 from conftest import TOOLS, assert_one_sentence, environment, run_cli
 
@@ -557,8 +557,8 @@ SMALL_RECORDING = """import sys
 sys.path.insert(0, {tools!r})
 from fixel import launcher
 from fixel.base.errors import run_main
-from fixel.view import recording
-recording.WIDTH, recording.HEIGHT, recording.FORMATS = 640, 400, [(240, 32)]
+from fixel.view import record
+record.WIDTH, record.HEIGHT, record.FORMATS = 640, 400, [(240, 32)]
 run_main(launcher.main)
 """
 
@@ -580,8 +580,8 @@ def test_the_recording(scene, build, tmp_path):
 
 
 def test_a_recording_of_much_change_is_made_smaller_until_it_fits(monkeypatch):
-    monkeypatch.setattr(recording, "FORMATS", [(60, 128), (40, 64), (20, 16)])
-    monkeypatch.setattr(recording, "SIZE_MAX", 4000)
+    monkeypatch.setattr(record, "FORMATS", [(60, 128), (40, 64), (20, 16)])
+    monkeypatch.setattr(record, "SIZE_MAX", 4000)
     noise = numpy.random.default_rng(1)
 
     def width(side, count):
@@ -590,9 +590,9 @@ def test_a_recording_of_much_change_is_made_smaller_until_it_fits(monkeypatch):
             block = io.BytesIO()
             Image.fromarray(noise.integers(0, 256, (side, side, 3), dtype=numpy.uint8)).save(block, "PNG")
             shots.append(block.getvalue())
-        data = recording.fitting(shots, [100] * count)
+        data = record.fitting(shots, [100] * count)
         with Image.open(io.BytesIO(data)) as animation:
-            assert len(data) <= recording.SIZE_MAX
+            assert len(data) <= record.SIZE_MAX
             return animation.width
 
     assert width(1, 2) == 60 and width(60, 2) < 60

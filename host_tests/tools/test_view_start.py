@@ -19,10 +19,10 @@ import pytest
 from board_programs import ROOT, built
 from conftest import CHECKOUT, LAUNCHER, assert_one_sentence, environment, run_cli
 from fixel.base.errors import ToolError
-from fixel.board import firmware, flash_memory, qmp
+from fixel.board import firmware, flash_memory, qemu as qmp
 from fixel.board.session import Session
 from fixel.scene import making
-from fixel.view import browser, live, view
+from fixel.view import browser, view
 from fixel.view.view_board import Board, Buttons
 from fixel.view.view_window import Stream
 from viewers import (HEIGHT, WIDTH, assert_gone, assert_refuses, assert_started, children, left, own_build, own_port, plaza_image, ready,
@@ -260,7 +260,6 @@ def test_refused(scene, programs, options, words):
 
 
 def test_a_visibility_method_that_there_is_not_is_refused_before_a_program_is_looked_for(monkeypatch):
-    monkeypatch.setattr(live, "view", None)
-    options = view.parser().parse_args(["--board", "mps2-an385", "--scene", "scene.toml", "--visibility", "none"])
+    monkeypatch.setattr(view, "view", None)
     with pytest.raises(ToolError, match="there is no VISIBILITY 'none'; the visibility methods are: "):
-        live.command(options)
+        view.main(["--board", "mps2-an385", "--scene", "scene.toml", "--visibility", "none"])

@@ -76,10 +76,10 @@ def test_a_job_begins_as_one_that_python_starts_from_nothing(tmp_path):
 
 def test_a_job_of_a_test_sees_nothing_that_the_test_changes(tmp_path, monkeypatch):
     from fixel.base import bounded
-    from fixel.board import judged_run
-    monkeypatch.setattr(judged_run, "PATTERNS", "changed")
+    from fixel.board import run
+    monkeypatch.setattr(run, "PATTERNS", "changed")
     (tmp_path / "job.py").write_text(f"import sys\nsys.path.insert(0, {str(TOOLS)!r})\n"
-                                     "from fixel.board import judged_run\nprint(judged_run.PATTERNS)\n")
+                                     "from fixel.board import run\nprint(run.PATTERNS)\n")
     for limits in (bounded.Limits(), bounded.Limits(memory=500)):
         with bounded.start(str(tmp_path / "job.py"), limits) as process:
             process.stdin.close()
@@ -113,16 +113,16 @@ def test_a_process_is_one_of_its_own(tmp_path, program):
 
 
 def test_nothing_is_left_of_the_command_before():
-    change = "import sys; sys.path.insert(0, 'tools'); from fixel.board import judged_run as run; print(run.PATTERNS); run.PATTERNS.append(1)"
+    change = "import sys; sys.path.insert(0, 'tools'); from fixel.board import run; print(run.PATTERNS); run.PATTERNS.append(1)"
     first, second = (warm_start.run(["x"], CHECKOUT, environment(), change).stdout for _ in range(2))
     assert first == second and "frame" in first
 
 
 def test_a_test_changes_no_command(monkeypatch):
-    from fixel.board import judged_run
-    monkeypatch.setattr(judged_run, "PATTERNS", ["changed"])
+    from fixel.board import run
+    monkeypatch.setattr(run, "PATTERNS", ["changed"])
     monkeypatch.setitem(os.environ, "FIXEL_MARK", "changed")
-    words = "import os, sys; sys.path.insert(0, 'tools'); from fixel.board import judged_run as run; print(run.PATTERNS, os.environ.get('FIXEL_MARK'))"
+    words = "import os, sys; sys.path.insert(0, 'tools'); from fixel.board import run; print(run.PATTERNS, os.environ.get('FIXEL_MARK'))"
     assert "changed" not in warm_start.run(["x"], CHECKOUT, {**environment(), "FIXEL_MARK": "mine"}, words).stdout
 
 

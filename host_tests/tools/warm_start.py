@@ -11,6 +11,7 @@ import atexit
 import contextlib
 import ctypes
 import gc
+import importlib
 import json
 import os
 import pathlib
@@ -28,8 +29,7 @@ sys.path.append(str(TOOLS.parent / "host_tests"))
 
 import named_programs
 PRELOADED = ("numpy", "PIL.Image", "elftools.elf.elffile", "fixel.scene.summary", "fixel.scene.texture",
-             "fixel.board.judged_run", "fixel.board.flashing", "fixel.scene.worker",
-             "fixel.scene.command")
+             "fixel.board.run", "fixel.board.flash", "fixel.scene.worker", "fixel.scene.command")
 PR_SET_PDEATHSIG = 1     # of Linux
 REQUEST_MAX = 100_000    # characters
 # MiB. A fork has up to 100 MiB of address space more than a process that Python starts from nothing, so a job that is
@@ -42,11 +42,14 @@ READ_AT_START = ("PYTHON", "LC_", "LANG", "OPENBLAS", "LD_")
 # --- the server ---------------------------------------------------------------
 
 def preload():
-    """Imports what most tools import."""
+    """Imports what most tools import, and what their modules import late."""
     sys.path.insert(0, str(TOOLS))
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
+    from fixel.commands import Late
     for name in PRELOADED:
-        __import__(name)
+        for each in list(vars(importlib.import_module(name)).values()):
+            if type(each) is Late:
+                importlib.import_module(each.__name__)
     gc.freeze()     # what a fork collects, it copies
 
 

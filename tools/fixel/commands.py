@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The commands of fixel: their modules, and how one starts.
 
-A command's module is imported when it starts, and no other's: a command needs only the Python packages of its own.
+A command's module has parser(), its options, and main(argv), which does its work. It is imported when the command starts, and no
+other's. Options are read without any Python package (base/before.py, fixel completion), so the module imports by late() what needs one.
 """
 
 import importlib
@@ -86,13 +87,25 @@ def parser(name):
     return module.parsers()[name] if COMMANDS[name] == SCENE else module.parser()
 
 
-def main_of(read, work):
-    """The main() of a command that needs packages: it reads the options, and only then imports the module that does the
-    work."""
-    def main(argv):
-        options = read().parse_args(argv)
-        return importlib.import_module(work).command(options)
-    return main
+class Late:
+    """A module that is imported when one of its names is first asked for. What is put into it, by a test, the module gets."""
+    __slots__ = ("__name__",)   # no __dict__ of its own: that of the module is found
+
+    def __init__(self, name):
+        object.__setattr__(self, "__name__", name)
+
+    def __getattr__(self, name):
+        return getattr(importlib.import_module(self.__name__), name)
+
+    def __setattr__(self, name, value):
+        setattr(importlib.import_module(self.__name__), name, value)
+
+
+def late(package, modules=""):
+    """What a command's module works with and its options do without: a package, or modules of it, imported when they are first used.
+    modules: their names, with blanks between."""
+    made = [Late(f"{package}.{name}") for name in modules.split()]
+    return made[0] if len(made) == 1 else made or Late(package)
 
 
 def start(name, words, program="fixel"):

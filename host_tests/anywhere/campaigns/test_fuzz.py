@@ -6,22 +6,22 @@ import pytest
 from conftest import CHECKOUT
 
 from fixel.campaign import runner
-from fixel.check import fuzz, fuzz_shards
+from fixel.check import fuzz
 
 BUILD = CHECKOUT / "build"
 RUNS = 100      # of each of two shards
 
 
-@pytest.mark.parametrize("harness", fuzz_shards.corpus.HARNESSES)
+@pytest.mark.parametrize("harness", fuzz.corpus.HARNESSES)
 def test_one_process_and_eight_find_the_same(harness, monkeypatch):
-    if not fuzz_shards.program_of(BUILD, harness).exists():
+    if not fuzz.program_of(BUILD, harness).exists():
         pytest.skip("needs clang with libFuzzer, which make fuzz installs")
-    if not fuzz_shards.prefix():
+    if not fuzz.prefix():
         pytest.skip("needs setarch -R, which this system forbids")
     monkeypatch.chdir(CHECKOUT)
-    monkeypatch.setattr(fuzz_shards, "SHARD", RUNS)
-    some = [shard for shard in fuzz_shards.plan(2 * RUNS) if shard.kind == harness]
-    some = [fuzz_shards.shards.Shard("fuzz", number, shard.parameters, harness, RUNS) for number, shard in enumerate(some)]
+    monkeypatch.setattr(fuzz, "SHARD", RUNS)
+    some = [shard for shard in fuzz.plan(2 * RUNS) if shard.kind == harness]
+    some = [fuzz.shards.Shard("fuzz", number, shard.parameters, harness, RUNS) for number, shard in enumerate(some)]
     results = []
     for jobs in (1, 8):
         options = fuzz.parser().parse_args(["--build", "build", "--jobs", str(jobs), "--fresh"])

@@ -12,7 +12,7 @@ from PIL import Image
 from board_programs import made
 from conftest import CHECKOUT, run_cli
 from fixel.base.version import version
-from fixel.check import frozen_frames
+from fixel.check import frame_hashes
 from outside import cargo, first_program, need, need_cargo, run
 
 HERE = pathlib.Path(__file__).parent
@@ -63,8 +63,8 @@ def test_a_setup_draws_the_frozen_frames(crates, tested, tmp_path, name, size):
     done = run_cli("build", CHECKOUT / "scenes" / f"{name}.toml", "-o", tmp_path / "scene.fxls")
     assert done.returncode == 0, done.stderr
     cargo("run", "--example", "frames", "--", tmp_path / "scene.fxls", tmp_path / "frames.raw", folder=crates)
-    drawn, frozen = (tmp_path / "frames.raw").read_bytes(), frozen_frames.load()[name]["frames"]
-    hashes = [hashlib.sha256(drawn[at:at + size]).hexdigest()[:frozen_frames.DIGITS] for at in range(0, len(drawn), size)]
+    drawn, frozen = (tmp_path / "frames.raw").read_bytes(), frame_hashes.load()[name]["frames"]
+    hashes = [hashlib.sha256(drawn[at:at + size]).hexdigest()[:frame_hashes.DIGITS] for at in range(0, len(drawn), size)]
     assert hashes == frozen
 
 
@@ -72,7 +72,7 @@ def test_a_model_has_its_textures_light_and_depth(crates, tested, tmp_path):
     """examples/model in RGB565, on the display of the simulator and as the library draws it on this machine."""
     assert "ok" in tested
     made("build/host/frames")
-    frames = frozen_frames.drawn_by_host(crates / "fixel" / "examples" / "model.fxls", CHECKOUT / "build", tmp_path).frames
+    frames = frame_hashes.drawn_by_host(crates / "fixel" / "examples" / "model.fxls", CHECKOUT / "build", tmp_path).frames
     cargo("run", "--example", "frames", "--", crates / "fixel" / "examples" / "model.fxls", tmp_path / "frames.raw", folder=crates)
     drawn = numpy.fromfile(tmp_path / "frames.raw", "<u2").reshape(-1, 240, 320)
     assert len(drawn) == len(frames) == 24 and all((one == other.pixels).all() for one, other in zip(drawn, frames))

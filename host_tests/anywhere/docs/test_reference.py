@@ -6,7 +6,7 @@ import re
 import pytest
 
 from conftest import CHECKOUT
-from fixel.package import reference
+from fixel.package import docs
 from outside import need, run
 
 HEADER = """/* SPDX-License-Identifier: MIT */
@@ -39,19 +39,19 @@ def fixture_pages(tmp_path_factory):
 
 def made(folder, text):
     need("doxygen")
-    wrong, *counts = reference.written({"fixel/short.h": text}, folder)
+    wrong, *counts = docs.written({"fixel/short.h": text}, folder)
     return wrong, counts, (folder / "html" / "short_8h.html").read_text(encoding="utf-8")
 
 
 def test_every_public_function_is_in_it(pages):
-    texts = reference.headers(reference.HEADERS)
+    texts = docs.headers(docs.HEADERS)
     named = {name for text in texts.values() for name in re.findall(r"^\w[\w ]*[ *](fxl_\w+)\(", text, re.MULTILINE)}
     listed = "".join(text for name, text in pages.items() if name.startswith("globals_func"))
     assert len(named) > 110 and not [name for name in named if not re.search(rf"<li>{name}\(\)", listed)]
 
 
 def test_its_first_page_names_every_header(pages):
-    for header in reference.headers(reference.HEADERS):
+    for header in docs.headers(docs.HEADERS):
         assert f">{header}</a>: " in pages["index.html"]
 
 

@@ -11,7 +11,7 @@ import pytest
 from board_programs import ROOT, built
 from conftest import run_make
 from fixel.board import dump, emulator, flash_memory
-from fixel.check import frozen_frames
+from fixel.check import frame_hashes
 from outside import need, run
 from test_frame_hashes import SCENES, TIMEOUT, fixture_scene  # noqa: F401: the fixture of a record's scene
 from test_layouts import compiled, fixture_packages  # noqa: F401
@@ -52,4 +52,4 @@ def test_a_package_draws_what_is_on_record(walks, core, scene, tmp_path):
     board, elf = walks(core)
     flash_memory.flash(board, elf, image, tmp_path / "flash.bin")
     emulator.run(board, tmp_path / "flash.bin", elf, tmp_path / "frames.fxld", timeout=TIMEOUT)
-    assert frozen_frames.difference(frozen_frames.load()[name], dump.read_dump(tmp_path / "frames.fxld")) == ""
+    assert frame_hashes.difference(frame_hashes.load()[name], dump.read_dump(tmp_path / "frames.fxld")) == ""

@@ -12,7 +12,7 @@ import own_tools
 import pytest
 from board_programs import ROOT, built, read_uf2
 from conftest import run_cli, run_make
-from fixel.board import benchmarking, controllers, dump, emulator, firmware, frame_crc, own_run, rp2040, wires
+from fixel.board import benchmark, controllers, dump, emulator, firmware, crc as frame_crc, own_run, rp2040, wires
 from fixel.scene import making
 
 NEEDED = subprocess.run([ROOT / "tools/setup.sh", "--missing", "pico"], capture_output=True, text=True, check=True).stdout.split()
@@ -147,12 +147,12 @@ def test_flash_writes_uf2_blocks(tmp_path):
 def test_the_benchmark_draws_the_frames_of_the_host(tmp_path):
     """It has no semihosting: a real Pico runs it from the UF2 file."""
     elf = built("pico/benchmark.elf")
-    lines = [match.groupdict() for match in benchmarking.LINE.finditer(benchmarking.run(elf, "pico"))]
-    hosted = [match.groupdict() for match in benchmarking.LINE.finditer(benchmarking.run(built("host/benchmark"), "host"))]
+    lines = [match.groupdict() for match in benchmark.LINE.finditer(benchmark.run(elf, "pico"))]
+    hosted = [match.groupdict() for match in benchmark.LINE.finditer(benchmark.run(built("host/benchmark"), "host"))]
     assert [(line["scene"], line["crc"]) for line in lines] == [(line["scene"], line["crc"]) for line in hosted]
     assert all(line["clock"] == "125000000" and int(line["microseconds"]) > 100 for line in lines)
     program = firmware.load(elf)
-    pages = read_uf2((tmp_path / "b.uf2").read_bytes()) if benchmarking.write_uf2(elf, tmp_path / "b.uf2") else {}
+    pages = read_uf2((tmp_path / "b.uf2").read_bytes()) if benchmark.write_uf2(elf, tmp_path / "b.uf2") else {}
     assert rp2040.boot_crc(pages[0x10000000][:STAGE]) == int.from_bytes(pages[0x10000000][STAGE:], "little")
     assert len(pages) * 256 >= sum(len(content) for _, content in program.segments)
 

@@ -10,7 +10,7 @@ import subprocess
 import pytest
 
 from conftest import CHECKOUT, environment
-from fixel.check import recipes
+from fixel.check import places as recipes
 from example_changes import CHANGES
 
 

@@ -7,7 +7,7 @@ import subprocess
 import pytest
 
 from conftest import CHECKOUT
-from fixel.package import api
+from fixel.package import api_check
 from outside import need
 
 HEADERS = "lib/include/fixel"
@@ -40,7 +40,7 @@ def fixture_origin(tmp_path_factory):
     """A repository of what fixel one-file reads, with a tag of the version."""
     need("abidiff", "gcc", "git")
     root = tmp_path_factory.mktemp("api") / "fixel"
-    for name in api.READ:
+    for name in api_check.READ:
         shutil.copytree(CHECKOUT / name, root / name, ignore=shutil.ignore_patterns("__pycache__"))
     (root / ".venv").symlink_to(CHECKOUT / ".venv")
     git(root.parent, "init", "--quiet", "fixel")
@@ -69,7 +69,7 @@ def fixture_clone(origin, tmp_path):
 
 def checked(root, capsys):
     capsys.readouterr()
-    return api.check(root), capsys.readouterr().out
+    return api_check.check(root), capsys.readouterr().out
 
 
 def test_an_unchanged_clone_passes(clone, capsys):

@@ -17,7 +17,7 @@ import pytest
 
 from conftest import CHECKOUT, run_cli, without_progress
 from fixel.base.version import version
-from fixel.check import frozen_frames
+from fixel.check import frame_hashes
 from outside import need, run
 
 
@@ -118,8 +118,8 @@ def assert_draws_the_frozen_frames(use):
 for frame in fixel.render("scenes/plaza.toml", indices=True):
     print(hashlib.sha256(frame.tobytes()).hexdigest())
 """)
-    found = [word[:frozen_frames.DIGITS] for word in re.findall(r"^[0-9a-f]{64}$", hashes, re.MULTILINE)]
-    assert found == frozen_frames.load()["plaza"]["frames"]
+    found = [word[:frame_hashes.DIGITS] for word in re.findall(r"^[0-9a-f]{64}$", hashes, re.MULTILINE)]
+    assert found == frame_hashes.load()["plaza"]["frames"]
 
 
 def test_render_answers_colours_and_refuses_in_sentences(use):

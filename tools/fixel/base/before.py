@@ -18,7 +18,7 @@ if __name__ == "__main__":
     sys.path[0] = str(pathlib.Path(__file__).resolve().parents[2])
 
 from fixel import commands
-from fixel.base import bounded, make_variables, reading
+from fixel.base import bounded, make, reading
 from fixel.base.errors import ToolError, run_main
 from fixel.campaign import runner
 from fixel.model import suffixes
@@ -72,7 +72,7 @@ def check_result(path):
 
 def look_at(name, environment):
     """Refuses what the command's tool would refuse."""
-    options = asked(name, make_variables.options(name, environment))
+    options = asked(name, make.options(name, environment))
     if hasattr(options, "scene"):
         check_scene(options)
     if hasattr(options, "cpu_limit"):
@@ -89,7 +89,7 @@ def look_at(name, environment):
 
 def look_at_command(argv):
     """The exit code. argv: the command. A command without a tool has nothing that is looked at."""
-    if argv[0] in commands.COMMANDS and argv[0] in make_variables.commands():
+    if argv[0] in commands.COMMANDS and argv[0] in make.variables():
         look_at(argv[0], os.environ)
     return 0
 

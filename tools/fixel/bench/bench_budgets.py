@@ -7,7 +7,7 @@ is counted by the calls of a function.
 
 from fixel.base import parallel, scratch
 from fixel.base.errors import ToolError
-from fixel.bench import bench_plan, bench_rgb565, bench_run, bench_terrain, places
+from fixel.bench import bench_plan, bench_rgb565, bench_run, bench_changes, places
 
 WIDE, NARROW, SHORT = (320, 64), (32, 64), (32, 32)     # screens of a wall that covers all of them
 
@@ -73,7 +73,7 @@ def _calls(frames):
 
 def _terrain(frames):
     """A stage in a frame of a terrain, for each face of it."""
-    scene = bench_terrain.terrain(frames.image()[1], frames.entry["faces"])
+    scene = bench_changes.terrain(frames.image()[1], frames.entry["faces"])
     file = bench_plan.save_scene(scene, f"{frames.folder}/terrain.fxls")
     return frames.staged(file) / frames.entry["faces"] / frames.entry["per"]
 

@@ -1,9 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Changes of a scene file by name, for the bench: one file serves for several workloads, and for variants of them."""
+"""The bench's scenes: a scene file changed by name, so that one serves for several workloads and for variants of them; a head of 968
+triangles, an egg whose lower half is narrower; the same scene with turned instances; and, for the bench's growth, a terrain of as many
+faces as wanted, seen from above, so that all of them are in sight."""
 
+import dataclasses
+import math
 import pathlib
 
-from fixel.bench import bench_head
+from fixel.image.image import Face, Model, Object, POSES, SORTED
+from fixel.image.image_placement import Key, Motion, Placement
+from fixel.model import mesh
+from fixel.model.quantity import TURN as WHOLE_TURN
 from fixel.scene import toml_scene, toml_table
 
 # The plaza's textures, and what shows them: the first word or words of an object's name. What has no texture has its colour.
@@ -17,6 +24,14 @@ ROLL = 37           # degrees
 SCREENS = {"240x135": (240, 135), "480x320": (480, 320), "320x64": (320, 64), "32x64": (32, 64), "32x32": (32, 32)}
 # Lights at the eye, of a model 3 units away: within its range, behind the model, and of too small a range.
 POINTS = {"a point": [(0, 8)], "four points": [(0, 8)] * 4, "a point behind": [(6, 8)], "a point far away": [(0, 0.5)]}
+HEAD = "head.obj"
+SIDES, RINGS = 22, 23       # 2 x 22 x 22 triangles
+HEAD_WIDTH, HEAD_HEIGHT, HEAD_DEPTH = 0.82, 1.2, 1.15
+ONE = 65536                     # 16.16
+NONE = Placement((1 << 30, 0, 0, 0, 1 << 30, 0, 0, 0, 1 << 30), ONE)
+YAW, PITCH = (range(-3, 4), range(-2, 3))       # steps a frame, in 256ths of a turn; instances take them in turn
+TERRAIN_WIDTH, TERRAIN_DEPTH = 16, 12       # units; the eye sees a little more
+EYE = (0, 17 * ONE // 2, 0, 0, 3 << 30, 0)      # 8.5 units up, looking down by a quarter turn
 
 
 def texture_of(name):
@@ -101,9 +116,108 @@ def compile_file(path, names, folder):
     for name in names:
         CHANGES.get(name, lambda _: None)(data)
     here = pathlib.Path(path).parent
-    if any(row.get("obj") == bench_head.NAME for row in data["objects"]):
+    if any(row.get("obj") == HEAD for row in data["objects"]):
         here = pathlib.Path(folder)
-        bench_head.write(here)
+        write_head(here)
     screen = next((SCREENS[name] for name in names if name in SCREENS), None)
     compiled, _ = toml_scene.compile_data(data, pathlib.Path(path).name, str(here), screen=screen)
     return compiled
+
+
+# --- a head -----------------------------------------------------------------------
+
+def _corner_of_head(ring, side):
+    """A corner, in 10,000ths of a unit."""
+    down, around = math.pi * ring / RINGS, math.tau * side / SIDES
+    wide = math.sin(down) * (HEAD_WIDTH - 0.22 * max(0, down - math.pi / 2))
+    return tuple(round(10000 * value) for value in
+                 (wide * math.sin(around), HEAD_HEIGHT * math.cos(down), -HEAD_DEPTH * wide * math.cos(around)))
+
+
+def _number_in_head(ring, side):
+    """A corner's number in the file; the tops are alone in their rings."""
+    return 1 if ring == 0 else 2 + (RINGS - 1) * SIDES if ring == RINGS else 2 + (ring - 1) * SIDES + side % SIDES
+
+
+def _faces_of_head():
+    for ring in range(RINGS):
+        for side in range(SIDES):
+            upper, right = _number_in_head(ring, side), _number_in_head(ring, side + 1)
+            lower_right, lower = _number_in_head(ring + 1, side + 1), _number_in_head(ring + 1, side)
+            if ring > 0:
+                yield upper, right, lower_right
+            if ring < RINGS - 1:
+                yield upper, lower_right, lower
+
+
+def write_head(folder):
+    """Writes the model into a folder."""
+    points = [_corner_of_head(0, 0), *[_corner_of_head(ring, side) for ring in range(1, RINGS) for side in range(SIDES)], _corner_of_head(RINGS, 0)]
+    lines = ["v " + " ".join(f"{value / 10000:.4f}" for value in point) for point in points]
+    lines += [f"f {a} {b} {c}" for a, b, c in _faces_of_head()]
+    (pathlib.Path(folder) / HEAD).write_text("\n".join(lines) + "\n", encoding="ascii")
+
+
+# --- turned instances --------------------------------------------------------------
+
+def _spin(number, centre):
+    """The motion of an instance that stays in its place. It starts at an angle of its own."""
+    start = number * 0x9E3779B9 % WHOLE_TURN
+    steps = [each[number % len(each)] * WHOLE_TURN // 256 % WHOLE_TURN for each in (YAW, PITCH)]
+    return Motion([Key(0, centre, (start, 0, 0), ONE)], (steps[0], steps[1], 0))
+
+
+def turned(scene, how):
+    """The scene with a placement for each instance. how: "still", all placements are those of FXL_PLACEMENT_NONE and the picture is
+    the scene's; "turning", the instances turn from frame to frame."""
+    motions = [_spin(number, item.centre) for number, item in enumerate(scene.objects)] if how == "turning" else []
+    return dataclasses.replace(scene, placements=[NONE] * len(scene.objects), motions=motions)
+
+
+# --- a terrain ---------------------------------------------------------------------
+
+def sides(cells):
+    """Columns and rows of so many cells, as nearly square as they come."""
+    wanted = math.sqrt(cells * TERRAIN_WIDTH / TERRAIN_DEPTH)
+    columns = min((number for number in range(1, cells + 1) if cells % number == 0),
+                  key=lambda number: abs(math.log(number / wanted)))
+    return columns, cells // columns
+
+
+def terrain(scene, faces, patch=None):
+    """The scene with a terrain of triangles instead of its instances: one model, or a model for each patch of
+    patch x patch cells."""
+    columns, rows = sides(faces // 2)
+    across, along = (patch, patch) if patch else (columns, rows)
+    if faces % 2 or columns % across or rows % along:
+        raise ValueError(f"{faces} triangles are no terrain of patches of {across} by {along} cells")
+    models, objects = [], []
+    for row in range(0, rows, along):
+        for column in range(0, columns, across):
+            objects.append(_add_patch(models, (columns, rows), range(column, column + across + 1), range(row, row + along + 1)))
+    return dataclasses.replace(scene, models=models, objects=objects, path_kind=POSES, path=[EYE], start=EYE)
+
+
+def _add_patch(models, size, columns, rows):
+    """Adds the model of these lines of the grid; the instance of it."""
+    points = [_corner_of_terrain(size, column, row) for row in rows for column in columns]
+    low, high = points[0], points[-1]
+    centre = ((low[0] + high[0]) // 2, 0, (low[2] + high[2]) // 2)
+    vertices = [mesh.minus(point, centre) for point in points]
+    width, faces = len(columns), []
+    for row in range(len(rows) - 1):
+        for column in range(width - 1):
+            here = row * width + column
+            for corners in ((here, here + width, here + width + 1), (here, here + width + 1, here + 1)):
+                normal = mesh.unit_normal(mesh.newell([vertices[corner] for corner in corners]))
+                faces.append(Face(normal, corners, 1 + len(faces) % 255))
+    models.append(Model(vertices, faces, SORTED))
+    return Object(centre, len(models) - 1)
+
+
+def _corner_of_terrain(size, column, row):
+    """A corner of the grid: slopes are below a quarter, so that every face is turned to the eye."""
+    columns, rows = size
+    x, z = column * TERRAIN_WIDTH * ONE // columns, row * TERRAIN_DEPTH * ONE // rows
+    height = (5 * column + 3 * row) % 8 * min(TERRAIN_WIDTH * ONE // columns, TERRAIN_DEPTH * ONE // rows) // 32
+    return x - TERRAIN_WIDTH * ONE // 2, height, z - TERRAIN_DEPTH * ONE // 2

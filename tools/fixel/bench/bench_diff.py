@@ -6,8 +6,22 @@ is nothing to compare. --accept makes the run the baseline, and renews the table
 """
 
 import argparse
+import pathlib
+import sys
 
-from fixel import commands
+from fixel.base import output
+from fixel.base.errors import ToolError, one_line
+from fixel.base.table import coloured, table
+from fixel.commands import late
+
+bench_page, bench_plan = late("fixel.bench", "bench_page bench_plan")
+programs = late("fixel.board", "programs")
+
+KEY = ("workload", "renderer", "core")
+MEASURES = ("instructions", "text_bytes", "ram_bytes", "stack_bytes")
+WORDS = {"instructions": ("slower", "faster"), "text_bytes": ("larger", "smaller"),
+         "ram_bytes": ("larger", "smaller"), "stack_bytes": ("deeper", "shallower")}
+OURS = "fixel"
 
 
 def parser():
@@ -21,4 +35,88 @@ def parser():
     return made
 
 
-main = commands.main_of(parser, "fixel.bench.baseline")
+def read_rows(path):
+    """(the whole file, {key: row}) of a bench.json."""
+    if not pathlib.Path(path).exists():
+        raise ToolError(f"{path} is not there: run make bench")
+    data = programs.read_json(path)
+    try:
+        return data, {tuple(row[part] for part in KEY): row for row in data["rows"]}
+    except (KeyError, TypeError) as error:
+        raise ToolError(f"{path} is not a result of make bench: {error}") from error
+
+
+def changes(before, after):
+    """[(key, measure, old, new, percent)] of each figure that differs, the worst first. The code of a renderer
+    is the same for all workloads, and is given once."""
+    found = {}
+    for key in before.keys() & after.keys():
+        for measure in MEASURES:
+            old, new = before[key][measure], after[key][measure]
+            if old != new and None not in (old, new):
+                named = ("all", *key[1:]) if measure == "text_bytes" else key
+                found[named, measure] = (old, new, 100 * (new / old - 1) if old else float("inf"))
+    return sorted(((*names, *figures) for names, figures in found.items()),
+                  key=lambda change: (-change[4], change[0], change[1]))
+
+
+def judge(found, missing, threshold):
+    """Sentences: the figures of Fixel that are worse by more than the threshold, or missing."""
+    worse = [f"{' '.join(key)}: {WORDS[measure][0]} by {percent:.2f} %"
+             for key, measure, _, _, percent in found if key[1] == OURS and percent > threshold]
+    return worse + [f"{' '.join(key)}: not measured any more" for key in sorted(missing)]
+
+
+def print_changes(found, threshold):
+    """A table for people."""
+    if not found:
+        print("nothing changed")
+        return
+    rows = [[*key, measure, old, new, f"{percent:+.2f} %",
+             WORDS[measure][0 if percent > 0 else 1] + ("" if abs(percent) > threshold else ", hardly")]
+            for key, measure, old, new, percent in found]
+    print(table(rows, [*KEY, "measure", "before", "now", "change", ""]))
+
+
+def compare(before, after, threshold):
+    """Prints the comparison; the exit code."""
+    (old, old_rows), (new, new_rows) = before, after
+    for tool in ("compiler", "emulator"):
+        if old.get(tool) != new.get(tool):
+            print(f"note: another {tool}: '{old.get(tool)}' before, '{new.get(tool)}' now", file=sys.stderr)
+    found = changes(old_rows, new_rows)
+    print_changes(found, threshold)
+    new_keys = sorted(new_rows.keys() - old_rows.keys())
+    if new_keys:
+        print(f"new: {', '.join(' '.join(key) for key in new_keys)}")
+    worse = judge(found, old_rows.keys() - new_rows.keys(), threshold)
+    for sentence in worse:
+        print(f"{coloured('WORSE', 'red')}: {sentence}")
+    if not worse:
+        print(f"{coloured('pass', 'green')}: no figure of Fixel is worse by more than {threshold:g} %")
+    return 1 if worse else 0
+
+
+def accept(data, baseline, document, plan):
+    """Makes a run the baseline."""
+    if data.get("left_out"):
+        raise ToolError(f"a baseline needs every core; left out were: {', '.join(data['left_out'])}")
+    measured = {value for row in data["rows"] for value in (row["core"], row.get("workload"))}
+    missing = [name for name in (*bench_plan.CORES, *plan.workloads) if name not in measured]
+    if missing:
+        raise ToolError(f"a baseline needs every core and every workload; {missing[0]} was not measured: "
+                        f"run make bench without CORE= and WORKLOAD=")
+    text = bench_page.replace_tables(pathlib.Path(document).read_text(encoding="utf-8"), plan, data, bench_page.DOCUMENT)
+    output.write_json(baseline, data)
+    output.write_file(document, text)
+    print(f"{one_line(baseline)}, {one_line(document)}: renewed", file=sys.stderr)
+
+
+def main(argv):
+    """The command; its exit code."""
+    options = parser().parse_args(argv)
+    after = read_rows(options.current)
+    if options.accept:
+        accept(after[0], options.baseline, options.document, bench_plan.Plan("build"))
+        return 0
+    return compare(read_rows(options.baseline), after, options.threshold)

@@ -6,7 +6,7 @@ import tomllib
 
 from fixel.base import output
 from fixel.scene import making
-from fixel.bench import bench_changes, bench_turned
+from fixel.bench import bench_changes
 from fixel.bench.bench import CORES, PLAN
 from fixel.image import image
 from fixel.base.errors import ToolError
@@ -82,7 +82,7 @@ def compile_scene(workload, folder):
     making.build(workload["scene"], file)
     compiled = image.load(file)
     if "turned" in workload:
-        compiled = bench_turned.turned(compiled, workload["turned"])
+        compiled = bench_changes.turned(compiled, workload["turned"])
         save_scene(compiled, file)
     return file, compiled
 

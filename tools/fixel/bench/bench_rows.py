@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """From what was counted to bench.json: rows, limits, sizes, growth, and how pictures compare."""
 
-from fixel.bench import bench_goals, bench_plan, link_map, places
+from fixel.bench import bench_goals, bench_plan, linked_size, places
 
 FLAGS = {"O2": "-O2", "Os": "-Os"}
 SMALL = {"small": "-Os -DFXL_SMALL", "small-flto": "-Os -DFXL_SMALL -flto"}     # the library alone
@@ -59,14 +59,14 @@ def sizes(plan, cores):
     programs = [(renderer, folder, flags) for renderer in plan.renderers
                 for folder, flags in ({**FLAGS, **SMALL} if renderer == bench_goals.OURS else FLAGS).items()]
     return [{"core": core, "renderer": renderer, "flags": flags,
-             **link_map.measure(plan.build / "bench" / core / "size" / folder / f"{renderer}.map")}
+             **linked_size.sizes_of_map(plan.build / "bench" / core / "size" / folder / f"{renderer}.map")}
             for core in cores for renderer, folder, flags in programs]
 
 
 def renderer_bytes(plan, cores):
     """{core: bytes} of RAM of a renderer by itself: the variable of that name in the map of the program that draws in bands."""
     return {core: sum(size for section, size, _ in
-                      link_map.sections(plan.program(core, BANDS).with_suffix(".map"))
+                      linked_size.sections_of_map(plan.program(core, BANDS).with_suffix(".map"))
                       if section == ".bss.renderer") for core in cores}
 
 

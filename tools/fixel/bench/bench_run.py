@@ -8,7 +8,7 @@ import re
 import numpy
 
 from fixel.base import scratch
-from fixel.bench import bench_plan, bench_terrain, counter, cycles, places
+from fixel.bench import bench_plan, bench_changes, counter, cycles, places
 from fixel.board import dump, emulator
 from fixel.bench.debug_lines import DebugLines
 from fixel.base.errors import ToolError
@@ -104,7 +104,7 @@ def growth_scenes(plan, folder):
     smallest = growth["screens"][0]
     made += [("pixels", width * height // (smallest[0] * smallest[1]), resized(scene, width, height))
              for width, height in growth["screens"]]
-    made += [(axis, faces // growth["faces"][0], bench_terrain.terrain(scene, faces, patch))
+    made += [(axis, faces // growth["faces"][0], bench_changes.terrain(scene, faces, patch))
              for axis, patch in (("faces, one model", None), ("faces, patches", growth["patch_cells"]))
              for faces in growth["faces"]]
     return [(axis, factor, each, bench_plan.save_scene(

@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""The comparison of clippers: for a terminal, as a page of its own, and as Markdown for docs/clipping.md."""
+"""The comparison of clippers: for a terminal, as a page of its own with its plots, and as Markdown for docs/clipping.md."""
 
 import pathlib
 
 import jinja2
+import matplotlib
+from matplotlib.figure import Figure
 
-from fixel.bench import bench_page, clippers_plots, clippers_run
-from fixel.report import report_page
-from fixel.bench.bench_plan import NAMES
 from fixel.base.table import table
+from fixel.bench import bench_page, clippers_run
+from fixel.bench.bench_plan import NAMES
+from fixel.report import report_page
+from fixel.report.report_plots import as_svg, PIXEL, SOFT, STYLE
 
 TEMPLATES = pathlib.Path(__file__).resolve().parents[2] / "templates"
 DIFFERENCES = 8         # pictures of them in the page, at most
 MILLION = 1_000_000
+COLOURS = ("#0f6cbd", "#c77700", "#18794e", "#c2416b", "#6b4fbb", "#0e8a8a", "#8a6d1d", "#6b7785", "#b3123f")
 
 
 def _first(rows, **wanted):
@@ -55,7 +59,7 @@ def exact_cells(rows):
         cells.append([clipper, hidden, max(row["max_error_units"] for row in found),
                       max(row["max_error_units_at_all"] for row in found), differing,
                       MILLION * differing / sum(row["pixels"] for row in found),
-                      max(distances) * clippers_plots.PIXEL if distances else None,
+                      max(distances) * PIXEL if distances else None,
                       sum(row["pixels_unexplained"] for row in found), max(row["screen_px"] for row in found),
                       max(row["vertices"] for row in found)])
     return cells
@@ -129,14 +133,14 @@ def plots(plan, result):
     """[(title, SVG)] of the page."""
     rows = result["rows"]
     cores, hidden = _values(rows, "board"), _values(rows, "hidden")
-    made = [(f"What each clipper costs, {NAMES[core]}, {hidden[0]}", clippers_plots.costs(plan, rows, core, hidden[0]))
+    made = [(f"What each clipper costs, {NAMES[core]}, {hidden[0]}", costs(plan, rows, core, hidden[0]))
             for core in cores]
     if len(hidden) > 1:
         made += [(f"What each visibility method costs, {NAMES[core]}, {rows[0]['clipper']}",
-                  clippers_plots.methods(plan, rows, core, rows[0]["clipper"])) for core in cores]
-    made.append(("The largest error of an outline", clippers_plots.errors(plan, rows, hidden[0])))
+                  methods(plan, rows, core, rows[0]["clipper"])) for core in cores]
+    made.append(("The largest error of an outline", errors(plan, rows, hidden[0])))
     made.append(("Flash: the renderer with this clipper and no other",
-                 clippers_plots.sizes(plan, rows, cores, hidden[0])))
+                 sizes(plan, rows, cores, hidden[0])))
     return made
 
 
@@ -253,3 +257,97 @@ SECTIONS = {"summary": summary_markdown, "clippers": clippers_markdown, "hidden"
 def replace_tables(text, plan, result):
     """docs/clipping.md with its tables made anew."""
     return bench_page.replace_tables(text, plan, result, SECTIONS)
+
+
+def _bars(axes, groups, series, figure_of):
+    """Bars of figures (height, from, to): a group of one bar for each of the series; nothing for None."""
+    width = 0.84 / len(series)
+    for number, one in enumerate(series):
+        found = [(place + (number - (len(series) - 1) / 2) * width, figure_of(group, one))
+                 for place, group in enumerate(groups)]
+        found = [(place, figure) for place, figure in found if figure is not None]
+        places = [place for place, _ in found]
+        axes.bar(places, [figure[0] for _, figure in found], width, label=one, color=COLOURS[number % len(COLOURS)])
+        axes.vlines(places, [figure[1] for _, figure in found], [figure[2] for _, figure in found], color=SOFT,
+                    linewidth=1)
+    axes.set_xticks(range(len(groups)), groups)
+    axes.grid(axis="x", visible=False)
+
+
+def _instructions(rows):
+    """{(scene, clipper, hidden): (median, least, most)}, in millions."""
+    return {(row["scene"], row["clipper"], row["hidden"]):
+            tuple(row["instructions"][key] / 1e6 for key in ("median", "min", "max")) for row in rows}
+
+
+def _plot(name, draw, size=(9.6, 3.4)):
+    with matplotlib.rc_context(STYLE):
+        figure = Figure(figsize=size)
+        axes = figure.subplots()
+        draw(axes)
+        handles, labels = axes.get_legend_handles_labels()
+        if handles:
+            figure.legend(handles, labels, loc="outside upper left", ncols=min(9, len(labels)), fontsize=8.5)
+        return as_svg(figure, name)
+
+
+def costs(plan, rows, core, hidden):
+    """Instructions a frame, clippers side by side; the line is from the least frame to the most."""
+    found = _instructions(row for row in rows if row["board"] == core and row["hidden"] == hidden)
+
+    def draw(axes):
+        _bars(axes, _in_order(plan.scenes, rows, "scene"), _in_order(plan.clippers, rows, "clipper"),
+              lambda scene, clipper: found.get((scene, clipper, hidden)))
+        axes.set_ylabel(f"million instructions a frame, {NAMES[core]}")
+    return _plot(f"costs-{core}-{hidden}", draw)
+
+
+def methods(plan, rows, core, clipper):
+    """Instructions a frame, what hides what side by side."""
+    rows = [row for row in rows if row["board"] == core and row["clipper"] == clipper]
+    found = _instructions(rows)
+
+    def draw(axes):
+        _bars(axes, _in_order(plan.scenes, rows, "scene"), _in_order(plan.hidden, rows, "hidden"),
+              lambda scene, hidden: found.get((scene, clipper, hidden)))
+        axes.set_ylabel(f"million instructions a frame, {NAMES[core]}")
+    return _plot(f"methods-{core}-{clipper}", draw)
+
+
+def errors(plan, rows, hidden):
+    """The largest error of each clipper in each scene, on a logarithmic axis."""
+    clippers, scenes = (_in_order(plan.clippers, rows, "clipper"), _in_order(plan.scenes, rows, "scene"))
+    found = {(row["clipper"], row["scene"]): row["max_error_units_at_all"] for row in rows if row["hidden"] == hidden}
+
+    def draw(axes):
+        for number, scene in enumerate(scenes):
+            points = [(place, found[clipper, scene]) for place, clipper in enumerate(clippers)
+                      if found.get((clipper, scene))]
+            axes.plot([x for x, _ in points], [y for _, y in points], linestyle="none", marker="o", markersize=5,
+                      color=COLOURS[number % len(COLOURS)], label=scene, alpha=0.85)
+        axes.set_yscale("log")
+        axes.set_xlim(-0.5, len(clippers) - 0.5)
+        axes.set_ylim(0.3, max(2 * PIXEL, 2 * max(found.values(), default=1)))
+        axes.axhline(PIXEL, color=SOFT, linewidth=0.9, linestyle=(0, (4, 3)))
+        axes.annotate("1 pixel", (1, PIXEL), xycoords=("axes fraction", "data"), xytext=(0, 2),
+                      textcoords="offset points", ha="right", fontsize=8, color=SOFT)
+        axes.set_xticks(range(len(clippers)), clippers)
+        axes.set_ylabel("largest error, 1/65536 pixel")
+    return _plot("errors", draw)
+
+
+def sizes(plan, rows, cores, hidden):
+    """Bytes of code of the renderer with each clipper alone."""
+    found = {(row["clipper"], row["board"]): row["text_bytes"] for row in rows if row["hidden"] == hidden}
+
+    def draw(axes):
+        _bars(axes, _in_order(plan.clippers, rows, "clipper"), cores,
+              lambda clipper, core: (found[clipper, core],) * 3 if (clipper, core) in found else None)
+        axes.set_ylabel("bytes of flash")
+    return _plot("sizes", draw, (9.6, 2.8))
+
+
+def _in_order(names, rows, key):
+    """Those of the plan's names that rows are about."""
+    there = {row[key] for row in rows}
+    return [name for name in names if name in there]

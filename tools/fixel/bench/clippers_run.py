@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Runs the programs of make clippers: on the host with the reference renderer, and on emulated cores. Each run is a shard of
-a campaign (fixel/campaign/shards.py). Its parameters have the scene image, so that it depends on the programs alone."""
+a campaign (fixel/campaign/shards.py). Its parameters have the scene image, so that it depends on the programs alone. What was drawn, judged and counted becomes the rows
+of clippers.json, and what is wrong with them is said."""
 
 import base64
 import collections
@@ -12,10 +13,10 @@ import zlib
 import numpy
 
 from fixel.base import scratch
-from fixel.bench import bench_run, clippers_plan, counter, link_map
-from fixel.board import dump, programs, qemu
 from fixel.base.errors import ToolError
+from fixel.bench import bench_run, clippers_plan, counter, linked_size
 from fixel.bench.machine_code import MachineCode
+from fixel.board import dump, programs, qemu
 from fixel.campaign.shards import Shard
 from fixel.image import image
 from fixel.report.report_frames import Shown
@@ -29,6 +30,8 @@ SHARD_SETUP = "report"
 
 
 # --- the campaign ------------------------------------------------------------------
+CLAIM_BEYOND = 1e-4     # of outlines may be beyond the claim: docs/extras/clippers.md says why
+
 
 def shard_of(number, what, core, combination, scene):
     """A shard. what: "frames", on the host or a core, or "operations"."""
@@ -140,10 +143,70 @@ def operations(plan, core, clipper, file):
 
 def size(plan, core, combination):
     """Bytes of flash of the renderer with this combination alone."""
-    found = link_map.measure(plan.size_map(core, combination.name))
+    found = linked_size.sizes_of_map(plan.size_map(core, combination.name))
     return found["code"] + found["constants"] + found["run_time"]
 
 
 def summary(counts):
     """Least, median and most."""
     return {"min": min(counts), "median": round(statistics.median(counts)), "max": max(counts)}
+
+
+def row(plan, core, combination, scene, host, drawn, text_bytes):
+    """A row: one combination, scene and core."""
+    verdict, found = host["verdict"], host["found"]
+    return {"clipper": combination.clipper, "hidden": combination.hidden, "scene": scene["name"], "board": core,
+            "frames": len(drawn["instructions"]), "instructions": summary(drawn["instructions"]),
+            "text_bytes": text_bytes, "ram_bytes": drawn["memory"], "stack_bytes": drawn["stack"],
+            "max_error_units": found["max_error_units"], "max_error_units_at_all": found["max_error_units_at_all"],
+            "pixels": verdict["pixels"], "pixels_differing": verdict["pixels_differing"],
+            "pixels_tied": verdict["pixels_tied"], "pixels_unexplained": verdict["pixels_unexplained"],
+            "max_edge_distance_px": verdict["max_edge_distance_px"],
+            "explained_px": plan.explained(combination.clipper, scene["image"]),
+            "equal_to_host": drawn["sums"] == host["sums"],
+            "crcs": [f"{value:08x}" for value in host["sums"]],
+            **{key: found[key] for key in ("faces", "crossing", "missed", "refused", "beyond", "vertices",
+                                           "screen_px", "view_units", "intersections", "distances")},
+            "split_bands": host["split_bands"]}
+
+
+def operation_rows(counted, hosts, hidden):
+    """[{clipper, scene, board, crossing, polygons, instructions, multiplications, divisions, intersections,
+    distances}]: all of a scene's frames together. crossing: polygons that the planes of the lens cut, whoever cuts
+    them;
+    intersections and distances from planes are the whole scene's, the rest is that of the polygons cut."""
+    rows = []
+    for (core, clipper, scene), taken in counted.items():
+        found = hosts[clipper, hidden, scene]["found"]
+        rows.append({"clipper": clipper, "scene": scene, "board": core, "crossing": found["crossing"], **taken,
+                     "intersections": found["intersections"], "distances": found["distances"]})
+    return rows
+
+
+def complaints(plan, result):
+    """Everything that is not as it should be, in sentences."""
+    found = []
+    for each in result["rows"]:
+        name = f"{each['clipper']} x {each['hidden']}, {each['scene']}, {each['board']}"
+        if each["pixels_unexplained"]:
+            found.append(f"{name}: {each['pixels_unexplained']:,} pixels differ from double without explanation")
+        if not each["equal_to_host"]:
+            found.append(f"{name}: the frames of the emulated core are not those of the host")
+        claim = plan.clippers[each["clipper"]].get("claim")
+        if claim and each["max_error_units"] > claim and each["beyond"] > CLAIM_BEYOND * each["faces"]:
+            found.append(f"{name}: {each['beyond']:,} of {each['faces']:,} outlines err by more than {claim}/65536 "
+                         f"pixel, by {each['max_error_units']:.3g} at most")
+        if each["missed"]:
+            found.append(f"{name}: {each['missed']:,} faces are drawn or left out unlike exact clipping")
+        if each["refused"]:
+            found.append(f"{name}: {each['refused']:,} faces were refused")
+    return found
+
+
+def as_lines(result):
+    """clippers.json with a line for each row, without the frames' CRCs."""
+    def lines(rows):
+        kept = ({key: value for key, value in row.items() if key != "crcs"} for row in rows)
+        return "[\n" + ",\n".join(json.dumps(row, separators=(",", ":")) for row in kept) + "]"
+    return "{" + ",\n".join(f"{json.dumps(key)}: {lines(value) if key == 'rows' else json.dumps(value)}"
+                            for key, value in result.items()) + "}\n"

@@ -7,7 +7,7 @@ import pathlib
 
 from fixel.bench import thumb
 from fixel.board import emulator, firmware, qemu
-from fixel.board.ending import describe, exit_code, exit_status, last_lines
+from fixel.board.execute import describe, exit_code, exit_status, last_lines
 from fixel.base.errors import ToolError
 
 BEGIN, END = "bench_begin", "bench_end"     # the marker functions

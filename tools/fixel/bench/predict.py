@@ -9,16 +9,37 @@ import json
 import os
 import pathlib
 import shlex
+import sys
 
-from fixel import commands
-from fixel.base import children
-from fixel.base.errors import ToolError
-from fixel.scene import scene_options
+from fixel.base import bounded, children, output, scratch
+from fixel.base.errors import ToolError, one_line
+from fixel.base.reading import quoted
+from fixel.base.table import coloured, count_of, table
+from fixel.board import room as rooms
+from fixel.commands import late
+from fixel.image import memory_needed
+from fixel.model import suffixes
+from fixel.scene import look, scene_options
+
+frame_costs = late("fixel.bench", "frame_costs")
+model_look = late("fixel.board", "model_look")
+image = late("fixel.image", "image")
+scene_image = late("fixel.scene", "scene_image")
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 COSTS = ROOT / "bench" / "costs.json"
 # What make knows of a board, and what it is.
 SETTINGS = {"band": "bytes of a band", "order": "entries of the order", "list": "bytes of the display list", "cache": "entries of the vertex cache"}
+BAND_ROWS = 16          # of a program that export --c --program writes
+BESIDE = 1 << 20        # bytes for what a scene has beside its faces, which have memory of their own in such a program
+
+# place pixel-format: what is counted (wide_...), and what it costs
+# What a board's program may leave out: WALK_WITHOUT_... of its settings.
+NOT_DRAWN = {"surfaces": "surfaces (VISIBILITY=surfaces builds a program that draws them)",
+             "depth": "with a depth buffer (VISIBILITY=sorted builds a program that draws by distance)",
+             "depth_32": "with a depth buffer of 32 bits (depth = 16 asks for one of 16)",
+             "rgb565": "in RGB565",
+             "billboards": "billboards"}
 
 
 def parser():
@@ -69,4 +90,170 @@ def complete(options):
     options.without = options.without or known.without
 
 
-main = commands.main_of(parser, "fixel.bench.prediction")
+def by_depth(scene):
+    """Whether a scene asks for a depth buffer."""
+    return scene.depth_bits != 0
+
+
+def has_looks(scene):
+    """Whether a scene has more than flat colours by distance: then the stack goes deeper."""
+    return bool(scene.surfaces or scene.light or scene.beams or scene.billboards or by_depth(scene) or scene.tree
+                or scene.pixel_bits == 16)
+
+
+def board_of(options, known):
+    """The board's entry of bench/costs.json, and the core whose costs it has."""
+    core = frame_costs.core_of(options.core)
+    if core is None or options.board not in known["boards"]:
+        raise ToolError(f"{options.board}: {frame_costs.FILE.name} has no costs of its core and flags "
+                        f"({' '.join(options.core.split()) or 'none'}); the boards are: {', '.join(known['boards'])}")
+    return known["boards"][options.board], core
+
+
+def count(options, scene, size, board, file):
+    """frame_costs.count with the board's settings; NoRoom says what the board has no room for."""
+    needed = memory_needed.draw_list_needed(scene)
+    if size > board["scene_room"]:
+        raise frame_costs.NoRoom(f"the scene image has {size:,} bytes, the board's scene partition {board['scene_room']:,}")
+    if needed > options.order:
+        raise frame_costs.NoRoom(f"the scene needs {needed:,} order entries, the board has {options.order:,}")
+    wanted = {"surfaces": scene.surfaces, "depth": by_depth(scene), "depth_32": scene.depth_bits == 32,
+              "rgb565": scene.pixel_bits == 16, "billboards": scene.billboards}
+    for name in options.without.lower().split(","):
+        if wanted.get(name):
+            raise frame_costs.NoRoom(f"the board has no room to draw {NOT_DRAWN[name]}")
+    return frame_costs.count(options.build, file, options.band, options.order, options.list, options.cache, options.list_most,
+                       options.frames or 0, options.scene)
+
+
+def parts(names, counts, table_of):
+    """[(what, how many a frame, instructions a frame)], the most first."""
+    means = counts.mean(axis=0)
+    found = [(frame_costs.NAMES.get(name, name), mean, mean * table_of[name]) for name, mean in zip(names, means)]
+    return sorted((each for each in found if each[2] > 0), key=lambda each: -each[2])
+
+
+def of_memory(options, file, costs):
+    """What a program of the user's takes with each of the three sizes of an exported header, as plain data: bytes of the block for
+    fxl_renderer_init, and instructions of a mean frame by fxl_render and in bands of BAND_ROWS rows."""
+    scene, found = image.load(file), []
+    row, beside = scene.width * scene.pixel_bits // 8, 2 * scene.width * scene.height * scene.depth_bits // 8
+    for ending, size in memory_needed.SIZES.items():
+        units = size(scene)
+        vertices, words = memory_needed.divided(scene, units)
+        ways = {}
+        for way, rows, most in (("fxl_render", scene.height, 1), ("bands", BAND_ROWS, memory_needed.WORD * words or 1)):
+            names, counts = frame_costs.count(options.build, file, rows * row, 0, BESIDE + beside + most, vertices, most,
+                                              options.frames or 0, options.scene)
+            ways[way] = round(float(frame_costs.instructions(costs, names, counts).mean()))
+        found.append({"size": f"NAME_MEMORY{ending}", "bytes": memory_needed.UNIT * units, **ways})
+    return found
+
+
+def predict(options, file):
+    """The prediction for a scene image, as plain data."""
+    known = frame_costs.load()
+    board, core = board_of(options, known)
+    scene, size = image.load(file), pathlib.Path(file).stat().st_size
+    result = {"board": options.board, "core": core, "scene": options.scene, "frames": scene.frames,
+              "why_not": None, **frame_costs.memory(board, size, has_looks(scene)), "instructions_per_frame": None,
+              "ram_of_your_program": memory_needed.of_program(scene), "your_memory": [], "parts": []}
+    try:
+        names, counts = count(options, scene, size, board, file)
+    except frame_costs.NoRoom as error:
+        return {**result, "why_not": str(error)}
+    taken = frame_costs.instructions(known["cores"][core], names, counts)
+    result["frames"] = len(taken)
+    result["instructions_per_frame"] = {"min": round(taken.min()), "mean": round(taken.mean()), "max": round(taken.max())}
+    result["parts"] = [{"what": what, "times": round(float(times), 1), "instructions": round(float(spent))}
+                       for what, times, spent in parts(names, counts, known["cores"][core])]
+    result["your_memory"] = of_memory(options, file, known["cores"][core])
+    return result
+
+
+def print_prediction(result):
+    """For people."""
+    flash, ram, stack, taken = (result[key] for key in ("flash", "ram", "stack", "instructions_per_frame"))
+    rows = [["board", f"{result['board']}, costs of core {result['core']}"],
+            ["scene", f"{one_line(result['scene'])}, {count_of(result['frames'], 'frame')}"],
+            ["flash", f"{flash['program']:,} program + {flash['scene']:,} scene = {flash['program'] + flash['scene']:,} of "
+                      f"{flash['of']:,} bytes; the scene's part has {flash['scene_room']:,}"],
+            ["RAM of the walk", f"{ram['program']:,} of {ram['of']:,} bytes, with stacks"],
+            ["RAM of your program", "renderer and memory {without_list:,} bytes without a display list; {moderate:,} with NAME_MEMORY "
+                                    "of the exported header; {with_list:,} with a list of every polygon; and the pixels".format(
+                                        **result["ram_of_your_program"])],
+            ["stack", f"{stack['seen']:,} of {stack['reserved']:,} bytes"]]
+    if taken:
+        rows.append(["instructions a frame", f"{taken['min']:,} to {taken['max']:,}, mean {taken['mean']:,}"])
+    print(table(rows))
+    if result["parts"]:
+        print(table([[part["what"], round(part["times"], None if part["times"] >= 100 else 1), part["instructions"]]
+                     for part in result["parts"][:8]],
+                    ["most of them for", "times a frame", "instructions"]))
+    if result["your_memory"]:
+        print(table([[each["size"], each["bytes"], each["fxl_render"], each["bands"]] for each in result["your_memory"]],
+                    ["in a program of your own", "bytes", "instructions by fxl_render", f"in bands of {BAND_ROWS} rows"]))
+    if result["why_not"]:
+        print(f"{coloured('no room', 'red')}: {one_line(result['why_not'])}")
+
+
+def room_of(options):
+    """The room of a board's program, by the settings that it is built with."""
+    board, core = board_of(options, frame_costs.load())
+    without = set(options.without.lower().split(","))
+    targets = {(bits, depth) for bits in (8, 16) for depth in (0, 16, 32)
+               if not (bits == 16 and "rgb565" in without or depth and "depth" in without or depth == 32 and "depth_32" in without)}
+    return model_look.Room(options.band, options.order, options.list, options.cache, board["scene_room"], options.list_most,
+                           "surfaces" not in without, frozenset(targets), core, board["ram_size"])
+
+
+def drawn_of(board, arguments, screen, asked, wanted):
+    """The model_look.Drawn in which make run draws a bare model on a board. arguments: those of the command that names the model, its frames and
+    the limits; screen: width and height or None, asked: a target.Target, wanted: a look.Asked."""
+    options = parser().parse_args([f"--board={board}"])
+    for name in ("scene", "frames", "cpu_limit", "memory_limit", "allow_outside"):
+        setattr(options, name, getattr(arguments, name))
+    options.screen, options.target, options.look = screen, asked, wanted
+    elf = pathlib.Path(options.build) / "boards" / board / "walk.elf"
+    if not elf.is_file():   # of a board that nothing was built for, make and bench/costs.json know the room
+        _refuse_unknown(board, arguments.scene)
+        complete(options)
+    with scratch.folder("look") as folder:
+        return model_look.drawn_for(options, model_look.room_of(elf) if elf.is_file() else room_of(options), options.build, folder)
+
+
+def _refuse_unknown(board, scene):
+    """Refuses a board of which neither a program nor costs are there."""
+    boards = rooms.boards()
+    if boards and board not in boards:
+        raise ToolError(f"--board: there is no board {quoted(board)}; the boards are: {', '.join(boards)}")
+    if boards and board not in frame_costs.load()["boards"]:
+        raise ToolError(f"--board {board}: its room is that of its program, which is not built: make run BOARD={board} SCENE={shlex.quote(str(scene))} "
+                        "builds it, and shows the model there")
+
+
+def image_of(options, folder):
+    """The scene image of --scene: of a bare model as the board draws it."""
+    is_model = suffixes.is_model(options.scene)
+    look.check(options.look, options.scene, is_model)
+    if is_model:
+        return model_look.choose(options, room_of(options), options.build, folder)
+    return scene_image.make_scene_image(options.scene, folder, options.frames, options.screen, bounded.limits_of(options))
+
+
+def main(argv):
+    """The command; its exit code."""
+    options = parser().parse_args(argv)
+    scene_options.check(options)
+    complete(options)
+    output.make_folder(options.build)
+    with scratch.folder("predict", options.build) as folder:
+        result = predict(options, image_of(options, folder))
+    if options.json == "-":
+        print(json.dumps(result, indent=1))
+    else:
+        print_prediction(result)
+        if options.json:
+            output.write_json(options.json, result)
+            print(f"JSON: {one_line(options.json)}", file=sys.stderr)
+    return 1 if result["why_not"] else 0

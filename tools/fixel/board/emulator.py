@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Powering on a board: QEMU or rp2040js for an emulated one, the program itself for the host.
 
-A run has succeeded only if it ended as fixel.board.ending demands AND its dump is
+A run has succeeded only if it ended as fixel.board.execute demands AND its dump is
 whole.
 """
 
@@ -12,10 +12,9 @@ import pathlib
 import re
 
 from fixel.base import output, reading, scratch
-from fixel.board import dump_file, firmware, qemu, qmp, rp2040, wires
-from fixel.board.ending import CONTRACT, Ending, describe, exit_code, exit_meanings, require_done
+from fixel.board import dump as dump_file, firmware, qemu, rp2040, wires
+from fixel.board.execute import CONTRACT, describe, Ending, execute, exit_code, exit_meanings, OUTPUT_MAX, require_done
 from fixel.base.errors import ToolError
-from fixel.board.execute import OUTPUT_MAX, execute
 from fixel.image.fields import IMAGE_MAX
 from fixel.board.qemu import find_qemu
 from fixel.board.symbols import Symbols
@@ -40,7 +39,7 @@ class RunResult:
 def emulate(program, options, directory, timeout, watch=None):
     """Runs a program on its emulated board; an Ending, in which the functions
     of a fault or a hang are named."""
-    with qmp.Channel() as channel:
+    with qemu.Channel() as channel:
         command = qemu.command(program, *options, *channel.options)
         ending = execute(command, directory, timeout, watch, channel.fds,
                          lambda process: qemu.where(channel, program, process))

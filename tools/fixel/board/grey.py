@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""What a display of few greys must show of a frame: written from docs/formats.md, section 4, alone.
+"""What a display of few greys must show of a frame: written from docs/formats.md, section 4, alone. And what an emulated OLED shows.
 
-The library's own is lib/screen/grey.c; neither was made from the other.
+The library's own is lib/screen/grey.c; neither was made from the other. QEMU shows each pixel of an OLED as a square of 4 x 4, and
+level n of 0..highest as the grey n * 255 / highest. A picture that is anything else is not of an OLED.
 """
 
 import numpy
 
+from fixel.base.errors import ToolError
+
 SIZE = 8    # rows and columns of the dither matrix
 WEIGHTS = (54, 183, 19)
+MAGNIFIED = 4
 
 
 def matrix():
@@ -32,3 +36,15 @@ def levels(pixels, palette, highest):
     threshold = 2 * numpy.tile(matrix(), repeats)[:height, :width] + 1     # in 128ths
     whole, rest = numpy.divmod(highest * luma(palette)[pixels], 255)
     return (whole + (rest * 128 > threshold * 255)).astype(numpy.uint8)
+
+
+def levels_of_screen(picture, highest):
+    """Levels (height x width) of a picture (height x width x 3, uint8)."""
+    height, width = picture.shape[0] // MAGNIFIED, picture.shape[1] // MAGNIFIED
+    small = picture[::MAGNIFIED, ::MAGNIFIED, 0][:height, :width]
+    whole = numpy.repeat(numpy.repeat(small, MAGNIFIED, 0), MAGNIFIED, 1)
+    if whole.shape != picture.shape[:2] or (picture != whole[..., None]).any():
+        raise ToolError("the picture of the screen is not made of grey squares of 4 x 4", exit_code=1)
+    if (small % (255 // highest)).any():
+        raise ToolError(f"the picture of the screen has greys that are none of its {highest + 1}", exit_code=1)
+    return small // (255 // highest)

@@ -13,7 +13,7 @@ from fixel.base import output, picture, reading, scratch
 from fixel.base.errors import one_line
 from fixel.base.progress import Progress, steps
 from fixel.base.table import coloured, count_of, table
-from fixel.board import counted, dump, emulator, firmware, flash_memory, frame_crc, methods, model_look, spilled, wires
+from fixel.board import counted, dump, emulator, firmware, flash_memory, crc, methods, model_look, spilled, wires
 
 PREFIX = "own-"     # of the programs' names: firmware/firmware.mk
 FRAMES = 120        # after which a program without an end is ended
@@ -101,7 +101,7 @@ def print_summary(summary, options):
                               + ("" if options.frames or summary["frames"] < FRAMES else f", then it was ended: FRAMES= takes more than {FRAMES}")],
                  counted.row(summary),
                  ["equal to host", summary["host_frames_equal"]],
-                 ["CRC of all frames", frame_crc.both(summary["frame_crc_all"], summary["sent_crc_all"])],
+                 ["CRC of all frames", crc.both(summary["frame_crc_all"], summary["sent_crc_all"])],
                  *wires.rows(summary)]))
     if summary["polygons_spilled"]:
         print(spilled.of_own(summary["polygons_spilled"], exported_name(methods.elf_of(options.board, options.build, methods.program(options)))))

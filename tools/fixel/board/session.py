@@ -14,7 +14,7 @@ from PIL import Image
 
 from fixel.base import limits
 from fixel.board import execute, qemu
-from fixel.board.ending import Ending, describe, last_lines
+from fixel.board.execute import Ending, describe, last_lines
 from fixel.base.errors import ToolError
 
 OUTPUT = "output.txt"   # what the board prints, in the session's folder

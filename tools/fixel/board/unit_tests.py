@@ -2,15 +2,19 @@
 """Runs a program of Unity tests on its emulated board: firmware/unittest/main.c.
 
 A program has many files of tests and says which one it runs. Where it ends inside a file, by a fault or a failed
-assertion, that file has one failure more, and the program runs again from the next file on.
+assertion, that file has one failure more, and the program runs again from the next file on. Which programs and tests a board has, units.json
+says, as firmware/unittest/programs.py linked them.
 """
 
 import dataclasses
+import json
+import pathlib
 import re
 
 from fixel.base.errors import ToolError
-from fixel.board import emulator
-from fixel.board.ending import describe, exit_code
+from fixel.commands import late
+
+emulator, execute = late("fixel.board", "emulator execute")
 
 MARKER = "unittest: done"
 BEGUN = re.compile(r"^unittest: (test_\w+)\n", re.MULTILINE)
@@ -46,7 +50,7 @@ def _sections(text):
 def _stack_is_too_small(ending, output):
     """Why, where the stack overflowed that is smaller than other boards': a need of the tests, which passes there."""
     stack = STACK.search(output)
-    if ending.code == exit_code("STACK") and stack and int(stack[1]) < ROOMY_STACK:
+    if ending.code == execute.exit_code("STACK") and stack and int(stack[1]) < ROOMY_STACK:
         return f"its stack takes more than {stack[1]} bytes"
     return None
 
@@ -62,16 +66,16 @@ def _run_once(elf, word, files):
         whole = f"unittest: {name} done\n" in output
         no_room = None if whole else _stack_is_too_small(ending, output)
         if not whole:
-            output += f"\n{elf}: {describe(ending)}\n"
+            output += f"\n{elf}: {execute.describe(ending)}\n"
         passed, failed, skipped = count_unity(output)
         found.append(File(name, 0, 0, 0, output, no_room) if no_room else
                      File(name, passed, failed + (not whole), skipped, output))
     if found:
         found[0] = dataclasses.replace(found[0], cpu=ending.cpu)
     failed = any(file.failed for file in found)
-    if MARKER in ending.output.splitlines() and ending.code == exit_code("TEST" if failed else "DONE"):
+    if MARKER in ending.output.splitlines() and ending.code == execute.exit_code("TEST" if failed else "DONE"):
         return found, None
-    return found, f"{ending.output if not found else ''}\n{elf}: {describe(ending)}\n"
+    return found, f"{ending.output if not found else ''}\n{elf}: {execute.describe(ending)}\n"
 
 
 def run(elf, names, every=True):
@@ -95,3 +99,33 @@ def _run(elf, names, word):
             break
         word = f"after={found[-1].name}"
     return files + [File(name, failed=1, output=why or f"{elf} has no {name}\n") for name in left]
+
+
+def add_options(parser):
+    """--units."""
+    parser.add_argument("--units", nargs=2, action="append", default=[], metavar=("BOARD", "FILE"),
+                        help="a board and its units.json, which names its programs of unit tests")
+
+
+def _read(file):
+    try:
+        return json.loads(pathlib.Path(file).read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise ToolError(f"{file}: cannot be read: {error}; run 'make boards-programs'") from error
+
+
+def of_boards(options):
+    """[(board, program, names of its files of tests)] of --units."""
+    return [(board, pathlib.Path(file).parent / program, names)
+            for board, file in options.units for program, names in _read(file)["programs"].items()]
+
+
+def left_out(options, board):
+    """{name: why} of the files of tests that a board has no room for, as its linker said."""
+    return {name: why for other, file in options.units if other == board
+            for name, why in _read(file)["left_out"].items()}
+
+
+def with_reasons(no_room):
+    """"test_a (why), ..." of {name: why}."""
+    return ", ".join(f"{name} ({why})" for name, why in sorted(no_room.items()))

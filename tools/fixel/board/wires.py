@@ -9,7 +9,7 @@ import struct
 import numpy
 
 from fixel.base import reading
-from fixel.board import controllers, frame_crc, grey
+from fixel.board import controllers, crc, grey
 from fixel.board.controllers import require
 from fixel.base.errors import ToolError
 from fixel.base.progress import Progress
@@ -36,7 +36,7 @@ class Wires:
     """What the wires showed of the frames that were drawn."""
     equal: int = 0      # frames that the display shows as they were drawn
     hashes: list = dataclasses.field(default_factory=list)      # a SHA-256 of each picture
-    sent: frame_crc.Crcs = dataclasses.field(default_factory=frame_crc.Crcs)    # of the pixels of each frame, as they came
+    sent: crc.Crcs = dataclasses.field(default_factory=crc.Crcs)    # of the pixels of each frame, as they came
 
 
 def read(file, model, turns=0):
@@ -127,12 +127,12 @@ def compare(path, driver, drawn, progress=None):
 
 def told(driver, path, drawn):
     """What came over the wires of DRIVER=, if there is one, beside what was drawn, and the CRCs of both: for summary.json."""
-    frame = frame_crc.drawn(drawn.frames)
+    frame = crc.drawn(drawn.frames)
     if not driver:
-        return {"wires_frames_equal": None, "wires_frame_sha256": None} | frame_crc.summary(frame, None)
+        return {"wires_frames_equal": None, "wires_frame_sha256": None} | crc.summary(frame, None)
     with Progress(f"reading the wires of an {driver}") as progress:
         found = compare(path, driver, drawn, progress)
-    return {"wires_frames_equal": found.equal, "wires_frame_sha256": found.hashes} | frame_crc.summary(frame, found.sent)
+    return {"wires_frames_equal": found.equal, "wires_frame_sha256": found.hashes} | crc.summary(frame, found.sent)
 
 
 def rows(summary):

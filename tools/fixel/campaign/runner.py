@@ -18,12 +18,15 @@ from fixel.base import children, kept, output
 from fixel.base.arguments import whole_number
 from fixel.base.errors import ToolError
 from fixel.base.progress import Progress
-from fixel.campaign import local, rates, shards
+from fixel.base.table import table
+from fixel.campaign import local, shards
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 JOBS_MAX = 1024
 ADDRESS = re.compile(r"(tcp|tls)://[^/\s]+:\d{1,5}")
 FOLDER, MOST = "shards", 4_000_000_000      # bytes: a hundred campaigns
+LARGE = {"10^9": 10 ** 9, "10^10": 10 ** 10, "10^12": 10 ** 12}
+HOUR = 3600.0
 
 
 def add_options(parser):
@@ -90,14 +93,14 @@ class Done:
         """How far it went and how fast, for people and as JSON. size: of the campaign in samples, where each kind of shards
         has a share of them."""
         done = [shard for shard in self.shards if shard.number in self.results]
-        table = rates.rows(done, self.seconds)
-        if size and len(table) > 1:
-            table.append(rates.whole(table, self.shards, size))
+        made = rates_of(done, self.seconds)
+        if size and len(made) > 1:
+            made.append(rate_of_whole(made, self.shards, size))
         output.write_json(pathlib.Path(build) / "campaigns" / f"{self.shards[0].campaign}.json",
-                          {"shards": len(self.shards), "done": len(done), "kept": self.kept, "kinds": table})
+                          {"shards": len(self.shards), "done": len(done), "kept": self.kept, "kinds": made})
         print(f"{self.label}: {len(done):,} of {len(self.shards):,} shards done, {self.kept:,} of them by earlier commands",
               file=sys.stderr)
-        print(rates.shown(table), file=sys.stderr)
+        print(rates_as_text(made), file=sys.stderr)
 
 
 def run(label, some, options, budget=None, first=0):
@@ -146,3 +149,37 @@ def whole(done):
     if len(done.results) < len(done.shards):
         raise ToolError(f"{done.label}: {len(done.shards) - len(done.results):,} shards are missing")
     return done.in_order()
+
+
+# --- how fast the shards are, and how long large campaigns take ---------------------
+
+def rate_of(kind, some, samples, spent):
+    """A row: so many samples, of some shards, which took so many seconds."""
+    return {"kind": kind, "shards": len(some), "samples": samples, "seconds": round(spent, 3),
+            "shard_seconds": round(spent / len(some), 3), "samples_a_second": round(samples / spent, 1) if samples and spent else None,
+            "core_hours": {name: round(spent / samples * count / HOUR, 3) if samples else None for name, count in LARGE.items()}}
+
+
+def rates_of(done, seconds):
+    """[{"kind", "shards", "samples", "seconds", "shard_seconds", "samples_a_second", "core_hours": {"10^9": ...}}] of the
+    shards that are done; seconds: {number: CPU seconds}."""
+    kinds = {}
+    for shard in done:
+        kinds.setdefault(shard.kind, []).append(shard)
+    return [rate_of(kind, some, sum(shard.samples for shard in some), sum(seconds[shard.number] for shard in some))
+            for kind, some in kinds.items()]
+
+
+def rate_of_whole(made, planned, size):
+    """The row of a campaign of so many samples, of which each kind of shards has its share: planned has all its shards."""
+    takes = {row["kind"]: row["seconds"] / row["samples"] for row in made}
+    return rate_of("all, in proportion", planned, size, sum(takes[shard.kind] * shard.samples for shard in planned))
+
+
+def rates_as_text(made):
+    """The table for people. Shards that are no samples have a rate and nothing else."""
+    if not any(row["samples"] for row in made):
+        return table([[row["kind"], row["shards"], row["shard_seconds"]] for row in made], ["kind", "shards", "CPU s a shard"])
+    return table([[row["kind"], row["samples"], row["shard_seconds"], row["samples_a_second"], *row["core_hours"].values()]
+                  for row in made],
+                 ["kind", "samples", "CPU s a shard", "samples a CPU s", *(f"core hours of {name}" for name in LARGE)])

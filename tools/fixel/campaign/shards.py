@@ -21,13 +21,13 @@ from fixel.base.errors import ToolError
 
 CAMPAIGNS = {
     "clippers": "fixel.bench.clippers_run",
-    "equality": "fixel.check.kernel_equality",
-    "fuzz": "fixel.check.fuzz_shards",
+    "equality": "fixel.check.equality",
+    "fuzz": "fixel.check.fuzz",
     "library-mutants": "fixel.check.library_mutants",
     "prove": "fixel.prove.proving",
     "report": "fixel.report.report_shards",
     "tools-mutants": "fixel.check.tool_mutants",
-    "trace": "fixel.check.trace_shards",
+    "trace": "fixel.check.trace_break",
 }
 AGAIN = "again"     # a result that has this key is not kept: another run may end otherwise
 

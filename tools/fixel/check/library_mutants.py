@@ -25,7 +25,7 @@ import subprocess
 
 from fixel.base import children, kept, limits, scratch
 from fixel.base.errors import ToolError
-from fixel.check import corpus, fuzz_shards, mutate, planting, survivors
+from fixel.check import corpus, fuzz, mutate, planting
 
 NAME, CAMPAIGN = "library", "library-mutants"
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
@@ -201,7 +201,7 @@ def run_test(tree, test, program, cpu):
     where the system allows that: a mutant may read what nobody has written."""
     paths = {"PATH": os.defpath, "LD_LIBRARY_PATH": str(tree.folder), "UBSAN_OPTIONS": "print_stacktrace=0"}
     try:
-        done = limits.run([*fuzz_shards.prefix(), str(program), *test.arguments], cpu, merge=True, text=True,
+        done = limits.run([*fuzz.prefix(), str(program), *test.arguments], cpu, merge=True, text=True,
                           cwd=tree.folder, env=paths)
     except limits.LimitError as error:
         return str(error)
@@ -314,7 +314,7 @@ def inputs_of(settings):
 
 
 def run_shard(build, parameters):
-    mutant = survivors.find(CHECKOUT, parameters["mutant"], mutate.mutants)
+    mutant = mutate.find(CHECKOUT, parameters["mutant"], mutate.mutants)
     return _trial(build.resolve(), json.dumps(parameters["settings"], sort_keys=True)).run(mutant)
 
 

@@ -19,7 +19,7 @@ from fixel.base.arguments import number
 from fixel.base.errors import ToolError
 from fixel.campaign import runner
 from fixel.campaign.shards import Shard
-from fixel.check import library_mutants, mutate, mutate_python, survivors, tool_mutants
+from fixel.check import library_mutants, mutate, mutate_python, tool_mutants
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 KNOWN = "host_tests/build/survivors.toml"
@@ -39,8 +39,8 @@ def draw(files, only, seed, checkout=CHECKOUT):
     for path in files:
         file, text = path.relative_to(checkout).as_posix(), path.read_text(encoding="utf-8")
         if only in file:
-            found += survivors.keyed(mutants_of(file, text), text)
-    return sorted(found, key=lambda pair: survivors.place_of(seed, pair[0]))
+            found += mutate.keyed(mutants_of(file, text), text)
+    return sorted(found, key=lambda pair: mutate.place_of(seed, pair[0]))
 
 
 def counted(tried):
@@ -153,7 +153,7 @@ def before(options):
 def main(argv):
     options = parser().parse_args(argv)
     os.nice(NICE)
-    known = survivors.load(CHECKOUT / KNOWN, CHECKOUT, mutants_of)
+    known = mutate.load(CHECKOUT / KNOWN, CHECKOUT, mutants_of)
     scratch = pathlib.Path(options.build).resolve() / "mutants"
     parts = parts_of(options)
     drawn = {word: draw(part.files(CHECKOUT), options.only, options.seed) for word, part in parts.items()}

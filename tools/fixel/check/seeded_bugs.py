@@ -120,8 +120,8 @@ def run_test(folder, test):
     if test in RUNS:
         return judge_run(folder, test)
     if test in EQUALITY:
-        from fixel.check import kernel_equality     # it needs packages, and whoever reads the options needs none
-        return kernel_equality.first_difference(folder / target(test), EQUALITY_THOUSANDS, TEST_CPU)
+        from fixel.check import equality     # it needs packages, and whoever reads the options needs none
+        return equality.first_difference(folder / target(test), EQUALITY_THOUSANDS, TEST_CPU)
     try:
         done = limits.run([str(folder / target(test))], TEST_CPU, merge=True, text=True, cwd=folder)
     except limits.LimitError as error:

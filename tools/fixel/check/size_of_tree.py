@@ -20,7 +20,7 @@ import re
 from fixel.base import children, output, scratch
 from fixel.base.errors import ToolError
 from fixel.base.table import coloured, table
-from fixel.check import recipes
+from fixel.check import places
 from fixel.package import repository
 from fixel.prove import rows
 
@@ -81,8 +81,8 @@ def count_interface(files, root=ROOT):
 
 def count_places(root=ROOT):
     """{"places of RECIPE": how many files have its tag}."""
-    known, _ = recipes.load(root)
-    tags = recipes.tags(known, root)
+    known, _ = places.load(root)
+    tags = places.tags(known, root)
     return {f"places of {recipe.title}": len({tag.file for tag in tags if tag.word == word}) for word, recipe in known.items()}
 
 
@@ -102,7 +102,7 @@ def count_steps(root=ROOT):
 
 def count(root=ROOT):
     """{what is counted: how many}."""
-    files = [name for name in recipes.listed("ls-files", folder=root) if (root / name).is_file()]
+    files = [name for name in places.listed("ls-files", folder=root) if (root / name).is_file()]
     return {"files": len(files), **count_lines(files, root), **count_interface(files, root), **count_places(root), **count_steps(root)}
 
 

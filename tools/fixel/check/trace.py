@@ -7,7 +7,7 @@
 Fails where a normative clause has no code or no test, where a tag or a seeded bug names a clause that there is not, and
 where a clause has another number than on record. --only prints a line for each clause with that word in its id.
 --accept takes new clauses and changed first words into the record. --break breaks each clause, by its seeded bugs or by
-mutants of the tagged lines, and runs only the tests tagged with it (trace_break.py, trace_shards.py).
+mutants of the tagged lines, and runs only the tests tagged with it (trace_break.py).
 Writes all as JSON. Exit: 0 all is well, 1 something is missing or no test sees a clause broken, 2 could not run.
 """
 
@@ -21,7 +21,7 @@ from fixel.base import output, sampling, spent
 from fixel.base.errors import ToolError
 from fixel.base.table import table
 from fixel.campaign import runner
-from fixel.check import clauses, planting, tags
+from fixel.check import clauses, planting
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 FOLDER = pathlib.Path("host_tests/build/trace")
@@ -186,7 +186,7 @@ def read(root):
     found = clauses.read(root)
     if not found:
         raise ToolError(f"{root}: none of {', '.join(clauses.PAGES)} has a clause")
-    return found, *tags.read(root, pages_of(found)), planting.entries(root)
+    return found, *clauses.read_tags(root, pages_of(found)), planting.entries(root)
 
 
 def before(options):
@@ -214,7 +214,7 @@ def main(argv):
     print_rows(here, options.only)
     said = {"clauses": [as_json(row) for row in rows.values()], "wrong": wrong}
     if options.breaks:
-        broken = importlib.import_module("fixel.check.trace_shards")    # which uses this module
+        broken = importlib.import_module("fixel.check.trace_break")    # which uses this module
         results = broken.break_all(chosen(here, reasons, options), options)
         wrong += judge_broken(results, reasons)
         shown = sum(result["shown"] for result in results)

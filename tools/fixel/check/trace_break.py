@@ -8,16 +8,22 @@ the first five are killed, eight of ten. A mutant that does not compile, or that
 that host_tests/build/survivors.toml has, is not counted.
 
 Each is tried in a copy of the sources below the build folder: the changed sources are compiled, and linked before the
-library that make has built for the unit tests. trace_shards.py breaks many clauses side by side.
+library that make has built for the unit tests. The clauses are a campaign (fixel/campaign/shards.py): each is a shard, and a process
+breaks its clauses in a copy of the sources of its own.
 """
 
+import contextlib
 import dataclasses
+import functools
 import pathlib
 import shlex
 import shutil
 
+from fixel.base import scratch
 from fixel.base.errors import ToolError
-from fixel.check import library_mutants, mutate, planting, survivors
+from fixel.campaign import runner
+from fixel.campaign.shards import Shard
+from fixel.check import library_mutants, mutants, mutate, planting, trace
 
 MAIN = """#include "unity.h"
 __attribute__((weak)) void setUp(void);
@@ -37,6 +43,8 @@ COPIED = ("lib", "boards", "host_tests/unit")
 NEEDED = ((5, 4), (10, 8))      # so many mutants tried, so many of them killed
 MOST = 30                       # mutants that are looked at
 CPU_LEAST, CPU_TIMES = 5.0, 10  # a test's limit of CPU time: so many times what it takes, at least
+SHARD_SETUP = "units"
+_copies = contextlib.ExitStack()        # of this process
 
 
 class Tree(library_mutants.Tree):
@@ -139,8 +147,8 @@ def tagged_mutants(folder, code):
     found = []
     for file, wanted in lines.items():
         text = (folder / file).read_text(encoding="utf-8")
-        found += [(key, mutant) for key, mutant in survivors.keyed(mutate.mutants(file, text), text) if mutant.line in wanted]
-    return sorted(found, key=lambda pair: survivors.place_of("trace", pair[0]))
+        found += [(key, mutant) for key, mutant in mutate.keyed(mutate.mutants(file, text), text) if mutant.line in wanted]
+    return sorted(found, key=lambda pair: mutate.place_of("trace", pair[0]))
 
 
 class Breaker:
@@ -209,3 +217,50 @@ def inputs(id_, code, suites, bugs, checkout, units, compiler):
     return [id_, compiler, [(tag.file, tag.line, tag.last) for tag in code], [dataclasses.astuple(bug) for bug in bugs],
             [(suite.name, suite.tests) for suite in suites], *(checkout / file for file in files),
             *(units / suite.name for suite in suites), pathlib.Path(__file__)]
+
+
+@functools.cache
+def _rows():
+    """The rows of the checkout's trace."""
+    return trace.join(*trace.read(trace.CHECKOUT))
+
+
+@functools.cache
+def _breaker(build, units, compiler):
+    folder = _copies.enter_context(scratch.folder("trace", build))
+    known = mutate.load(trace.CHECKOUT / trace.SURVIVORS, trace.CHECKOUT, mutants.mutants_of)
+    return Breaker(Tree(folder / "tree", shlex.join(shlex.split(compiler)), pathlib.Path(units).resolve(),
+                                                trace.CHECKOUT), known)
+
+
+def _parts(parameters):
+    """(the row of a clause, the tests that run, the seeded bugs that they can see)."""
+    row = _rows()[parameters["clause"]]
+    return row, suites_of(row["tests"]), list(filter(is_seen_here, row["bugs"]))
+
+
+def run_shard(build, parameters):
+    """What breaking a clause shows."""
+    row, suites, bugs = _parts(parameters)
+    if not suites:
+        return {"clause": row["id"], "shown": False, "by": "no unit test of the host has it", "tried": []}
+    return _breaker(build.resolve(), parameters["units"], parameters["compiler"]).clause(row["id"], row["code"], suites, bugs)
+
+
+def shard_inputs(_build, parameters):
+    row, suites, bugs = _parts(parameters)
+    return inputs(row["id"], row["code"], suites, bugs, trace.CHECKOUT, pathlib.Path(parameters["units"]).resolve(),
+                  parameters["compiler"])
+
+
+def shard_targets(_build, parameters):
+    return [f"{parameters['units']}/{suite.name}" for suite in _parts(parameters)[1]]
+
+
+def break_all(rows, options):
+    """What breaking each of the rows gave, in their order."""
+    some = [Shard("trace", number, {"clause": row["id"], "units": options.units, "compiler": options.cc}, "clause", 0)
+            for number, row in enumerate(rows)]
+    done = runner.run("clauses broken", some, options)
+    done.tell(options.build)
+    return runner.whole(done)

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
 """What others build Fixel from: the library in one file, and packages.
 
-What others build Fixel from. `fixel one-file`, of `one_file.py`, writes the library as `fixel.h` and `fixel.c`, which
-`one_text.py` joins from `lib/`. `private_names.py` finds the names that a source has for itself, which must not meet in one file.
+`fixel one-file`, of `one_file.py`, writes the library as `fixel.h` and `fixel.c`, which `one_text.py` joins from `lib/`.
+`private_names.py` finds the names that a source has for itself, which must not meet in one file.
 
-`fixel packages`, of `packages.py`, writes the packages of Arduino, PlatformIO, ESP-IDF, Zephyr, Conan and Rust into `build/packages`.
-`layouts.py` does the work by `layouts.toml`, the one table of what each has. `rust_bindings.py` makes declarations of Rust of the public headers.
+`fixel packages`, of `packages.py`, writes the packages of Arduino, PlatformIO, ESP-IDF, Zephyr, Conan and Rust into
+`build/packages`. `layouts.py` does the work by `layouts.toml`, the one table of what each has. `rust_bindings.py` makes
+declarations of Rust of the public headers.
 
-`fixel docs`, of `docs.py`, writes the reference of the public functions and types into `build/docs`, pages of HTML. `reference.py` has Doxygen
-read the headers as `reference_text.py` writes them: with the comments that Doxygen takes.
+`fixel docs`, of `docs.py`, writes the reference of the public functions and types into `build/docs`, pages of HTML. Doxygen
+makes them.
 
-`fixel api-check`, of `api_check.py`, compares the one file with that of the last tag; `api.py` does the work, by abidiff.
-`fixel release`, of `release.py`, writes every artefact into `dist`: `artefacts.py` builds them, and `bill.py` the SPDX list of what is
-in them. `repository.py` asks git.
+`fixel api-check`, of `api_check.py`, compares the one file with that of the last tag, by abidiff. `fixel release`, of
+`release.py`, writes every artefact into `dist`, with the SPDX list of what is in them. `repository.py` asks git.
 """

@@ -8,9 +8,11 @@ import argparse
 import pathlib
 import tomllib
 
-from fixel import commands
 from fixel.base.errors import ToolError
 from fixel.base.nearest import question
+from fixel.commands import late
+
+layouts = late("fixel.package", "layouts")
 
 TABLE = pathlib.Path(__file__).with_name("layouts.toml")
 
@@ -36,4 +38,6 @@ def before(options):
     return known
 
 
-main = commands.main_of(parser, "fixel.package.layouts")
+def main(argv):
+    """The command; its exit code."""
+    return layouts.command(parser().parse_args(argv))

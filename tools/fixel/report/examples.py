@@ -58,7 +58,7 @@ def scene():
 
 def write_model(file):
     """Writes the GLB file of examples/model: a lighthouse, whose tower has an image of stripes."""
-    from fixel.report.showcase_files import Gltf, image_bytes
+    from fixel.report.showcase_shapes import Gltf, image_bytes
     from fixel.report.showcase_shapes import ball, box, joined, lathe, placed
     y, x = numpy.mgrid[:32, :32]
     stripes = numpy.where(((x + 2 * y) % 32 < 16)[..., None], (200, 40, 36), (236, 232, 220))

@@ -1,10 +1,28 @@
 # SPDX-License-Identifier: MIT
-"""The claims of Fixel, and whether the measurements satisfy them."""
+"""The claims of Fixel, and whether the measurements satisfy them.
+
+A claim's bound says how far a pixel may be off. The record of averages (host_tests/judges/averages.json) has the means of an earlier
+measurement, and a claim whose mean is larger fails. Means are compared where seed and number of samples are the record's: then the
+samples are the same ones. Library and reference renderer are compared at the boundary of each stage, on the same input: the polygons
+of a scene, and random input from the whole allowed range.
+"""
 
 import dataclasses
+import json
 import math
+import pathlib
 
+from fixel.base import output
+from fixel.base.progress import Progress
+from fixel.image import image
 from fixel.report import report_shards
+
+RECORD = pathlib.Path(__file__).resolve().parents[3] / "host_tests" / "judges" / "averages.json"
+ROUNDING = 1e-9     # of a mean: sums of doubles on another machine
+STAGES = ("sphere", "clip", "clip_world", "transform", "project", "list", "fill", "cover", "split", "light", "placement")
+KEYS = ("stage", "input", "samples", "max", "mean", "unit", "measure", "bound", "beyond_bound", "mismatched")
+# A stage gets one random sample for this many samples of the report.
+SAMPLES_PER = 50
 
 
 @dataclasses.dataclass(frozen=True)
@@ -162,3 +180,42 @@ def _why(claim):
     if claim.get("instructions_percent", 0) > INSTRUCTIONS_PERCENT:
         return f"; instructions change by {claim['instructions_percent']:.1f} %"
     return ""
+
+
+def record():
+    """{seed, claims: {id: {samples, mean}}, scenes: what host_tests/judges/test_averages.py measures}."""
+    return json.loads(RECORD.read_text(encoding="utf-8"))
+
+
+# accuracy 3.5
+def hold(claims, seed):
+    """The same claims; those that the record has get "mean_most", and fail where their mean is larger."""
+    known = record()
+    for claim in claims:
+        entry = known["claims"].get(claim["id"])
+        if entry and (seed, claim["samples"]) == (known["seed"], entry["samples"]):
+            claim["mean_most"] = entry["mean"]
+            claim["holds"] = claim["holds"] and claim["mean"] <= entry["mean"] * (1 + ROUNDING)
+    return claims
+
+
+def measure(programs, walk, samples, seed, folder):
+    """A row for each stage and input."""
+    file = folder / "twins.fxls"
+    output.write_file(file, image.pack(walk.scene))
+    count = max(1000, samples // SAMPLES_PER)
+    with Progress(f"stages against double: {walk.name} and {count:,} random samples each"):
+        rows = programs.stage_errors(file, count, seed)
+    order = {name: place for place, name in enumerate(STAGES)}
+    rows.sort(key=lambda row: (order.get(row["stage"], len(order)), row["input"] != "scene"))
+    # No row without samples: a scene without beams has none for light, an unclipped scene none for clip.
+    return [{key: row[key] for key in KEYS} for row in rows if row["samples"] > 0]
+
+
+def complaints_of_stages(rows):
+    """What exceeded its bound, as sentences."""
+    measured = {row["stage"] for row in rows if row["input"] == "random"}
+    return [f"{stage}: no random sample was compared with double" for stage in STAGES if stage not in measured] + \
+           [f"{row['stage']} on {row['input']} input: {row['beyond_bound'] + row['mismatched']:,} of "
+            f"{row['samples']:,} samples exceed the bound ({row['bound']})"
+            for row in rows if row["beyond_bound"] or row["mismatched"]]

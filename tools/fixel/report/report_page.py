@@ -8,7 +8,7 @@ import jinja2
 from PIL import Image
 
 from fixel.base import picture
-from fixel.report import report_claims, report_plots, report_stages
+from fixel.report import report_claims, report_plots
 
 TEMPLATES = pathlib.Path(__file__).resolve().parents[2] / "templates"
 TITLES = {"matrix": "Camera matrix", "vertex": "Vertex: transform and project", "clip": "Clip",
@@ -127,7 +127,7 @@ def render(report, shown):
     words = {claim.id: claim.words for claim in report_claims.CLAIMS}
     return environment.get_template("report.html").render(
         report=report, words=words, tiles=tiles(report), claims=report["claims"],
-        complaints=report_claims.complaints(report) + report_stages.complaints(report["twins"]),
+        complaints=report_claims.complaints(report) + report_claims.complaints_of_stages(report["twins"]),
         shortfall=report_claims.shortfall(report), twins=report["twins"], stages=stage_blocks(report),
         sweeps=sweep_blocks(report), scenes=scene_rows(report), scales=report["scales"],
         scale_board=report["board"], third=report["third_judge"], names=report_plots.NAMES,

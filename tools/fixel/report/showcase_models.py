@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from fixel.report import showcase_files as files
-from fixel.report.showcase_files import Gltf, image_bytes
+from fixel.report import showcase_shapes as files
+from fixel.report.showcase_shapes import Gltf, image_bytes
 from fixel.report.showcase_shapes import ball, box, cloth, clouds, flat, joined, lathe, mixed, noise, placed, planks, surface, tube, wheel
 
 SEED = 2026

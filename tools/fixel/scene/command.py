@@ -139,8 +139,8 @@ def main(argv):
     if board and not is_model:
         raise ToolError(f"--board is for a model without a scene file; {arguments.scene} says itself how it is drawn")
     if board and board != "host":
-        from fixel.bench import prediction
-        drawn = prediction.drawn_of(board, arguments, screen, asked, wanted)
+        from fixel.bench import predict
+        drawn = predict.drawn_of(board, arguments, screen, asked, wanted)
         how["looks"], rows = [drawn.look], min(rows, drawn.rows)
     common = arguments.frames, screen, arguments.tree, limits, asked
     if arguments.command == "export":

@@ -17,8 +17,7 @@ import time
 from fixel.base import limits
 from fixel.base.errors import ToolError
 from fixel.board import emulator, execute, qemu
-from fixel.board.ending import Ending, describe, exit_status, last_lines
-from fixel.board.execute import OUTPUT_MAX, kill
+from fixel.board.execute import Ending, OUTPUT_MAX, describe, exit_status, kill, last_lines
 from fixel.board.symbols import Symbols
 from fixel.view.view_window import KEYS_NAME, KeyFile, Stream
 from fixel.view.view_window import Window

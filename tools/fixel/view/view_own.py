@@ -18,7 +18,7 @@ from fixel.base import children
 from fixel.base.errors import ToolError, one_line, printable
 from fixel.base.table import count_of
 from fixel.board import emulator, execute, firmware, methods, own_run
-from fixel.board.ending import Ending, describe, last_lines
+from fixel.board.execute import Ending, describe, last_lines
 from fixel.view.view_board import Board, ENDLESS, ProgramEnded
 from fixel.view.view_window import KEYS_NAME
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Records which lines of the tools a test executes, in its process and in all that it starts.
 
-The Python of the tests imports this module when it starts (fixel.check.trees, Tree.record), by a name of its own: a module
+The Python of the tests imports this module when it starts (fixel.check.tool_mutants, Tree.record), by a name of its own: a module
 sitecustomize may be there already, as on Debian. FIXEL_LINES_OF is the folder whose lines are recorded, FIXEL_LINES the file to
 which each process adds "FILE:LINE", once for each line. A process that starts without FIXEL_LINES records nothing before
 begin(): to import packages would be slow.
