@@ -48,13 +48,15 @@ CORE_OUT := $(BUILD)/core
 
 # --- settings ------------------------------------------------------------------
 
-# Drivers that DRIVER= may name, which a board's memory may look at.
-DRIVERS_OF_PAGES := $(shell sed -n 's/^const fxl_display_driver fxl_\([a-z0-9]*\) = .*/\1/p' lib/screen/pages.c)
-DRIVERS_OF_COLOUR := $(filter-out $(DRIVERS_OF_PAGES),$(shell sed -n 's/^extern const fxl_display_driver fxl_\([a-z0-9]*\);.*/\1/p' lib/include/fixel/display.h))
-# Modules of lib/include/fixel/modules.h, which it may name too.
-DISPLAY_MODULES := $(shell sed -n 's/^extern const fxl_display_module fxl_module_\([a-z0-9_]*\);.*/\1/p' lib/include/fixel/modules.h)
-DRIVERS_OF_PAGES += $(filter $(addsuffix _%,$(DRIVERS_OF_PAGES)),$(DISPLAY_MODULES))
-DRIVERS_OF_COLOUR += $(filter-out $(DRIVERS_OF_PAGES),$(DISPLAY_MODULES))
+# Drivers that DRIVER= may name, which a board's memory may look at, and modules, which it may name too: from their lines in
+# lib/include/fixel/display.h. A driver's line gives its facts: the longer side of its glass, and the bits of a pixel that it is sent.
+DRIVER_FACTS := $(shell sed -nE 's|^extern const fxl_display_driver fxl_([a-z0-9]*); */. ([0-9]+) x ([0-9]+) of [^,]*, (.*) \*/$$|\1 \2 \3 \4|p' lib/include/fixel/display.h | \
+    awk '{ print $$1 ":" ($$2 > $$3 ? $$2 : $$3) ":" (/RGB565/ ? 16 : /three bytes/ ? 24 : /greys/ ? 4 : 1) ":" $$4 }')
+DISPLAY_MODULES := $(shell sed -n 's/^extern const fxl_display_module fxl_module_\([a-z0-9_]*\);.*/\1/p' lib/include/fixel/display.h)
+# Of a word of DRIVER_FACTS: its name, and those of its modules.
+DRIVER_NAMES_OF = $(foreach fact,$(1),$(firstword $(subst :, ,$(fact))) $(filter $(firstword $(subst :, ,$(fact)))_%,$(DISPLAY_MODULES)))
+DRIVERS_OF_PAGES := $(call DRIVER_NAMES_OF,$(filter %:pages,$(DRIVER_FACTS)))
+DRIVERS_OF_ROWS := $(call DRIVER_NAMES_OF,$(filter-out %:pages,$(DRIVER_FACTS)))
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES PARTS
@@ -243,14 +245,17 @@ endif
 endif
 # With DRIVER=, its frames go through that driver of the library too, and what it sends is recorded:
 # boards/parts/driver_panel.c. Where ROWS= is not given, in bands of eight rows; with real wires of up to 40.
-ifeq ($(if $(DRIVER),$(call ONE_OF,$(DRIVER),$(DRIVERS_OF_COLOUR) $(DRIVERS_OF_PAGES)),none),)
-$(error there is no DRIVER "$(DRIVER)"; the drivers are: $(sort $(DRIVERS_OF_COLOUR) $(DRIVERS_OF_PAGES)))
+ifeq ($(if $(DRIVER),$(call ONE_OF,$(DRIVER),$(DRIVERS_OF_ROWS) $(DRIVERS_OF_PAGES)),none),)
+$(error there is no DRIVER "$(DRIVER)"; the drivers are: $(sort $(DRIVERS_OF_ROWS) $(DRIVERS_OF_PAGES)))
 endif
 ifneq ($(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),$(filter-out $(shell seq 8 8 1024),$(ROWS))),)
 $(error DRIVER=$(DRIVER) takes pages of eight rows: ROWS=$(ROWS) must be a multiple of 8)
 endif
-# Rows of 480 pixels are too long for boards that send one of 320 at a time.
-DRIVER_IS_WIDE := $(filter st7796% ili9488%,$(DRIVER))
+# The facts of the driver, or of that of the module: its name, the longer side, bits. Rows of more than 320 pixels are too long for
+# boards that send one of 320 at a time.
+DRIVER_FACT := $(subst :, ,$(filter $(firstword $(subst _, ,$(DRIVER))):%,$(DRIVER_FACTS)))
+DRIVER_SIDE := $(word 2,$(DRIVER_FACT))
+DRIVER_IS_WIDE := $(filter-out $(shell seq 320),$(DRIVER_SIDE))
 DRIVER_TOO_FEW_ROWS := 0 $(if $(DRIVER_IS_WIDE),1)
 ifneq ($(if $(DRIVER),$(filter $(DRIVER_TOO_FEW_ROWS),$(BOARD_DRIVER_ROWS.$(BOARD_CHOSEN)))),)
 $(error DRIVER=$(DRIVER) needs more memory than BOARD=$(BOARD) has; the boards that it fits are: $(strip $(foreach board,$(BOARDS),$(if $(filter $(DRIVER_TOO_FEW_ROWS),$(BOARD_DRIVER_ROWS.$(board))),,$(board)))))
@@ -354,7 +359,7 @@ endef
 # driver_panel.c, which asks the board.
 BOARD_WIRES_OF = $(or $(BOARD_WIRES.$(1)),boards/parts/recorded_wires)
 DRIVER_ROWS_OF = $(or $(if $(DRIVER_IS_WIDE),$(word 2,$(BOARD_DRIVER_ROWS.$(1)))),$(firstword $(BOARD_DRIVER_ROWS.$(1))),$(if $(DRIVER_IS_WIDE),4,8))
-DRIVER_DEFINES = -DDRIVER_NAME=$(DRIVER_RECORD) $(if $(filter $(DRIVER),$(DISPLAY_MODULES)),-DDRIVER_IS_MODULE) -DDRIVER_BITS=$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),1,$(if $(filter ili9488%,$(DRIVER)),24,16)) $(if $(DRIVER_IS_WIDE),-DDRIVER_WIDEST=480)
+DRIVER_DEFINES = -DDRIVER_NAME=$(DRIVER_RECORD) $(if $(filter $(DRIVER),$(DISPLAY_MODULES)),-DDRIVER_IS_MODULE) -DDRIVER_BITS=$(word 3,$(DRIVER_FACT)) -DDRIVER_SIDE=$(DRIVER_SIDE)
 
 define DRIVER_RULES
 $(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o: boards/parts/driver_panel.c firmware/firmware.mk boards/$(1)/board.mk

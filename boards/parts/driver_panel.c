@@ -4,29 +4,21 @@
  * It stands beside the board's own panels: the linker hands their list to it first
  * (firmware/firmware.mk).
  *
- * DRIVER_NAME: a driver of fixel/display.h, or with DRIVER_IS_MODULE a module of fixel/modules.h.
- * DRIVER_ALONE: the board's own panels are left out. DRIVER_BITS: of its pixels. DRIVER_ROWS: the
- * rows of a transfer. DRIVER_WIDEST: the pixels of its longest row, if more than usual. */
+ * DRIVER_NAME: a driver of fixel/display.h, or with DRIVER_IS_MODULE a module.
+ * DRIVER_ALONE: the board's own panels are left out. DRIVER_BITS: of its pixels. DRIVER_ROWS: the rows of a transfer, of pages and of one bit a pixel 8.
+ * DRIVER_SIDE: the longer side of its glass. */
 #include <stddef.h>
 
 #include "contract/panel.h"
 #include "fixel/display.h"
-#include "fixel/modules.h"
 #include "parts/wires.h"
 
 #if DRIVER_BITS == 1
-#define WIDEST          128u
-#define ROWS            8u /* a page */
-#define TURNS_BY_HALVES true
+#define ROWS 8u /* a page */
 #else
-#ifdef DRIVER_WIDEST
-#define WIDEST DRIVER_WIDEST
-#else
-#define WIDEST 320u
+#define ROWS DRIVER_ROWS
 #endif
-#define ROWS            DRIVER_ROWS
-#define TURNS_BY_HALVES false
-#endif
+#define TURNS_BY_QUARTERS (DRIVER_BITS >= 16) /* colours */
 #ifdef DRIVER_IS_MODULE
 #define CONFIG_OF fxl_display_config_turned
 #else
@@ -36,21 +28,21 @@
 
 static fxl_display display;
 static fxl_pump pump;
-static uint64_t memory[FXL_PUMP_MEMORY(WIDEST, ROWS, DRIVER_BITS)];
+static uint64_t memory[FXL_PUMP_MEMORY(DRIVER_SIDE, ROWS, DRIVER_BITS)];
 static uint32_t frames;     /* ended */
 static uint8_t pixel_bytes; /* 1 or 2 */
 
 /* --- the panel ----------------------------------------------------------------------------- */
 
-/* The long side of the glass is where that of the frame is. A square frame lies on an upright
- * glass. */
+/* Of colours the long side of the glass is where that of the frame is. A square frame lies on an upright glass. */
 static fxl_display_config config_for(const panel_format *format)
 {
     const bool is_upright = format->height > format->width;
     const fxl_display_config config = CONFIG_OF(&DRIVER_NAME, 0);
     const bool is_glass_upright = config.height >= config.width;
 
-    return TURNS_BY_HALVES || is_upright == is_glass_upright ? config : CONFIG_OF(&DRIVER_NAME, 1);
+    return !TURNS_BY_QUARTERS || is_upright == is_glass_upright ? config
+                                                                : CONFIG_OF(&DRIVER_NAME, 1);
 }
 
 static fxl_status open_display(const panel_format *format)

@@ -216,7 +216,7 @@ def test_a_driver_outside_the_library_drives_a_display(tmp_path):
     at = sent.index((b"C", b"\xB9"))
     assert sent[at + 1] == (b"D", b"\xFF\x83\x57")
     assert sent.index((b"C", b"\x11")) < at < sent.index((b"C", b"\x36")) and sent[sent.index((b"C", b"\x36")) + 1] == (b"D", b"\xA0")
-    assert (b"D", b"\x00\x00\x00\x1F") in sent and sent[-1] == (b"C", b"\x29")
+    assert (b"D", b"\x00\x00\x00\x1B") in sent and sent[-1] == (b"C", b"\x29")
 
 
 class Ili9225:

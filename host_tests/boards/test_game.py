@@ -161,7 +161,7 @@ def test_the_example_draws_it_on_a_display(tmp_path, image, build, screen):
         subprocess.run([tmp_path / "play", *(["small"] if screen == SMALL else [])], stdin=scene, stdout=record, check=True)
     with (tmp_path / "wires.bin").open("rb") as record:
         hashes = [hashlib.sha256(shown.astype("<u2").tobytes()).hexdigest()
-                  for shown, _ in wires.read(record, controllers.start(driver), 0 if controllers.is_mono(driver) else 1)]
+                  for shown, _ in wires.read(record, controllers.start(driver), int(1 in controllers.model(driver).TURNS))]
     assert len(hashes) == FRAMES and hashlib.sha256("".join(hashes).encode()).hexdigest() == sha256
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every module of fixel/modules.h at every turn: a frame that fills its glass, and one that does not, come out of the model
+"""Every module of fixel/display.h at every turn: a frame that fills its glass, and one that does not, come out of the model
 of its controller (tools/fixel/board/controllers.py) as they were drawn."""
 
 import re
@@ -12,13 +12,14 @@ from conftest import CHECKOUT
 from fixel.board import controllers, wires
 from test_displays import LIBRARY, SCREEN
 
-HEADER = (CHECKOUT / "lib/include/fixel/modules.h").read_text(encoding="utf-8")
+HEADER = (CHECKOUT / "lib/include/fixel/display.h").read_text(encoding="utf-8")
 NAMES = re.findall(r"fxl_display_module fxl_module_(\w+);", HEADER)
+DRIVERS = re.findall(r"fxl_display_driver (fxl_\w+);\s*/\* (.*?) of (.*?), (.*?) \*/", HEADER)
 MOCK = CHECKOUT / "host_tests/boards/displays"
 PROGRAM = r"""
 #include <stdlib.h>
 #include <stdio.h>
-#include <fixel/modules.h>
+#include <fixel/display.h>
 #include "wires_mock.h"
 extern const fxl_display_port wires;
 bool wires_open(void);
@@ -50,18 +51,28 @@ int main(int argc, char **argv)
 """
 
 
-# Prints what a record says: glass, memory, offset, whether blue comes first, inversion; then of each turn that it has access, first
+# Prints what the record of each driver says: its glass, memory and pixels; then of each module: glass, memory, offset, whether blue comes first, inversion; then of each turn that it has access, first
 # column and row, and the argument of D3.
 RECORDS = r"""
 #include <stdio.h>
 #include <fixel/driver.h>
-#include <fixel/modules.h>
+#include <fixel/display.h>
 static const fxl_display_module *const modules[] = {MODULES};
+static const fxl_display_driver *const drivers[] = {DRIVERS};
+static const struct { const fxl_pixel_format *format; const char *words; } formats[] = {
+    {&fxl_pixels_rgb565, "RGB565"}, {&fxl_pixels_rgb666, "three bytes a pixel"}, {&fxl_pixels_grey4, "16 greys"},
+    {&fxl_pixels_mono_pages, "pages of one bit"}, {&fxl_pixels_mono_rows, "rows of one bit"}};
 int main(void)
 {
+    for (size_t i = 0; i < sizeof drivers / sizeof drivers[0]; i++) {
+        size_t n = 0;
+        while (formats[n].format != drivers[i]->family->format) { n++; }
+        printf("%u x %u|%u x %u|%s\n", drivers[i]->width, drivers[i]->height, drivers[i]->memory_columns, drivers[i]->memory_rows, formats[n].words);
+    }
     for (size_t i = 0; i < sizeof modules / sizeof modules[0]; i++) {
         const fxl_display_module *of = modules[i];
-        const int is_blue_first = of->driver->family == &fxl_display_ssd1351 ? !(of->access & 4) : (of->access & 8) != 0;
+        const int is_blue_first = of->driver->family == &fxl_display_ssd1351 ? !(of->access & 4)
+                                  : of->driver->family == &fxl_display_ssd1331 ? (of->access & 4) != 0 : (of->access & 8) != 0;
         printf("%u x %u|%u x %u|%u, %u|%s|%s", of->width, of->height, of->columns, of->rows, of->left, of->top,
                of->driver->family->exchanges == 0 ? "" : is_blue_first ? "BGR" : "RGB", of->is_inverted ? "yes" : "no");
         for (uint32_t turns = 0; turns < 4; turns++) {
@@ -75,10 +86,10 @@ int main(void)
 """
 
 
-def rows_of_page(second="module"):
-    """A table of modules in docs/displays.md, by the name of its second column: its columns by the name of the module."""
+def rows_of_page(second="module", first="`fxl_module_`"):
+    """A table of docs/displays.md, by the names of its first two columns: its head, and its rows."""
     lines = (CHECKOUT / "docs/displays.md").read_text(encoding="utf-8").splitlines()
-    head = next(at for at, line in enumerate(lines) if line.startswith(f"| `fxl_module_` | {second} |"))
+    head = next(at for at, line in enumerate(lines) if line.startswith(f"| {first} | {second} |"))
     rows = []
     for line in lines[head + 2:]:
         if not line.startswith("|"):
@@ -113,15 +124,31 @@ def fixture_show(tmp_path_factory):
     return folder
 
 
-@pytest.fixture(scope="module", name="records")
-def fixture_records(tmp_path_factory):
-    """What RECORDS prints, a list of cells for each module."""
+@pytest.fixture(scope="module", name="printed")
+def fixture_printed(tmp_path_factory):
+    """What RECORDS prints, a list of cells for each driver, and then for each module."""
     tmp_path = tmp_path_factory.mktemp("records")
-    (tmp_path / "records.c").write_text(RECORDS.replace("MODULES", ", ".join(f"&fxl_module_{name}" for name in NAMES)), encoding="utf-8")
+    text = RECORDS.replace("MODULES", ", ".join(f"&fxl_module_{name}" for name in NAMES))
+    (tmp_path / "records.c").write_text(text.replace("{DRIVERS}", "{" + ", ".join(f"&{name}" for name, *_ in DRIVERS) + "}"), encoding="utf-8")
     subprocess.run(["gcc", "-std=c11", "-Wall", "-Wextra", "-Werror", "-ffunction-sections", "-Wl,--gc-sections", f"-I{CHECKOUT / 'lib/include'}",
                     "records.c", *LIBRARY, "-o", "records"], cwd=tmp_path, check=True)
     said = subprocess.run(["./records"], cwd=tmp_path, text=True, capture_output=True, check=True).stdout
     return [line.split("|") for line in said.splitlines()]
+
+
+@pytest.fixture(name="records")
+def fixture_records(printed):
+    """The cells of each module."""
+    return printed[len(DRIVERS):]
+
+
+def test_header_and_page_say_of_each_driver_what_its_record_says(printed):
+    """make run DRIVER= reads the header's lines."""
+    assert len(DRIVERS) == HEADER.count("\nextern const fxl_display_driver ") > 15
+    assert [list(facts) for _, *facts in DRIVERS] == printed[:len(DRIVERS)]
+    head, rows = rows_of_page(first="driver", second="glass")
+    assert head == ["driver", "glass", "memory of the controller", "pixels that it sends"]
+    assert [[row[0].strip("`"), *row[1:]] for row in rows] == [[name, *(fact.replace(" x ", " × ") for fact in facts)] for name, *facts in DRIVERS]
 
 
 def test_the_page_says_of_each_module_what_its_record_says(records):
@@ -129,6 +156,10 @@ def test_the_page_says_of_each_module_what_its_record_says(records):
     assert head[2:7] == ["glass", "memory as wired", "offset", "colours", "inverted"]
     assert [row[0].strip("`") for row in rows] == NAMES
     assert [row[2:7] for row in rows] == [[cell.replace("x", "×") for cell in record[:5]] for record in records]
+
+
+# The pixels of a model's FORMAT, or of its highest grey.
+PIXELS_OF = {0x55: "16 bits", 0x66: "18 bits", 15: "4 bits", 1: "1 bit"}
 
 
 def at_turns(cell, count):
@@ -154,23 +185,24 @@ def test_each_module_is_told_the_facts_of_the_page(show, records):
     assert head[3:] == ["lines", "start", "offset", "COM pins", "pixels", "source"] and [row[0].strip("`") for row in rows] == NAMES
     for (name, access, place, lines, start, offset, com_pins, pixels, source), record in zip(rows, records):
         name, turned = name.strip("`"), record[5:]
-        is_pages = controllers.is_mono(name)
-        assert len(source) > 10 and len(turned) == (2 if is_pages else 4)
+        of = controllers.model(name)
+        assert len(source) > 10 and len(turned) == len(of.TURNS)
         wanted = zip(at_turns(access, len(turned)), at_turns(place, len(turned)), at_turns(offset or "00", len(turned)))
         assert [" ".join(each) for each in wanted] == turned, name
-        for turns in (0, 2) if is_pages else range(4):
-            model = told(show, name, turns)
-            if is_pages:
-                settings = model.settings
-                assert pixels == "1 bit" and start == "0" and settings[0xA8] + 1 == int(lines) and settings.get(0xDC, 0) == 0, name
-                assert settings[0xD3] == int(at_turns(offset, 2)[turns // 2], 16) and (com_pins == "" or settings[0xDA] == int(com_pins, 16)), name
-                assert int(at_turns(access, 2)[turns // 2], 16) == 8 * model.scan_mirrored + model.segments_mirrored, name
+        for at, turns in enumerate(of.TURNS):
+            model, count = told(show, name, turns), len(turned)
+            assert pixels == (PIXELS_OF[of.FORMAT] if of.HIGHEST is None else PIXELS_OF[of.HIGHEST]), name
+            bits, moved = int(at_turns(access, count)[at], 16), int(at_turns(offset or "00", count)[at], 16)
+            if isinstance(model, controllers.Windows):
+                assert (model.bits, model.lines, model.start_line, model.offset) == (bits, int(lines), int(start), moved), name
+            elif isinstance(model, controllers.Colour):
+                assert model.format == of.FORMAT and model.access == bits and offset == com_pins == lines == start == "", name
+            elif isinstance(model, controllers.Pages):
+                assert bits == 8 * model.scan_mirrored + model.segments_mirrored and start == "0", name
+                assert model.scanned_lines == int(lines) and model.settings.get(0xDC, 0) == 0 and model.settings.get(0xD3, 0) == moved, name
+                assert com_pins == "" or model.settings[0xDA] == int(com_pins, 16), name
             else:
-                assert model.format == {"16 bits": 0x55, "18 bits": 0x66}[pixels] and offset == com_pins == "", name
-            if "ssd1351" in name:
-                assert (model.lines, model.start_line) == (int(lines), int(start)), name
-            elif not is_pages:
-                assert model.access == int(at_turns(access, 4)[turns], 16) and lines == start == "", name
+                assert (bits, lines, start) == (0, str(model.glass.height), "0"), name
 
 
 def test_the_page_says_of_each_module_how_it_is_joined():
@@ -197,8 +229,8 @@ def test_a_module_shows_frames_at_every_turn(show, name, turns, less):
     frame = random.integers(0, 256, (height - less, width - less), dtype=numpy.uint8)
     done = subprocess.run(["./show", str(NAMES.index(name)), str(turns), str(less)], cwd=show, check=False, capture_output=True,
                           input=palette.tobytes() + frame.tobytes())
-    if controllers.is_mono(name) and turns % 2:
-        assert done.returncode == 2, "pages turn by halves"
+    if turns not in controllers.model(name).TURNS:
+        assert done.returncode == 2, "it cannot turn so"
         return
     assert done.returncode == 0, done.stderr.decode()
     model = controllers.start(name)

@@ -397,7 +397,7 @@ def test_lines_of_sizes_are_judged():
     (["view", "PROGRAM=examples/cube/main.c", "SCENE=scenes/cube.toml"], "PROGRAM=examples/cube/main.c with SCENE=scenes/cube.toml"),
     (["view", "PROGRAM=examples/cube/main.c", "BOARD=pico"], "PROGRAM=examples/cube/main.c with BOARD=pico"),
     (["flash", "PROGRAM=examples/cube/main.c", "BOARD=pico", "DRIVER=st7789", "ROWS=8"], "PROGRAM=examples/cube/main.c chooses itself what it draws"),
-    (["flash", "DRIVER=st7789"], "the boards that have one are: pico"), (["flash", "BOARD=pico", "DRIVER=st"], "the drivers are: gc9a01"),
+    (["flash", "DRIVER=st7789"], "the boards that have one are: pico"), (["flash", "BOARD=pico", "DRIVER=st"], "the drivers are: gc9107"),
     (["run", "PROGRAM=examples/cube/main.c", "DEPTH=16"], "PROGRAM=examples/cube/main.c chooses itself what it draws")])
 def test_what_make_refuses(words, sentence):
     done = run_make(*words)

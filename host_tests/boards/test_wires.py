@@ -81,7 +81,7 @@ def test_frames_that_are_larger_than_the_glass_are_refused_before_anything_is_dr
 
 
 def test_what_make_refuses():
-    for settings, sentence in ((["run", "DRIVER=hd44780"], 'there is no DRIVER "hd44780"; the drivers are: gc9a01'),
+    for settings, sentence in ((["run", "DRIVER=hd44780"], 'there is no DRIVER "hd44780"; the drivers are: gc9107'),
                                (["run", "DRIVER=ssd1306", "ROWS=12"], "ROWS=12 must be a multiple of 8"),
                                (["run", "DRIVER=ssd1306", "BOARD=stm32vldiscovery"],
                                 "DRIVER=ssd1306 needs more memory than BOARD=stm32vldiscovery has"),
@@ -158,6 +158,71 @@ def test_wires_that_break_a_rule_are_told(data, sentence):
 def test_pages_that_break_a_rule_are_told(data, sentence):
     with pytest.raises(ToolError, match=sentence):
         read(data, "ssd1306", 0)
+
+
+# What each model of a data sheet refuses: whole messages (C commands, D data), and the sentence.
+LEVELS = bytes(64 * 128)
+OF_1327 = b"\xAF\x15\x00\x3F\x75\x00\x7F"
+
+
+@pytest.mark.parametrize("name, data, sentence", [
+    ("ssd1327", record((b"C", b"\xA0\x51\xAF\x15\x00\x40\x75\x00\x7F"), END), "beyond its memory"),
+    ("ssd1327", record((b"C", b"\xA0\x51\xAF\x15\x00"), END), "lacks an argument"),
+    ("ssd1327", record((b"C", b"\xA0\x51" + OF_1327), (b"D", LEVELS[1:]), END), "whole and once"),
+    ("ssd1327", record((b"C", b"\xA0\x11"), END), "on two sides"),
+    ("ssd1327", record((b"C", b"\xA0\x51\xA6" + OF_1327), (b"D", LEVELS), END), "shows no memory"),
+    ("ssd1327_96x96", record((b"C", b"\xA0\x51\xA8\x5F\xA2\x00\xAF"), END), "not scanned"),
+    ("ssd1322", record((b"C", b"\xA0"), (b"D", b"\x14"), END), "has 1 bytes of data"),
+    ("ssd1322", record((b"C", b"\xA0"), (b"D", b"\x14\x01"), END), "scanned from both sides"),
+    ("ssd1331", record((b"C", b"\xA0\x72\xAF"), END), "supply"),
+    ("ssd1331", record((b"C", b"\x5C"), END), "no command 0x5c"),
+    ("gc9107", record(*command(0xB0, 0xC0), END), "locked"),
+    ("gc9107", record(*AWAKE, *command(0x29), END), "voltages were not set"),
+    ("st7565", record((b"C", b"\xAF"), END), "voltages are off"),
+    ("st7565", record((b"C", b"\x2F\xAF\xD3\x00"), END), "no command 0xd3"),
+    ("st7565", record((b"C", b"\x2F\xAF\xE2\xAF"), END), "voltages are off"),
+    ("pcd8544", record((b"C", b"\x20\x0C"), END), "voltages are not those"),
+    ("pcd8544", record((b"C", b"\x21\xC0\x13\x24\x0C"), END), "never turned on"),
+    ("pcd8544", record((b"C", b"\x21\xC0\x13\x20\x08"), END), "shows no memory"),
+    ("pcd8544", record((b"C", b"\x20\xD4"), END), "column is beyond"),
+    ("pcd8544", record((b"C", b"\x20\x46"), END), "page is beyond"),
+    ("pcd8544", record((b"C", b"\x22"), (b"D", b"\x01"), END), "along rows"),
+    ("ls013b7dh03", record((b"C", b"\x80"), END), "no line for commands"),
+    ("ls013b7dh03", record((b"D", bytes([0x80, 0x80, *bytes(17)])), END), "whole rows"),
+    ("ls013b7dh03", record((b"D", bytes([0x80, 0x81, *bytes(18)])), END), "no row 129"),
+    ("ls013b7dh03", record((b"D", bytes([0x80, 0x80, *bytes(18)])), END), "polarity did not change"),
+])
+def test_what_the_model_of_each_data_sheet_refuses(name, data, sentence):
+    with pytest.raises(ToolError, match=sentence):
+        read(data, name, 0)
+
+
+def test_halves_of_a_byte_are_two_greys():
+    """By the data sheet of an SSD1327: with 51 in A0 the upper half is on the left of a glass that stands on its head, with 42 too."""
+    for access, place in ((0x51, (2, 6)), (0x42, (125, 120))):
+        blank = [(b"C", bytes([0xA0, access]) + OF_1327), (b"D", LEVELS)]
+        shown, = read(record(*blank, (b"C", b"\x15\x03\x03\x75\x02\x02"), (b"D", b"\x5C"), END), "ssd1327", 0)
+        row, column = place
+        assert sorted(shown[shown > 0].tolist()) == [5, 12]
+        assert shown[row, column:column + 2].tolist() == ([5, 12] if access == 0x51 else [12, 5])
+
+
+def test_four_greys_are_an_address_of_an_ssd1322():
+    start = [*command(0xA0, 0x14, 0x11), *command(0xCA, 63), *command(0xAF), *command(0x15, 28, 91), *command(0x75, 0, 63), *command(0x5C)]
+    start[-1:] = [(b"C", b"\x5C"), (b"D", bytes(64 * 128))]
+    for access, place in ((0x14, (2, 4)), (0x06, (61, 248))):
+        dot = [*command(0xA0, access, 0x11), *command(0x15, 29, 29), *command(0x75, 2, 2), *command(0x5C, 0x12, 0x34)]
+        shown, = read(record(*start, *dot, END), "ssd1322", 0)
+        row, column = place
+        assert shown[row, column:column + 4].tolist() == ([1, 2, 3, 4] if access == 0x14 else [4, 3, 2, 1])
+
+
+def test_a_row_of_a_memory_lcd_has_its_number_with_the_lowest_bit_first():
+    """Row 3 is 11000000 in the order of the wires; the first pixel is on the left, and 1 is white."""
+    clear = (b"D", b"\x20\x00")
+    row = (b"D", bytes([0xC0, 0b11000000, 0x00, 0x7F, *[0xFF] * 14, 0, 0]))
+    shown, = read(record(clear, row, END), "ls013b7dh03", 0)
+    assert shown[2, :10].tolist() == [0] * 9 + [1] and shown.sum() == 128 * 128 - 9
 
 
 def test_a_byte_of_a_page_is_a_column_of_eight_rows():

@@ -28,7 +28,7 @@ ROOM_OF = {
     "paint": {"beams", "billboards", "light", "surfaces"},
     "draw": {"fixel", "order", "render", "target"},
     "order": {"wire"},
-    "screen": {"display", "driver", "modules", "overlay", "pixels", "pump"},
+    "screen": {"display", "driver", "overlay", "pixels", "pump"},
     "game": {"collide", "motion", "orientation", "pick", "player", "setup", "world"},
 }
 # (room, what it includes): why it may, though it stands before it.

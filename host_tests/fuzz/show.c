@@ -245,8 +245,10 @@ static void fuzz_driver(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *
     fxl_display_port port = {&wires, send, begin, wait, pause};
     const uint32_t which = fuzz_below(in, DRIVERS), turns = fuzz_below(in, 5);
     fxl_display_config config = fxl_display_config_default(drivers[which], turns);
-    const bool is_mono = drivers[which]->family->format->bits == 1;
-    DEMAND((config.driver == NULL) == (turns > 3 || (is_mono && turns % 2 == 1)));
+    const fxl_display_family *family = drivers[which]->family;
+    const bool turns_quarters = family->exchanges != 0, turns_halves = family->mirrors_rows != 0;
+    DEMAND((config.driver == NULL) ==
+           (turns > 3 || (!turns_quarters && turns % 2 == 1) || (!turns_halves && turns == 2)));
     if (fuzz_below(in, 2)) {
         port.start = NULL;
         port.wait = NULL;
@@ -258,6 +260,10 @@ static void fuzz_driver(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *
     config.top = (uint16_t)(8u * fuzz_below(in, 3));
     config.top = (uint16_t)(config.top + (fuzz_below(in, 8) == 1));
     config.is_inverted = fuzz_below(in, 2) != 0;
+    if (config.is_inverted && family == &fxl_display_memory_lcd) {
+        DEMAND(fxl_display_open(&display, &config, &port, palette) != FXL_OK && wires.calls == 0);
+        config.is_inverted = false; /* it has no command for that */
+    }
     fxl_status status = fxl_display_open(&display, &config, &port, palette);
     DEMAND(status == FXL_OK || status == FXL_E_RANGE || status == FXL_E_DISPLAY);
     DEMAND((status == FXL_E_DISPLAY) == (wires.calls > wires.fails_at));

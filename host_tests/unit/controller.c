@@ -3,15 +3,38 @@
 
 #include "unit.h"
 
-/* place driver: the model in C */
-/* Columns and rows of each controller's memory; of an ST7735 that is strapped for 128 x 160. */
-static const uint16_t sizes[][2] = {
-    [CONTROLLER_ST7789] = {240, 320},  [CONTROLLER_ILI9341] = {240, 320},
-    [CONTROLLER_ST7735] = {128, 160},  [CONTROLLER_ST7796] = {320, 480},
-    [CONTROLLER_ILI9488] = {320, 480}, [CONTROLLER_GC9A01] = {240, 240},
-    [CONTROLLER_SSD1306] = {128, 64},  [CONTROLLER_SSD1309] = {128, 64},
-    [CONTROLLER_SH1106] = {132, 64},   [CONTROLLER_SH1107] = {128, 128}};
-FXL_STATIC_ASSERT(sizeof sizes / sizeof sizes[0] == CONTROLLERS, "each controller has a memory");
+/* place driver: its facts, and the model in C */
+/* The columns and rows are those of the data sheets. */
+const controller_facts controllers[] = {
+    [CONTROLLER_ST7789] = {&fxl_st7789, PLAYS_MIPI, 1, 1, 240, 320, 240, 320, 0, INVERTED},
+    [CONTROLLER_ILI9341] = {&fxl_ili9341, PLAYS_MIPI, 1, 1, 240, 320, 240, 320, 0,
+                            MIRRORS_X | BLUE_FIRST},
+    [CONTROLLER_ST7735] = {&fxl_st7735, PLAYS_MIPI, 1, 1, 132, 162, 128, 160, 0, MIRRORS_XY},
+    [CONTROLLER_ST7796] = {&fxl_st7796, PLAYS_MIPI, 1, 1, 320, 480, 320, 480, 0,
+                           MIRRORS_X | BLUE_FIRST},
+    [CONTROLLER_ILI9488] = {&fxl_ili9488, PLAYS_MIPI, 1, 1, 320, 480, 320, 480, 0,
+                            MIRRORS_X | BLUE_FIRST},
+    [CONTROLLER_GC9A01] = {&fxl_gc9a01, PLAYS_MIPI, 1, 1, 240, 240, 240, 240, 0,
+                           MIRRORS_X | INVERTED | BLUE_FIRST},
+    [CONTROLLER_GC9107] = {&fxl_gc9107, PLAYS_MIPI, 1, 1, 128, 160, 128, 160, 0, BLUE_FIRST},
+    [CONTROLLER_SSD1306] = {&fxl_ssd1306, PLAYS_PAGES, 8, 1, 128, 64, 128, 64, 0, MIRRORS_XY},
+    [CONTROLLER_SSD1309] = {&fxl_ssd1309, PLAYS_PAGES, 8, 1, 128, 64, 128, 64, 0, MIRRORS_XY},
+    [CONTROLLER_SSD1309_132] = {&fxl_ssd1309_132, PLAYS_PAGES, 8, 1, 132, 64, 128, 64, 2,
+                                MIRRORS_XY},
+    [CONTROLLER_SH1106] = {&fxl_sh1106, PLAYS_PAGES, 8, 1, 132, 64, 128, 64, 2, MIRRORS_XY},
+    [CONTROLLER_SH1107] = {&fxl_sh1107, PLAYS_PAGES, 8, 1, 128, 128, 128, 128, 0, 0},
+    [CONTROLLER_ST7565] = {&fxl_st7565, PLAYS_PAGES, 8, 1, 132, 64, 128, 64, 0,
+                           MIRRORS_X | INVERTED},
+    [CONTROLLER_PCD8544] = {&fxl_pcd8544, PLAYS_PAGES, 8, 1, 84, 48, 84, 48, 0, INVERTED},
+    [CONTROLLER_SSD1351] = {&fxl_ssd1351, PLAYS_NONE, 1, 1, 128, 128, 128, 128, 0, MIRRORS_Y},
+    [CONTROLLER_SSD1331] = {&fxl_ssd1331, PLAYS_NONE, 1, 1, 96, 64, 96, 64, 0, MIRRORS_XY},
+    [CONTROLLER_SSD1327] = {&fxl_ssd1327, PLAYS_NONE, 1, 2, 128, 128, 128, 128, 0, MIRRORS_XY},
+    [CONTROLLER_SSD1322] = {&fxl_ssd1322, PLAYS_NONE, 1, 4, 480, 128, 256, 64, 112, MIRRORS_Y},
+    [CONTROLLER_LS013B7DH03] = {&fxl_ls013b7dh03, PLAYS_NONE, 1, 1, 128, 128, 128, 128, 0, 0},
+    [CONTROLLER_LS027B7DH01] = {&fxl_ls027b7dh01, PLAYS_NONE, 1, 1, 400, 240, 400, 240, 0, 0},
+};
+FXL_STATIC_ASSERT(sizeof controllers / sizeof controllers[0] == CONTROLLERS,
+                  "each controller has its facts");
 
 static void take_data(controller *of, uint8_t byte);
 
@@ -27,9 +50,9 @@ void controller_start(controller *of, int kind, uint16_t first_column, uint16_t 
 {
     memset(of, 0, sizeof *of);
     of->kind = kind;
-    of->is_colour = kind <= CONTROLLER_GC9A01;
-    of->columns = sizes[kind][0];
-    of->rows = sizes[kind][1];
+    of->is_colour = controllers[kind].plays == PLAYS_MIPI;
+    of->columns = of->is_colour ? controllers[kind].width : controllers[kind].columns;
+    of->rows = of->is_colour ? controllers[kind].height : controllers[kind].rows;
     of->first_column = first_column;
     of->first_row = first_row;
     of->kept_columns = columns;
@@ -40,6 +63,7 @@ void controller_start(controller *of, int kind, uint16_t first_column, uint16_t 
     of->refused = UINT32_MAX;
     of->offset = of->start_row = of->clock = of->contrast = 1;
     of->is_all_on = true;
+    of->function = 4; /* powered down */
     TEST_ASSERT_LESS_OR_EQUAL(CONTROLLER_MEMORY,
                               of->is_colour ? 2u * columns * rows : columns * ((rows + 7u) / 8u));
     memset(of->memory, 0xA5, sizeof of->memory);
@@ -109,12 +133,33 @@ static void take_range(controller *of, uint32_t which)
     of->range[which][1] = (uint16_t)last;
 }
 
+/* Voltages and the scan of a GC9107, which its data sheet describes in part, as all public drivers
+ * set them. */
+static const uint8_t gc9107[][2] = {{0xB0, 0xC0}, {0xB2, 0x2F}, {0xB3, 0x03}, {0xB6, 0x19},
+                                    {0xB7, 0x01}, {0xAC, 0xCB}, {0xAB, 0x0E}, {0xB4, 0x04},
+                                    {0xA8, 0x19}, {0xB8, 0x08}, {0xE8, 0x24}, {0xE9, 0x48},
+                                    {0xEA, 0x22}, {0xC6, 0x30}, {0xC7, 0x18}};
+enum {
+    REGISTERS_OF_GC9107 = sizeof gc9107 / sizeof gc9107[0]
+};
+
+/* Which of them, from 1 on; 0: none. */
+static uint32_t register_of_gc9107(const controller *of, uint8_t command)
+{
+    uint32_t n = of->kind == CONTROLLER_GC9107 ? REGISTERS_OF_GC9107 : 0;
+    while (n > 0 && gc9107[n - 1u][0] != command) {
+        n--;
+    }
+    return n;
+}
+
 /* Arguments of a command. */
-static uint32_t count_of(uint8_t command)
+static uint32_t count_of(const controller *of, uint8_t command)
 {
     return command == 0x2A || command == 0x2B   ? 4
            : command == 0x66 || command == 0x67 ? 10
-           : command == 0xB6                    ? 2
+           : command == 0xB6                    ? of->kind == CONTROLLER_GC9A01 ? 2 : 1
+           : register_of_gc9107(of, command)    ? 1
            : command == 0x36 || command == 0x3A ? 1
                                                 : 0;
 }
@@ -132,12 +177,17 @@ static void take_undescribed(controller *of)
 
 static void take_argument(controller *of, uint8_t byte)
 {
-    TEST_ASSERT_LESS_THAN_MESSAGE(count_of(of->command), of->argument_count, "too many arguments");
+    TEST_ASSERT_LESS_THAN_MESSAGE(count_of(of, of->command), of->argument_count,
+                                  "too many arguments");
     of->arguments[of->argument_count++] = byte;
-    if (of->argument_count < count_of(of->command)) {
+    if (of->argument_count < count_of(of, of->command)) {
         return;
     }
-    if (of->command == 0x36) {
+    const uint32_t voltage = register_of_gc9107(of, of->command);
+    if (voltage > 0) {
+        TEST_ASSERT_EQUAL_HEX8(gc9107[voltage - 1u][1], byte);
+        of->undescribed |= 1u << (voltage - 1u);
+    } else if (of->command == 0x36) {
         of->access = byte;
     } else if (of->command == 0x3A) {
         of->format = byte;
@@ -162,19 +212,19 @@ static void demand_frame_whole(const controller *of)
 static void take_colour_command(controller *of, uint8_t command)
 {
     demand_frame_whole(of);
-    TEST_ASSERT_EQUAL_MESSAGE(count_of(of->command), of->argument_count, "arguments are missing");
+    TEST_ASSERT_EQUAL_MESSAGE(count_of(of, of->command), of->argument_count,
+                              "arguments are missing");
     of->command = command;
     of->argument_count = 0;
+    if (register_of_gc9107(of, command) > 0 || command == 0x66 || command == 0x67 ||
+        command == 0xB6) {
+        TEST_ASSERT_EQUAL_MESSAGE(2, of->unlocks, "it is locked");
+    }
     switch (command) {
     case 0xFE:
     case 0xEF:
-        TEST_ASSERT_EQUAL(CONTROLLER_GC9A01, of->kind);
+        TEST_ASSERT_TRUE(of->kind == CONTROLLER_GC9A01 || of->kind == CONTROLLER_GC9107);
         of->unlocks = command == 0xFE ? 1 : of->unlocks == 1 ? 2 : 0;
-        break;
-    case 0x66:
-    case 0x67:
-    case 0xB6:
-        TEST_ASSERT_TRUE_MESSAGE(of->kind == CONTROLLER_GC9A01 && of->unlocks == 2, "it is locked");
         break;
     case 0x01: /* reset */
         of->has_reset = true;
@@ -193,7 +243,10 @@ static void take_colour_command(controller *of, uint8_t command)
     case 0x29:
         TEST_ASSERT_TRUE_MESSAGE(of->is_awake && of->paused >= 120, "not yet out of sleep");
         TEST_ASSERT_EQUAL_MESSAGE(of->kind == CONTROLLER_GC9A01, of->is_told_scan, "the scan");
-        TEST_ASSERT_EQUAL(of->kind == CONTROLLER_GC9A01 ? 3 : 0, of->undescribed);
+        TEST_ASSERT_EQUAL(of->kind == CONTROLLER_GC9A01   ? 3
+                          : of->kind == CONTROLLER_GC9107 ? (1u << REGISTERS_OF_GC9107) - 1u
+                                                          : 0,
+                          of->undescribed);
         of->is_on = true;
         break;
     case 0x2C:
@@ -201,7 +254,7 @@ static void take_colour_command(controller *of, uint8_t command)
         of->y = of->range[1][0];
         break;
     default:
-        TEST_ASSERT_NOT_EQUAL_MESSAGE(0, count_of(command), "no such command");
+        TEST_ASSERT_NOT_EQUAL_MESSAGE(0, count_of(of, command), "no such command");
         break;
     }
 }
@@ -223,11 +276,18 @@ static void take_page_byte(controller *of, uint8_t byte)
 static uint32_t length_of(const controller *of, uint8_t command)
 {
     static const uint8_t all[] = {0x81, 0xA8, 0xD3, 0xD5, 0xD9, 0xDB};
-    static const uint8_t others[][3] = {[CONTROLLER_SSD1306] = {0x20, 0x8D, 0xAD},
-                                        [CONTROLLER_SSD1309] = {0x20, 0xFD, 0xFD},
-                                        [CONTROLLER_SH1106] = {0xAD, 0xAD, 0xAD},
-                                        [CONTROLLER_SH1107] = {0xAD, 0xDC, 0xDC}};
+    static const uint8_t others[CONTROLLERS][3] = {[CONTROLLER_SSD1306] = {0x20, 0x8D, 0xAD},
+                                                   [CONTROLLER_SSD1309] = {0x20, 0xFD, 0xFD},
+                                                   [CONTROLLER_SSD1309_132] = {0x20, 0xFD, 0xFD},
+                                                   [CONTROLLER_SH1106] = {0xAD, 0xAD, 0xAD},
+                                                   [CONTROLLER_SH1107] = {0xAD, 0xDC, 0xDC}};
     const bool is_sh1107 = of->kind == CONTROLLER_SH1107;
+    if (of->kind == CONTROLLER_ST7565) { /* none for multiplex, offset and clock */
+        const bool is_one = command < 0x30 || (command >= 0x40 && command < 0x80) ||
+                            (command >= 0xA0 && command <= 0xB8 && command / 2 != 0xAC / 2) ||
+                            command == 0xC0 || command == 0xC8 || command == 0xE2;
+        return command == 0x81 || command == 0xF8 ? 2 : is_one ? 1 : 0;
+    }
     if (memchr(all, command, sizeof all) != NULL || memchr(others[of->kind], command, 3) != NULL ||
         (command == 0xDA && !is_sh1107)) {
         return 2;
@@ -247,6 +307,11 @@ static void take_page_command(controller *of, const uint8_t *command)
         of->x = (uint16_t)((of->x & 0xF0u) | (code & 15u));
     } else if (code < 0x20) {
         of->x = (uint16_t)((of->x & 15u) | (code & 15u) << 4);
+    } else if (of->kind == CONTROLLER_ST7565 && code < 0x30) {
+        of->is_charged = code >= 0x28 ? code == 0x2F : of->is_charged; /* all three circuits */
+    } else if (code == 0xE2) {
+        of->has_reset = true;
+        of->is_charged = false;
     } else if (code == 0x20) {
         of->mode = of->kind == CONTROLLER_SH1107 ? 2 : command[1]; /* 2: page by page */
     } else if (code >= 0xB0 && code <= 0xBF) {
@@ -284,9 +349,37 @@ static void take_page_command(controller *of, const uint8_t *command)
     }
 }
 
+/* A PCD8544: bit 0 of its function chooses between two sets of commands. */
+static void take_pcd8544_command(controller *of, uint8_t code)
+{
+    if ((code & 0xF8u) == 0x20) {
+        of->function = code & 7u;
+    } else if ((of->function & 1u) != 0) {
+        of->voltage = (code & 0x80u) != 0 ? code & 0x7Fu : of->voltage;
+        of->bias = (code & 0xF8u) == 0x10 ? code & 7u : of->bias;
+        TEST_ASSERT_TRUE_MESSAGE(code >= 0x80 || (code & 0xF8u) == 0x10 || (code & 0xFCu) == 0x04,
+                                 "no such command");
+    } else if ((code & 0x80u) != 0) {
+        of->x = code & 0x7Fu;
+        TEST_ASSERT_LESS_THAN(of->columns, of->x);
+    } else if ((code & 0xF8u) == 0x40) {
+        of->y = code & 7u;
+        TEST_ASSERT_LESS_THAN(of->rows / 8, of->y);
+    } else {
+        TEST_ASSERT_EQUAL_HEX8_MESSAGE(0x08, code & 0xFAu, "no such command");
+        of->is_all_on = code != 0x0C && code != 0x0D; /* or all off */
+        of->is_inverted = code == 0x0D;
+    }
+    of->is_on = (of->function & 4u) == 0;
+    of->is_charged = of->voltage > 0 && of->bias == 3; /* that of 48 rows */
+}
+
 static void take_page_commands(controller *of, const uint8_t *bytes, size_t size)
 {
-    for (size_t i = 0; i < size;) {
+    for (size_t i = 0; of->kind == CONTROLLER_PCD8544 && i < size; i++) {
+        take_pcd8544_command(of, bytes[i]);
+    }
+    for (size_t i = 0; of->kind != CONTROLLER_PCD8544 && i < size;) {
         const uint32_t length = length_of(of, bytes[i]);
         TEST_ASSERT_NOT_EQUAL_MESSAGE(0, length, "no such command");
         TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(size - i, length, "an argument is missing");

@@ -8,12 +8,14 @@
 #include "fixel/display.h"
 #include "transfer.h"
 
-/* place driver: the list of drivers, and of models: those of colour come first */
+/* place driver: the list of drivers, and of controllers */
 /* Every driver, in the order in which the fuzzer's inputs number them: a new one comes last. */
 #define EVERY_DRIVER \
     { \
         &fxl_st7789, &fxl_ili9341, &fxl_st7735, &fxl_ssd1306, &fxl_sh1106, &fxl_st7796, \
-            &fxl_gc9a01, &fxl_ssd1351, &fxl_ssd1309, &fxl_sh1107, &fxl_ssd1309_132, &fxl_ili9488 \
+            &fxl_gc9a01, &fxl_ssd1351, &fxl_ssd1309, &fxl_sh1107, &fxl_ssd1309_132, &fxl_ili9488, \
+            &fxl_ssd1327, &fxl_st7565, &fxl_pcd8544, &fxl_ls013b7dh03, &fxl_ls027b7dh01, \
+            &fxl_ssd1331, &fxl_gc9107, &fxl_ssd1322 \
     }
 
 enum {
@@ -23,12 +25,51 @@ enum {
     CONTROLLER_ST7796,
     CONTROLLER_ILI9488,
     CONTROLLER_GC9A01,
+    CONTROLLER_GC9107,
     CONTROLLER_SSD1306,
     CONTROLLER_SSD1309,
+    CONTROLLER_SSD1309_132,
     CONTROLLER_SH1106,
     CONTROLLER_SH1107,
+    CONTROLLER_ST7565,
+    CONTROLLER_PCD8544,
+    CONTROLLER_SSD1351,
+    CONTROLLER_SSD1331,
+    CONTROLLER_SSD1327,
+    CONTROLLER_SSD1322,
+    CONTROLLER_LS013B7DH03,
+    CONTROLLER_LS027B7DH01,
     CONTROLLERS
 };
+
+/* What a model plays: the commands of MIPI, pages, or none: windows and rows have other tests. */
+enum {
+    PLAYS_MIPI = 1,
+    PLAYS_PAGES,
+    PLAYS_NONE
+};
+
+/* What the data sheet says of a controller, and how the glass of its common module is joined to it.
+ */
+typedef struct {
+    const fxl_display_driver *driver;
+    uint8_t plays;
+    uint8_t page, address;  /* rows, and columns, that begin together */
+    uint16_t columns, rows; /* of its memory */
+    uint16_t width, height; /* of the glass */
+    uint16_t left;          /* where the glass begins at turn 0 */
+    uint8_t joined;         /* how: a sum of these */
+} controller_facts;
+
+enum {
+    MIRRORS_X = 1,
+    MIRRORS_Y = 2,
+    MIRRORS_XY = 3,
+    INVERTED = 4,
+    BLUE_FIRST = 8
+};
+
+extern const controller_facts controllers[CONTROLLERS];
 
 /* Bytes of memory that a model needs: the pixels of a part of the controller's memory, seen from
  * its first column and row on. */
@@ -54,6 +95,7 @@ typedef struct {
     bool is_told_scan;    /* by B6 */
     uint32_t undescribed; /* bit 0: it got register 66; bit 1: 67 */
     uint8_t multiplex, wires, mode, reference;
+    uint8_t function, bias, voltage;            /* of a PCD8544 */
     uint8_t offset, start_row, clock, contrast; /* of the glass; as somebody else left them */
     bool is_all_on;                             /* every pixel, whatever the memory has */
     uint8_t memory[CONTROLLER_MEMORY];
@@ -61,7 +103,8 @@ typedef struct {
     uint32_t sends, refused; /* calls of send and start so far; the one that fails */
 } controller;
 
-/* Power comes: the memory holds noise. The model keeps a window of the glass. */
+/* Power comes: the memory holds noise. The model keeps a window of the glass. The memory of a
+ * controller of colours is that of its common glass: straps have chosen it. */
 void controller_start(controller *of, int kind, uint16_t first_column, uint16_t first_row,
                       uint16_t columns, uint16_t rows);
 

@@ -21,24 +21,6 @@ static const fxl_display_port by_dma = {&model, controller_send, controller_begi
                                         controller_pause};
 static const fxl_display_port plain = {&model, controller_send, NULL, NULL, controller_pause};
 
-/* How a glass is joined to its controller: columns and rows that run the other way. */
-typedef struct {
-    const fxl_display_driver *driver;
-    int kind;
-    bool columns_mirrored, rows_mirrored, is_inverted, is_blue_first;
-} module;
-
-/* place driver: rows in colours or oleds, memories; the glass in assert_colours */
-static const module colours[] = {{&fxl_st7789, CONTROLLER_ST7789, false, false, true, false},
-                                 {&fxl_ili9341, CONTROLLER_ILI9341, true, false, false, true},
-                                 {&fxl_st7735, CONTROLLER_ST7735, true, true, false, false},
-                                 {&fxl_st7796, CONTROLLER_ST7796, true, false, false, true},
-                                 {&fxl_ili9488, CONTROLLER_ILI9488, true, false, false, true},
-                                 {&fxl_gc9a01, CONTROLLER_GC9A01, true, false, true, true}};
-static const module oleds[] = {{&fxl_ssd1306, CONTROLLER_SSD1306, true, true, false, false},
-                               {&fxl_sh1106, CONTROLLER_SH1106, true, true, false, false},
-                               {&fxl_ssd1309, CONTROLLER_SSD1309, true, true, false, false}};
-
 void setUp(void)
 {
     for (uint32_t i = 0; i < sizeof palette; i++) {
@@ -100,28 +82,24 @@ static uint32_t rgb565(uint8_t index)
     return (uint32_t)(colour[0] / 8u * 2048u + colour[1] / 4u * 32u + colour[2] / 8u);
 }
 
-/* A module of colours, of width x height before it is turned, with a frame in its middle. */
-static void assert_colours(const module *of, uint32_t turns, const fxl_display_port *port)
+/* The common module of a controller of colours, with a frame in its middle. */
+static void assert_colours(int kind, uint32_t turns, const fxl_display_port *port)
 {
-    static const uint16_t glasses[][2] = {
-        [CONTROLLER_ST7789] = {240, 320}, [CONTROLLER_ILI9341] = {240, 320},
-        [CONTROLLER_ST7735] = {128, 160}, [CONTROLLER_ST7796] = {320, 480},
-        [CONTROLLER_ILI9488] = {320, 480}, [CONTROLLER_GC9A01] = {240, 240}};
-    FXL_STATIC_ASSERT(sizeof glasses / sizeof glasses[0] == CONTROLLER_SSD1306, "colours come first");
-    const uint32_t width = glasses[of->kind][0], height = glasses[of->kind][1];
+    const controller_facts *of = &controllers[kind];
+    const uint32_t width = of->width, height = of->height;
     const fxl_display_config config = fxl_display_config_default(of->driver, turns);
     const uint32_t columns = turns % 2u == 0 ? WIDTH : HEIGHT, rows = WIDTH + HEIGHT - columns;
     const uint32_t left = (width - columns) / 2u - BORDER, top = (height - rows) / 2u - BORDER;
-    controller_start(&model, of->kind, (uint16_t)left, (uint16_t)top,
-                     (uint16_t)(columns + 2u * BORDER), (uint16_t)(rows + 2u * BORDER));
+    controller_start(&model, kind, (uint16_t)left, (uint16_t)top, (uint16_t)(columns + 2u * BORDER),
+                     (uint16_t)(rows + 2u * BORDER));
     TEST_ASSERT_EQUAL(turns % 2u == 0 ? width : height, config.width);
     TEST_ASSERT_EQUAL(turns % 2u == 0 ? height : width, config.height);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, port, palette));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_display_place(&display, WIDTH, HEIGHT));
     TEST_ASSERT_EQUAL(FXL_OK, show(WIDTH, HEIGHT, 7));
     TEST_ASSERT_TRUE(model.is_on);
-    TEST_ASSERT_EQUAL(of->is_inverted, model.is_inverted);
-    TEST_ASSERT_EQUAL(of->is_blue_first, (model.access & 8u) != 0);
+    TEST_ASSERT_EQUAL((of->joined & INVERTED) != 0, model.is_inverted);
+    TEST_ASSERT_EQUAL((of->joined & BLUE_FIRST) != 0, (model.access & 8u) != 0);
     const uint32_t frame_left = (config.width - WIDTH) / 2u,
                    frame_top = (config.height - HEIGHT) / 2u;
     for (uint32_t y = frame_top - BORDER; y < frame_top + HEIGHT + BORDER; y++) {
@@ -130,8 +108,8 @@ static void assert_colours(const module *of, uint32_t turns, const fxl_display_p
             const uint32_t in_x = x - frame_left, in_y = y - frame_top;
             const bool is_inside = in_x < WIDTH && in_y < HEIGHT;
             untwist(turns, width, height, &column, &row);
-            column = of->columns_mirrored ? width - 1u - column : column;
-            row = of->rows_mirrored ? height - 1u - row : row;
+            column = (of->joined & MIRRORS_X) != 0 ? width - 1u - column : column;
+            row = (of->joined & MIRRORS_Y) != 0 ? height - 1u - row : row;
             TEST_ASSERT_EQUAL_HEX16(is_inside ? rgb565(frame[in_y * WIDTH + in_x]) : 0,
                                     controller_pixel(&model, (uint16_t)column, (uint16_t)row));
         }
@@ -140,9 +118,9 @@ static void assert_colours(const module *of, uint32_t turns, const fxl_display_p
 
 void test_colours_stand_upright_in_each_turn(void)
 {
-    for (uint32_t i = 0; i < sizeof colours / sizeof colours[0]; i++) {
-        for (uint32_t turns = 0; turns < 4; turns++) {
-            assert_colours(&colours[i], turns, turns % 2u == 0 ? &by_dma : &plain);
+    for (int kind = 0; kind < CONTROLLERS; kind++) {
+        for (uint32_t turns = 0; controllers[kind].plays == PLAYS_MIPI && turns < 4; turns++) {
+            assert_colours(kind, turns, turns % 2u == 0 ? &by_dma : &plain);
         }
     }
 }
@@ -177,14 +155,12 @@ void test_a_glass_that_begins_elsewhere(void)
 
 /* --- pages -------------------------------------------------------------------------------- */
 
-/* A glass of OLED_WIDTH columns and so many rows shows the frame from left and above on. */
-static void assert_rows(uint16_t rows, uint16_t left, uint16_t above, uint16_t width,
-                        uint16_t height)
+static void assert_pages(uint16_t left, uint16_t above, uint16_t width, uint16_t height)
 {
     uint16_t table[256];
     fxl_grey_table(table, palette, 1);
-    for (uint16_t y = 0; y < rows; y++) {
-        for (uint16_t x = 0; x < OLED_WIDTH; x++) {
+    for (uint16_t y = 0; y < model.kept_rows; y++) {
+        for (uint16_t x = 0; x < model.kept_columns; x++) {
             const uint32_t in_x = (uint32_t)x - left, in_y = (uint32_t)y - above;
             const bool is_inside = in_x < width && in_y < height;
             const uint32_t level =
@@ -195,33 +171,73 @@ static void assert_rows(uint16_t rows, uint16_t left, uint16_t above, uint16_t w
     }
 }
 
-static void open_oled(const module *of, uint32_t turns, const fxl_display_port *port)
+/* The common module of a controller of pages: its glass, and nothing beside it, is in the model. */
+static void open_pages(int kind, uint32_t turns, const fxl_display_port *port)
 {
+    const controller_facts *of = &controllers[kind];
     const fxl_display_config config = fxl_display_config_default(of->driver, turns);
-    controller_start(&model, of->kind, of->kind == CONTROLLER_SH1106 ? 2 : 0, 0, OLED_WIDTH,
-                     OLED_HEIGHT);
+    const uint16_t left = turns == 0 ? of->left : (uint16_t)(of->columns - of->width - of->left);
+    controller_start(&model, kind, left, 0, of->width, of->height);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, port, palette));
+}
+
+/* A frame that fills the glass, in bands of one page and of two. */
+static void assert_full_pages(int kind, uint32_t turns)
+{
+    const uint16_t width = controllers[kind].width, height = controllers[kind].height;
+    open_pages(kind, turns, turns == 0 ? &by_dma : &plain);
+    assert_pages(0, 0, 0, 0); /* all black */
+    TEST_ASSERT_EQUAL(FXL_OK, show(width, height, turns == 0 ? 8 : 16));
+    assert_pages(0, 0, width, height);
+    TEST_ASSERT_TRUE(model.is_on && model.is_charged && !model.is_all_on);
 }
 
 void test_pages_in_bands_of_one_and_two(void)
 {
+    static const int oleds[] = {CONTROLLER_SSD1306, CONTROLLER_SH1106, CONTROLLER_SSD1309,
+                                CONTROLLER_SSD1309_132};
     for (uint32_t i = 0; i < sizeof oleds / sizeof oleds[0]; i++) {
         for (uint32_t turns = 0; turns < 4; turns += 2) {
-            open_oled(&oleds[i], turns, turns == 0 ? &by_dma : &plain);
-            assert_rows(OLED_HEIGHT, 0, 0, 0, 0); /* all black */
-            TEST_ASSERT_EQUAL(FXL_OK, show(OLED_WIDTH, OLED_HEIGHT, turns == 0 ? 8 : 16));
-            assert_rows(OLED_HEIGHT, 0, 0, OLED_WIDTH, OLED_HEIGHT);
+            assert_full_pages(oleds[i], turns);
             /* The controller mirrors as it shows, which only a glass that is mounted so undoes. */
             TEST_ASSERT_EQUAL_HEX8(turns == 0 ? 9 : 0, model.access);
-            TEST_ASSERT_TRUE(model.is_on && model.is_charged && !model.is_inverted);
-            TEST_ASSERT_EQUAL(2u * (oleds[i].kind != CONTROLLER_SH1106), model.mode);
+            TEST_ASSERT_FALSE(model.is_inverted);
+            TEST_ASSERT_EQUAL(2u * (oleds[i] != CONTROLLER_SH1106), model.mode);
             TEST_ASSERT_EQUAL(63, model.multiplex);
             TEST_ASSERT_EQUAL_HEX8(0x12, model.wires);
             /* Row 0 of the memory is at the top, and what it has is shown. */
-            TEST_ASSERT_TRUE(model.offset == 0 && model.start_row == 0 && !model.is_all_on);
+            TEST_ASSERT_TRUE(model.offset == 0 && model.start_row == 0);
             TEST_ASSERT_TRUE(model.clock == 0x80 && model.contrast == 0x80);
         }
     }
+}
+
+/* An LCD is dark where a bit is set, so it is inverted. The columns of an ST7565 are counted from
+ * the last segment, and its rows from the first, as its glass is mounted. At a half turn the glass
+ * begins behind four columns that it has not. */
+void test_pages_of_an_st7565(void)
+{
+    for (uint32_t turns = 0; turns < 4; turns += 2) {
+        assert_full_pages(CONTROLLER_ST7565, turns);
+        TEST_ASSERT_EQUAL(turns == 0 ? 0 : 4, model.first_column);
+        TEST_ASSERT_EQUAL_HEX8(turns == 0 ? 1 : 8, model.access);
+        TEST_ASSERT_TRUE(model.has_reset && model.is_inverted && model.start_row == 0);
+        TEST_ASSERT_EQUAL_HEX8(0x18, model.contrast);
+    }
+}
+
+/* Pixels go along rows in the set of commands of every day: function 0. It can't be turned. */
+void test_pages_of_a_pcd8544(void)
+{
+    assert_full_pages(CONTROLLER_PCD8544, 0);
+    TEST_ASSERT_TRUE(model.function == 0 && model.is_inverted);
+    for (uint32_t turns = 1; turns < 4; turns++) {
+        TEST_ASSERT_NULL(fxl_display_config_default(&fxl_pcd8544, turns).driver);
+    }
+    open_pages(CONTROLLER_PCD8544, 0, &plain);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_place(&display, 61, 39));
+    TEST_ASSERT_EQUAL(FXL_OK, show(61, 39, 8));
+    assert_pages(11, 0, 61, 39); /* 4 rows above are half a page */
 }
 
 /* Sixteen pages, of which the columns are scanned: the frame fills the glass in two halves. */
@@ -237,16 +253,16 @@ void test_pages_whose_columns_are_scanned(void)
         TEST_ASSERT_EQUAL_HEX8(turns == 0 ? 0 : 9, model.access);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_display_place(&display, OLED_WIDTH, OLED_HEIGHT));
         TEST_ASSERT_EQUAL(FXL_OK, show(OLED_WIDTH, OLED_HEIGHT, 16));
-        assert_rows(128, 0, 32, OLED_WIDTH, OLED_HEIGHT);
+        assert_pages(0, 32, OLED_WIDTH, OLED_HEIGHT);
     }
 }
 
 void test_a_small_frame_on_pages(void)
 {
-    open_oled(&oleds[1], 0, &by_dma);
+    open_pages(CONTROLLER_SH1106, 0, &by_dma);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_display_place(&display, 61, 39));
     TEST_ASSERT_EQUAL(FXL_OK, show(61, 39, 16));
-    assert_rows(OLED_HEIGHT, 33, 8, 61, 39); /* 12 rows above are one page and a half */
+    assert_pages(33, 8, 61, 39); /* 12 rows above are one page and a half */
 }
 
 void test_a_glass_of_32_rows(void)
@@ -285,21 +301,21 @@ void test_a_pump_narrower_than_the_pages(void)
     static uint8_t bytes[64];
     const fxl_pump_config narrow = {&display.pixels, 64, OLED_HEIGHT, 8, NULL};
     const fxl_band band = {.pixels = frame, .width = 64, .stride = 64, .first_row = 0, .rows = 8};
-    open_oled(&oleds[0], 0, &plain);
+    open_pages(CONTROLLER_SSD1306, 0, &plain);
     const uint32_t sends = model.sends;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_init(&pump, &narrow, &display.sink, block, sizeof block));
     TEST_ASSERT_EQUAL(sizeof bytes, fxl_pixels_size(display.pixels.format, 64, 8));
     TEST_ASSERT_FALSE(display.sink.start(display.sink.user, 0, 8, bytes, sizeof bytes));
     TEST_ASSERT_EQUAL(FXL_E_DISPLAY, fxl_pump_send_rows(&pump, &band));
     TEST_ASSERT_EQUAL(sends, model.sends);
-    assert_rows(OLED_HEIGHT, 0, 0, 0, 0); /* all black */
+    assert_pages(0, 0, 0, 0); /* all black */
     TEST_ASSERT_EQUAL(FXL_OK, fxl_display_place(&display, 64, OLED_HEIGHT));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_send_rows(&pump, &band));
 }
 
 void test_rows_that_are_not_the_frames(void)
 {
-    open_oled(&oleds[0], 0, &plain);
+    open_pages(CONTROLLER_SSD1306, 0, &plain);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_display_place(&display, 61, 39));
     TEST_ASSERT_TRUE(start_rows(0, 8, 61));
     TEST_ASSERT_TRUE(start_rows(32, 7, 61)); /* a page that the frame does not fill */
@@ -325,24 +341,24 @@ void test_rows_that_are_not_the_frames(void)
 
 /* --- failures ----------------------------------------------------------------------------- */
 
-static fxl_status open_and_show(const module *of, uint32_t refused)
+static fxl_status open_and_show(int kind, uint32_t refused)
 {
-    fxl_display_config config = fxl_display_config_default(of->driver, 0);
+    fxl_display_config config = fxl_display_config_default(controllers[kind].driver, 0);
     config.width = 40; /* a small glass, which is soon black */
     config.height = 24;
-    controller_start(&model, of->kind, 0, 0, 48, 24);
+    controller_start(&model, kind, 0, 0, 48, 24);
     model.refused = refused;
     const fxl_status status = fxl_display_open(&display, &config, &by_dma, palette);
     return status == FXL_OK ? show(40, 24, 16) : status;
 }
 
-static void assert_failures(const module *of)
+static void assert_failures(int kind)
 {
-    TEST_ASSERT_EQUAL(FXL_OK, open_and_show(of, UINT32_MAX));
+    TEST_ASSERT_EQUAL(FXL_OK, open_and_show(kind, UINT32_MAX));
     const uint32_t sends = model.sends;
     TEST_ASSERT_GREATER_THAN(10, sends);
     for (uint32_t n = 0; n < sends; n++) {
-        TEST_ASSERT_EQUAL(FXL_E_DISPLAY, open_and_show(of, n));
+        TEST_ASSERT_EQUAL(FXL_E_DISPLAY, open_and_show(kind, n));
         TEST_ASSERT_EQUAL_MESSAGE(n + 1u, model.sends, "it went on after a failure");
         transfer_wait(&model.wire);
     }
@@ -350,9 +366,11 @@ static void assert_failures(const module *of)
 
 void test_wires_that_fail_at_any_time(void)
 {
-    assert_failures(&colours[0]);
-    assert_failures(&colours[5]); /* has commands of its own */
-    assert_failures(&oleds[0]);
+    assert_failures(CONTROLLER_ST7789);
+    assert_failures(CONTROLLER_GC9A01); /* has commands of its own */
+    assert_failures(CONTROLLER_SSD1306);
+    assert_failures(CONTROLLER_ST7565);
+    assert_failures(CONTROLLER_PCD8544);
 }
 
 static bool never_done(void *user)
@@ -370,131 +388,4 @@ void test_a_transfer_that_never_ends(void)
     config.height = 24;
     controller_start(&model, CONTROLLER_ILI9341, 0, 0, 48, 24);
     TEST_ASSERT_EQUAL(FXL_E_DISPLAY, fxl_display_open(&display, &config, &port, palette));
-}
-
-/* Of a module that there is not. */
-static void expect_none(fxl_display_config config)
-{
-    TEST_ASSERT_NULL(config.driver);
-    TEST_ASSERT_EQUAL(0, config.width | config.height | config.left | config.top | config.access);
-    TEST_ASSERT_FALSE(config.is_inverted);
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_open(&display, &config, &plain, palette));
-}
-
-/* The glass of a configuration is within the controller's memory: the first send fails. */
-static void expect_within(const fxl_display_config *config, bool is_within)
-{
-    controller_start(&model, CONTROLLER_SSD1306, 0, 0, 8, 8);
-    model.refused = 0;
-    TEST_ASSERT_EQUAL(is_within ? FXL_E_DISPLAY : FXL_E_RANGE,
-                      fxl_display_open(&display, config, &plain, palette));
-    TEST_ASSERT_EQUAL(is_within, model.sends);
-}
-
-/* A glass at the end of a memory that is seen as columns x rows, and one that begins or ends a
- * column, or a page of rows, farther. */
-static void assert_memory(fxl_display_config config, uint32_t columns, uint32_t rows, uint32_t page)
-{
-    const struct {
-        uint32_t width, height, left, top;
-        bool is_within;
-    } glasses[] = {{8, 8, columns - 8, rows - 8, true},
-                   {8, 8, columns - 7, rows - 8, false},
-                   {8, 8, 65535, rows - 8, false},
-                   {8, 8, columns - 8, rows - 8 + page, false},
-                   {8, 8, columns - 8, 65528, false},
-                   {32, 32, columns - 32, rows - 32, true},
-                   {32, 32, columns - 31, rows - 32, false},
-                   {32, 32, 65535, rows - 32, false},
-                   {32, 32, columns - 32, rows - 32 + page, false},
-                   {32, 32, columns - 32, 65528, false},
-                   {columns, rows, 0, 0, true},
-                   {columns + 1, rows, 0, 0, false},
-                   {columns, rows + page, 0, 0, false},
-                   {columns, 4 * rows, 0, 0, false}};
-    for (uint32_t i = 0; i < sizeof glasses / sizeof glasses[0]; i++) {
-        config.width = (uint16_t)glasses[i].width;
-        config.height = (uint16_t)glasses[i].height;
-        config.left = (uint16_t)glasses[i].left;
-        config.top = (uint16_t)glasses[i].top;
-        expect_within(&config, glasses[i].is_within);
-    }
-}
-
-/* The columns and rows of the data sheets. */
-void test_a_glass_beyond_the_memory_is_refused(void)
-{
-    static const struct {
-        const fxl_display_driver *driver;
-        uint16_t columns, rows, page;
-    } memories[] = {
-        {&fxl_st7789, 240, 320, 1},  {&fxl_ili9341, 240, 320, 1},    {&fxl_st7735, 132, 162, 1},
-        {&fxl_st7796, 320, 480, 1},  {&fxl_gc9a01, 240, 240, 1},     {&fxl_ssd1306, 128, 64, 8},
-        {&fxl_sh1106, 132, 64, 8},   {&fxl_ssd1309, 128, 64, 8},     {&fxl_sh1107, 128, 128, 8},
-        {&fxl_ili9488, 320, 480, 1}, {&fxl_ssd1309_132, 132, 64, 8}, {&fxl_ssd1351, 128, 128, 1}};
-    for (uint32_t i = 0; i < sizeof memories / sizeof memories[0]; i++) {
-        const uint16_t columns = memories[i].columns, rows = memories[i].rows;
-        for (uint32_t turns = 0; turns < 4; turns++) {
-            fxl_display_config config = fxl_display_config_default(memories[i].driver, turns);
-            if (config.driver == NULL) {
-                continue;
-            }
-            expect_within(&config, true);
-            assert_memory(config, turns % 2 == 0 ? columns : rows, turns % 2 == 0 ? rows : columns,
-                          memories[i].page);
-        }
-    }
-    /* Only the colour controllers exchange rows and columns by this bit. */
-    fxl_display_config config = fxl_display_config_default(&fxl_ssd1306, 0);
-    config.access |= 0x20;
-    expect_within(&config, true);
-    config.left = 1024; /* its upper half would be another command */
-    expect_within(&config, false);
-}
-
-void test_what_is_refused_sends_nothing(void)
-{
-    const fxl_display_port no_send = {&model, NULL, NULL, NULL, controller_pause};
-    const fxl_display_port no_pause = {&model, controller_send, NULL, NULL, NULL};
-    const fxl_display_port no_wait = {&model, controller_send, controller_begin, NULL,
-                                      controller_pause};
-    static const struct {
-        uint16_t width, height, left, top;
-    } wrong[] = {{0, 64, 0, 0},
-                 {FXL_SCREEN_MAX + 1, 64, 0, 0},
-                 {128, 0, 0, 0},
-                 {128, FXL_SCREEN_MAX + 8, 0, 0},
-                 {128, 63, 0, 0}, /* no whole page */
-                 {128, 64, 0, 4},
-                 {128, 64, 0, FXL_SCREEN_MAX + 8},
-                 {128, 64, FXL_SCREEN_MAX + 1, 0}};
-    fxl_display_config config = fxl_display_config_default(&fxl_ssd1306, 0);
-    controller_start(&model, CONTROLLER_SSD1306, 0, 0, 8, 8);
-    memset(&display, 0x5A, sizeof display);
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(NULL, &config, &plain, palette));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(&display, NULL, &plain, palette));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(&display, &config, NULL, palette));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(&display, &config, &plain, NULL));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(&display, &config, &no_send, palette));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(&display, &config, &no_pause, palette));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_open(&display, &config, &no_wait, palette));
-    expect_none(fxl_display_config_default(&fxl_ssd1306, 1)); /* it has no quarter turns */
-    expect_none(fxl_display_config_default(&fxl_st7789, 4));
-    expect_none(fxl_display_config_default(NULL, 0));
-    for (uint32_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
-        fxl_display_config other = config;
-        other.width = wrong[i].width;
-        other.height = wrong[i].height;
-        other.left = wrong[i].left;
-        other.top = wrong[i].top;
-        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_open(&display, &other, &plain, palette));
-    }
-    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &display, sizeof display);
-    TEST_ASSERT_EQUAL(0, model.sends);
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_place(NULL, 1, 1));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &plain, palette));
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_place(&display, 0, 8));
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_place(&display, 8, 0));
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_place(&display, OLED_WIDTH + 1, 8));
-    TEST_ASSERT_EQUAL(0, display.left);
 }

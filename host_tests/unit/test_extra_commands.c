@@ -55,13 +55,38 @@ static uint32_t open_with(const fxl_display_driver *driver, const uint8_t *comma
     return sent;
 }
 
-/* The first message that sets the window of pixels: all before it sets the display up. */
-static uint32_t first_window(const fxl_display_driver *driver)
+/* How a family sends a command: its arguments as data, all as a command, or all as data. And the
+ * first byte of the message that begins the pixels. */
+typedef struct {
+    const fxl_display_family *family;
+    uint8_t code;
+    bool is_whole, is_data;
+} manner;
+
+static const manner manners[] = {
+    {&fxl_display_colour, 0x2A, false, false},  {&fxl_display_colour_18, 0x2A, false, false},
+    {&fxl_display_ssd1351, 0x15, false, false}, {&fxl_display_ssd1322, 0x15, false, false},
+    {&fxl_display_ssd1331, 0x15, true, false},  {&fxl_display_ssd1327, 0x15, true, false},
+    {&fxl_display_pages, 0xB0, true, false},    {&fxl_display_sh1107, 0xB0, true, false},
+    {&fxl_display_st7565, 0xB0, true, false},   {&fxl_display_pcd8544, 0x40, true, false},
+    {&fxl_display_memory_lcd, 0x80, true, true}};
+
+static const manner *manner_of(const fxl_display_driver *driver)
 {
-    const bool is_mono = driver->family->format->bits == 1;
-    const uint8_t code = is_mono ? 0xB0 : driver->family == &fxl_display_ssd1351 ? 0x15 : 0x2A;
+    uint32_t i = 0;
+    while (i < sizeof manners / sizeof manners[0] && manners[i].family != driver->family) {
+        i++;
+    }
+    TEST_ASSERT_LESS_THAN(sizeof manners / sizeof manners[0], i);
+    return &manners[i];
+}
+
+/* The first message of pixels or of their window: all before it sets the display up. */
+static uint32_t first_window(const manner *of)
+{
     uint32_t at = 0;
-    while (at < sent && (messages[at].is_data || messages[at].bytes[0] != code)) {
+    while (at < sent &&
+           (messages[at].is_data != of->is_data || messages[at].bytes[0] != of->code)) {
         at++;
     }
     TEST_ASSERT_LESS_THAN(sent, at);
@@ -74,12 +99,16 @@ void test_extra_commands_of_every_driver_on_the_wires(void)
     static const message apart[] = {
         {1, false, {0xE5, 0, 0}}, {2, true, {0x11, 0x22, 0}}, {1, false, {0xE6, 0, 0}}};
     static const message whole[] = {{3, false, {0xE5, 0x11, 0x22}}, {1, false, {0xE6, 0, 0}}};
+    static const message data[] = {{3, true, {0xE5, 0x11, 0x22}}, {1, true, {0xE6, 0, 0}}};
+    FXL_STATIC_ASSERT(sizeof drivers / sizeof drivers[0] == CONTROLLERS, "each controller");
     for (uint32_t i = 0; i < sizeof drivers / sizeof drivers[0]; i++) {
-        const bool is_mono = drivers[i]->family->format->bits == 1;
-        const message *expected = is_mono ? whole : apart;
-        const uint32_t count = is_mono ? 2 : 3, plain = open_with(drivers[i], NULL);
-        const uint32_t place = first_window(drivers[i]);
-        TEST_ASSERT_EQUAL_HEX8(drivers[i]->family->turn_on[1], messages[plain - 1u].bytes[0]);
+        const manner *of = manner_of(drivers[i]);
+        const message *expected = of->is_data ? data : of->is_whole ? whole : apart;
+        const uint32_t count = of->is_whole ? 2 : 3, plain = open_with(drivers[i], NULL);
+        const uint32_t place = first_window(of);
+        if (!of->is_data) { /* else a pin turns it on */
+            TEST_ASSERT_EQUAL_HEX8(drivers[i]->family->turn_on[1], messages[plain - 1u].bytes[0]);
+        }
         memcpy(before, messages, sizeof before);
         TEST_ASSERT_EQUAL(plain + count, open_with(drivers[i], commands));
         TEST_ASSERT_EQUAL_MEMORY(before, messages, place * sizeof messages[0]);

@@ -4,7 +4,6 @@
  * facts that public libraries agree on, and not from the library's records. */
 #include "controller.h"
 #include "fixel/driver.h"
-#include "fixel/modules.h"
 #include "unit.h"
 
 enum {
@@ -25,7 +24,7 @@ typedef struct {
     bool columns_mirrored, rows_mirrored, is_blue_first, is_inverted;
 } facts;
 
-/* place driver: facts of its modules; other commands: a test as test_ssd1351.c */
+/* place driver: facts of its modules; windows and rows: test_oled.c, test_memory_lcd.c */
 static const facts colours[] = {
     {&fxl_module_ili9341_240x320, CONTROLLER_ILI9341, 240, 320, 0, 0, 240, 320, true, false, true,
      false},
@@ -61,6 +60,8 @@ static const facts colours[] = {
      true},
     {&fxl_module_gc9a01_240x240, CONTROLLER_GC9A01, 240, 240, 0, 0, 240, 240, true, false, true,
      true},
+    {&fxl_module_gc9107_128x128, CONTROLLER_GC9107, 128, 128, 0, 32, 128, 160, false, false, true,
+     false},
 };
 
 /* Colours of the picture's corners, as they are sent: upper left, upper right, lower left, lower
@@ -173,7 +174,7 @@ void test_modules_of_pages_at_each_turn(void)
         {&fxl_module_ssd1306_72x40, CONTROLLER_SSD1306, 72, 40, 28, 0x12, 0x30, {0, 0}},
         {&fxl_module_ssd1309_128x64, CONTROLLER_SSD1309, 128, 64, 0, 0x12, 0, {0, 0}},
         {&fxl_module_ssd1306_128x64_com_02, CONTROLLER_SSD1306, 128, 64, 0, 0x02, 0, {0, 0}},
-        {&fxl_module_ssd1309_128x64_column_2, CONTROLLER_SSD1309, 128, 64, 2, 0x12, 0, {0, 0}},
+        {&fxl_module_ssd1309_128x64_column_2, CONTROLLER_SSD1309_132, 128, 64, 2, 0x12, 0, {0, 0}},
         {&fxl_module_sh1107_128x128_column_96, CONTROLLER_SH1107, 128, 128, 0, 0, 0, {0x20, 0x60}},
         {&fxl_module_sh1106_128x64, CONTROLLER_SH1106, 128, 64, 2, 0x12, 0, {0, 0}},
         {&fxl_module_sh1106_72x40, CONTROLLER_SH1106, 72, 40, 30, 0x12, 0, {0x0C, 0x34}},
@@ -189,9 +190,6 @@ void test_modules_of_pages_at_each_turn(void)
             }
             const bool is_sh1107 = pages[i].kind == CONTROLLER_SH1107;
             controller_start(&model, pages[i].kind, 0, 0, 128, 128);
-            if (pages[i].kind == CONTROLLER_SSD1309 && pages[i].left == 2) {
-                controller_strap(&model, 132, 64); /* of another maker */
-            }
             TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
             TEST_ASSERT_EQUAL((is_sh1107 ? pages[i].width : pages[i].height) - 1, model.multiplex);
             TEST_ASSERT_EQUAL_HEX8(pages[i].offsets[turns / 2], model.offset);
@@ -204,6 +202,29 @@ void test_modules_of_pages_at_each_turn(void)
                 TEST_ASSERT_EQUAL(is_glass ? 0 : 1, controller_pixel(&model, x, 0));
             }
             TEST_ASSERT_EQUAL(0, controller_pixel(&model, pages[i].left, pages[i].height - 1));
+        }
+    }
+}
+
+/* An LCD's glass and what is beside it, at the turns that it has: the first column of each. */
+void test_modules_of_lcds_of_pages(void)
+{
+    static const struct {
+        const fxl_display_module *module;
+        int kind;
+        uint16_t width, height, turn, left;
+    } lcds[] = {{&fxl_module_st7565_128x64, CONTROLLER_ST7565, 128, 64, 0, 0},
+                {&fxl_module_st7565_128x64, CONTROLLER_ST7565, 128, 64, 2, 4},
+                {&fxl_module_pcd8544_84x48, CONTROLLER_PCD8544, 84, 48, 0, 0}};
+    for (uint32_t i = 0; i < sizeof lcds / sizeof lcds[0]; i++) {
+        const fxl_display_config config = fxl_display_config_turned(lcds[i].module, lcds[i].turn);
+        const uint16_t columns = controllers[lcds[i].kind].columns;
+        controller_start(&model, lcds[i].kind, 0, 0, columns, lcds[i].height);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
+        TEST_ASSERT_TRUE(model.is_on && model.is_charged && model.is_inverted);
+        for (uint16_t x = 0; x < columns; x++) {
+            const bool is_glass = (uint16_t)(x - lcds[i].left) < lcds[i].width;
+            TEST_ASSERT_EQUAL(is_glass ? 0 : 1, controller_pixel(&model, x, lcds[i].height - 1));
         }
     }
 }
@@ -244,15 +265,18 @@ void test_the_default_is_a_module_too(void)
     narrow.left = 6;
     narrow.width = 120;
     narrow.height = 162;
-    const fxl_display_driver *const drivers[] = {&fxl_st7789, &fxl_st7735,  &fxl_ssd1351,
-                                                 &fxl_sh1106, &fxl_ssd1306, &narrow};
+    const fxl_display_driver *const drivers[] = {
+        &fxl_st7789,  &fxl_st7735,  &fxl_ssd1351,     &fxl_sh1106,      &fxl_ssd1306, &fxl_st7565,
+        &fxl_ssd1331, &fxl_ssd1327, &fxl_ls013b7dh03, &fxl_ls027b7dh01, &fxl_ssd1322, &narrow};
     for (uint32_t i = 0; i < sizeof drivers / sizeof drivers[0]; i++) {
         const fxl_display_driver *driver = drivers[i];
         fxl_display_module module = {.driver = driver,
                                      .width = driver->width,
                                      .height = driver->height,
                                      .left = driver->left};
-        module.columns = (uint16_t)(driver->width + 2 * driver->left);
+        module.columns = driver->family->exchanges != 0
+                             ? (uint16_t)(driver->width + 2 * driver->left)
+                             : driver->memory_columns;
         module.rows = driver->height;
         module.access = driver->access;
         module.is_inverted = driver->is_inverted;
@@ -274,6 +298,8 @@ void test_the_default_of_a_memory_of_132_columns(void)
 {
     TEST_ASSERT_EQUAL(2, fxl_display_config_default(&fxl_ssd1309_132, 0).left);
     TEST_ASSERT_EQUAL(2, fxl_display_config_default(&fxl_ssd1309_132, 2).left);
+    TEST_ASSERT_EQUAL(0, fxl_display_config_default(&fxl_st7565, 0).left);
+    TEST_ASSERT_EQUAL(4, fxl_display_config_default(&fxl_st7565, 2).left);
 }
 
 /* The scanned columns of an SH1107 stay; the rows, which its memory mirrors, do not. */
@@ -285,46 +311,6 @@ void test_a_glass_of_scanned_columns_at_one_side(void)
     TEST_ASSERT_EQUAL(16, fxl_display_config_turned(&module, 0).top);
     TEST_ASSERT_EQUAL(128 - 96 - 16, fxl_display_config_turned(&module, 2).top);
     TEST_ASSERT_EQUAL(120, fxl_display_config_turned(&module, 2).display_offset);
-}
-
-static void expect_none(fxl_display_module module, uint32_t turns)
-{
-    TEST_ASSERT_NULL(fxl_display_config_turned(&module, turns).driver);
-}
-
-void test_modules_that_there_cannot_be(void)
-{
-    const fxl_display_module whole = fxl_module_st7789_240x240;
-    fxl_display_module wrong = whole;
-    TEST_ASSERT_NOT_NULL(fxl_display_config_turned(&whole, 3).driver);
-    TEST_ASSERT_NULL(fxl_display_config_turned(NULL, 0).driver);
-    expect_none(whole, 4);
-    wrong.driver = NULL;
-    expect_none(wrong, 0);
-    wrong = whole;
-    wrong.width = 0;
-    expect_none(wrong, 0);
-    wrong = whole;
-    wrong.height = 0;
-    expect_none(wrong, 0);
-    wrong = whole;
-    wrong.left = 1;
-    expect_none(wrong, 0);
-    wrong = whole;
-    wrong.top = 81;
-    expect_none(wrong, 0);
-    wrong.top = 65535;
-    expect_none(wrong, 0);
-    wrong = whole;
-    wrong.columns = 241; /* more than the controller has */
-    expect_none(wrong, 0);
-    wrong = whole;
-    wrong.rows = 321;
-    expect_none(wrong, 0);
-    wrong = whole;
-    wrong.access = 0x20; /* its columns are rows */
-    expect_none(wrong, 0);
-    expect_none(wrong, 1);
 }
 
 /* What a caller adds comes after the driver's own, and before the glass is turned on. */

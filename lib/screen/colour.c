@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* ST7789, ILI9341, ILI9488, ST7735, ST7796, GC9A01: controllers with the commands of MIPI's Display
- * Command Set. All else that they can be told keeps the value that it has after reset. */
+/* The family of controllers with the commands of MIPI's Display Command Set; modules.c has their
+ * records. What neither this file nor a record sets keeps the value that it has after reset. */
 #include "fixel/driver.h"
 
 enum {
@@ -18,7 +18,7 @@ enum {
 
 #define SIXTEEN_BITS  0x55u
 #define EIGHTEEN_BITS 0x66u /* three bytes a pixel */
-#define RESET_TIME    150u  /* ms: the longest of the three, from the sleep that a reset ends in */
+#define RESET_TIME    150u  /* ms: the longest of all, from the sleep that a reset ends in */
 #define WAKE_UP_TIME  120u
 
 static bool set_up(const fxl_display *display, const fxl_display_config *config)
@@ -75,53 +75,9 @@ static bool send_command(const fxl_display *display, const uint8_t *command, siz
 
 static const uint8_t turn_on[] = {1, DISPLAY_ON, 0};
 
-const fxl_display_family fxl_display_colour = {&fxl_pixels_rgb565, set_up,      send_rows,
-                                               send_command,       turn_on,     EXCHANGES,
-                                               MIRRORS_COLUMNS,    MIRRORS_ROWS};
-const fxl_display_family fxl_display_colour_18 = {&fxl_pixels_rgb666, set_up,      send_rows,
-                                                  send_command,       turn_on,     EXCHANGES,
-                                                  MIRRORS_COLUMNS,    MIRRORS_ROWS};
-
-/* A controller whose common glass fills its memory. */
-#define OF_COLOURS(columns, rows, width, height, access, is_inverted) \
-    { \
-        &fxl_display_colour, NULL, 0, columns, rows, width, height, 0, access, is_inverted, false \
-    }
-
-/* Its glass is blue, green, red, and its columns run from right to left. */
-const fxl_display_driver fxl_ili9341 = OF_COLOURS(240, 320, 240, 320, 0x48, false);
-
-/* place driver: the record of a driver of colours */
-/* The glass is mounted with its first row at the bottom, and its first column at the right. */
-const fxl_display_driver fxl_st7735 = OF_COLOURS(132, 162, 128, 160, 0xC0, false);
-
-const fxl_display_driver fxl_st7789 = OF_COLOURS(240, 320, 240, 320, 0x00, true);
-const fxl_display_driver fxl_st7796 = OF_COLOURS(320, 480, 320, 480, 0x48, false);
-
-/* It takes no pixels of 16 bits on SPI. */
-const fxl_display_driver fxl_ili9488 = {
-    &fxl_display_colour_18, NULL, 0, 320, 480, 320, 480, 0, 0x48, false, false};
-
-/* Which way its columns are joined to the glass is a setting too, and the access is right for one
- * of them alone. */
-static const uint8_t gc9a01_commands[] = {
-    1, 0xFE,             /* unlock those below: first half */
-    1, 0xEF,             /* second half */
-    3, 0xB6, 0x00, 0x00, /* columns and rows are scanned from the first one on */
-    /* Two registers that its data sheet does not describe. Without them there is no picture, as the
-     * author of micropython-nano-gui found; all public drivers set them so. */
-    11, 0x66, 0x3C, 0x00, 0xCD, 0x67, 0x45, 0x45, 0x10, 0x00, 0x00, 0x00,
-    11, 0x67, 0x00, 0x3C, 0x00, 0x00, 0x00, 0x01, 0x54, 0x10, 0x32, 0x98,
-    0,
-};
-const fxl_display_driver fxl_gc9a01 = {&fxl_display_colour,
-                                       gc9a01_commands,
-                                       sizeof gc9a01_commands,
-                                       240,
-                                       240,
-                                       240,
-                                       240,
-                                       0,
-                                       0x48,
-                                       true,
-                                       false};
+const fxl_display_family fxl_display_colour = {&fxl_pixels_rgb565, set_up,       send_rows,
+                                               send_command,       turn_on,      EXCHANGES,
+                                               MIRRORS_COLUMNS,    MIRRORS_ROWS, 0};
+const fxl_display_family fxl_display_colour_18 = {&fxl_pixels_rgb666, set_up,       send_rows,
+                                                  send_command,       turn_on,      EXCHANGES,
+                                                  MIRRORS_COLUMNS,    MIRRORS_ROWS, 0};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/driver.h"
 
-#define BLACK_BYTES 64u
+#define BLACK_BYTES 56u /* a row of 400 pixels of one bit, and no more: boards of little flash */
 
 bool fxl_display_command(const fxl_display *display, uint8_t code, const uint8_t *data, size_t size)
 {
@@ -23,9 +23,15 @@ static uint32_t rows_beyond_page(const fxl_pixel_format *format, uint32_t row)
     return row & (format->rows - 1u);
 }
 
+/* How many columns a column, or a count of columns, is beyond the beginning of an address. */
+static uint32_t columns_beyond_address(const fxl_display_family *family, uint32_t column)
+{
+    return column & family->columns_less_1;
+}
+
 static bool start(void *user, uint16_t first_row, uint16_t rows, const uint8_t *bytes, size_t size)
 {
-    const fxl_display *display = (const fxl_display *)user;
+    fxl_display *display = (fxl_display *)user;
     const fxl_pixel_format *format = display->pixels.format;
     /* send_rows reads as many bytes as the frame's rows have. Rows that do not begin with a page
      * reach into one page more than their bytes are for. */
@@ -33,6 +39,9 @@ static bool start(void *user, uint16_t first_row, uint16_t rows, const uint8_t *
         first_row + rows > display->frame_height ||
         size != fxl_pixels_size(format, display->frame_width, rows)) {
         return false;
+    }
+    if (first_row == 0) {
+        display->frame++;
     }
     return display->driver->family->send_rows(display, display->left,
                                               (uint16_t)(display->top + first_row),
@@ -78,10 +87,13 @@ static bool mirrors_down(uint32_t quarter_turns)
     return (quarter_turns & 2u) != 0; /* 2 and 3 */
 }
 
+/* A family without a bit for an exchange has no quarter turns, and one without bits for mirrors none
+ * at all. */
 static bool can_turn(const fxl_display_driver *driver, uint32_t quarter_turns)
 {
     return driver != NULL && quarter_turns <= 3 &&
-           !(exchanges(quarter_turns) && driver->family->exchanges == 0);
+           (!exchanges(quarter_turns) || driver->family->exchanges != 0) &&
+           (quarter_turns == 0 || driver->family->mirrors_rows != 0);
 }
 
 /* An access at a turn, in the driver's own bits. */
@@ -136,8 +148,8 @@ fxl_display_config fxl_display_config_turned(const fxl_display_module *module,
     return config;
 }
 
-/* The glass lies in the middle of the columns and takes all rows, so no turn changes its place: a
- * program that names no module does not link the function above. */
+/* The glass takes all rows. Of colours it lies in the middle of the columns that its module is wired
+ * for, so a program that names no module does not link the function above. */
 fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
                                               uint32_t quarter_turns)
 {
@@ -145,7 +157,11 @@ fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
         return no_config;
     }
     const bool is_exchanged = exchanges(quarter_turns);
-    const uint16_t width = driver->width, height = driver->height, left = driver->left;
+    const uint16_t width = driver->width, height = driver->height;
+    uint32_t left = driver->left;
+    if (quarter_turns != 0 && driver->family->exchanges == 0) {
+        left = (uint32_t)driver->memory_columns - width - left;
+    }
     const fxl_display_config config = {driver,
                                        is_exchanged ? height : width,
                                        is_exchanged ? width : height,
@@ -160,7 +176,7 @@ fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
     return config;
 }
 
-fxl_status fxl_display_place(fxl_display *display, uint16_t width, uint16_t height)
+FXL_COLD fxl_status fxl_display_place(fxl_display *display, uint16_t width, uint16_t height)
 {
     if (display == NULL) {
         return FXL_E_ARGUMENT;
@@ -170,9 +186,11 @@ fxl_status fxl_display_place(fxl_display *display, uint16_t width, uint16_t heig
         return FXL_E_RANGE;
     }
     uint32_t above = (display->glass_height - height) / 2u;
+    uint32_t before = (display->glass_width - width) / 2u;
     above -= rows_beyond_page(display->pixels.format, above);
+    before -= columns_beyond_address(display->driver->family, before);
     /* Both sums are within the memory. */
-    display->left = (uint16_t)(display->glass_left + (display->glass_width - width) / 2u);
+    display->left = (uint16_t)(display->glass_left + before);
     display->top = (uint16_t)(display->glass_top + above);
     display->frame_width = width;
     display->frame_height = height;
@@ -202,8 +220,8 @@ static bool make_black(const fxl_display *display)
     return true;
 }
 
-/* Whether the glass has pixels, all in the controller's memory, and begins and ends with a page.
- * The sums are below 2^17. */
+/* Whether the glass has pixels, all in the controller's memory, and begins and ends with a page and
+ * an address. The sums are below 2^17. */
 static bool is_in_memory(const fxl_display_config *config)
 {
     const fxl_display_driver *driver = config->driver;
@@ -213,7 +231,8 @@ static bool is_in_memory(const fxl_display_config *config)
     return config->width > 0 && config->height > 0 &&
            (uint32_t)config->left + config->width <= columns &&
            (uint32_t)config->top + config->height <= rows &&
-           rows_beyond_page(driver->family->format, (uint32_t)config->top | config->height) == 0;
+           (rows_beyond_page(driver->family->format, (uint32_t)config->top | config->height) |
+            columns_beyond_address(driver->family, (uint32_t)config->left | config->width)) == 0;
 }
 
 bool fxl_display_send_commands(const fxl_display *display, const uint8_t *commands)
@@ -228,8 +247,8 @@ bool fxl_display_send_commands(const fxl_display *display, const uint8_t *comman
     return true;
 }
 
-fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *config,
-                            const fxl_display_port *port, const uint8_t *palette)
+FXL_COLD fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *config,
+                                     const fxl_display_port *port, const uint8_t *palette)
 {
     if (display == NULL || config == NULL || port == NULL || palette == NULL ||
         port->send == NULL || port->pause == NULL || (port->start != NULL && port->wait == NULL)) {
@@ -245,12 +264,16 @@ fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *conf
     display->glass_left = config->left;
     display->glass_top = config->top;
     display->access = config->access;
+    display->frame = 0;
     display->port = port;
     display->sink.user = display;
     display->sink.start = start;
     display->sink.wait = wait;
     (void)fxl_pixels_init(&display->pixels, family->format, palette);
-    (void)fxl_display_place(display, config->width, config->height);
+    display->left = config->left; /* the frame fills the glass */
+    display->top = config->top;
+    display->frame_width = config->width;
+    display->frame_height = config->height;
     return family->set_up(display, config) &&
                    fxl_display_send_commands(display, config->extra_commands) &&
                    make_black(display) && fxl_display_send_commands(display, family->turn_on)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* SSD1306, SSD1309, SH1106 and SH1107: controllers of pages of eight rows, in the page addressing
- * mode. Every byte of a command, its arguments too, is sent as a command. */
+/* Families of controllers of pages of eight rows: OLEDs of the commands of an SSD1306, in the page
+ * addressing mode, and LCDs. Every byte of a command, its arguments too, is sent as a command. */
 #include "fixel/driver.h"
 
 enum {
@@ -11,7 +11,10 @@ enum {
     INVERT = 0xA6,          /* and 0 or 1 */
     SET_REFERENCE = 0xAD,   /* and whether an SSD1306 makes its reference current itself */
     MIRROR_ROWS = 0xC0,     /* and 0 or 8 */
-    DISPLAY_ON = 0xAF
+    DISPLAY_ON = 0xAF,
+    SET_BANK = 0x40,   /* of a PCD8544: and the number of the page */
+    SET_COLUMN = 0x80, /* of a PCD8544: and the column */
+    POWER_ON = 0x20    /* of a PCD8544 */
 };
 
 #define WIRES_IN_ORDER \
@@ -67,8 +70,44 @@ static bool set_up_columns(const fxl_display *display, const fxl_display_config 
     return set_scan(display, config, config->width);
 }
 
-/* A page at a time: the controller does not go on to the next one by itself. All but the last one
- * are sent when this returns. */
+/* An LCD scans all its lines, and makes its voltage as its record says. */
+static bool set_up_st7565(const fxl_display *display, const fxl_display_config *config)
+{
+    const fxl_display_driver *driver = config->driver;
+    const uint8_t commands[] = {
+        0xE2, /* reset */
+        0xAE, /* display off */
+        0x40, /* not scrolled */
+        0xA4, /* memory is shown as it is */
+        (uint8_t)(MIRROR_COLUMNS | (config->access & 1u)),
+        (uint8_t)(MIRROR_ROWS | (config->access & 8u)),
+        (uint8_t)(INVERT | (config->is_inverted ? 1u : 0u)),
+    };
+    return send_commands(display, commands, sizeof commands) &&
+           send_commands(display, driver->commands, driver->commands_size);
+}
+
+/* It is powered down until it is turned on, and takes commands and pixels. */
+static bool set_up_pcd8544(const fxl_display *display, const fxl_display_config *config)
+{
+    const fxl_display_driver *driver = config->driver;
+    const uint8_t commands[] = {
+        0x24, /* powered down; pixels go along rows; the commands of every day */
+        (uint8_t)(0x0Cu | (config->is_inverted ? 1u : 0u)), /* memory is shown */
+    };
+    return send_commands(display, driver->commands, driver->commands_size) &&
+           send_commands(display, commands, sizeof commands);
+}
+
+/* The pixels of a page. All but those of the last one are sent when this returns. */
+static bool send_page(const fxl_display *display, bool is_last, const uint8_t *bytes,
+                      uint16_t width)
+{
+    return is_last ? fxl_display_start_data(display, bytes, width)
+                   : display->port->send(display->port->user, true, bytes, width);
+}
+
+/* A page at a time: the controller does not go on to the next one by itself. */
 static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, uint16_t width,
                       uint16_t rows, const uint8_t *bytes, size_t size)
 {
@@ -79,8 +118,23 @@ static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, u
                                  (uint8_t)(SET_COLUMN_LOW | (left & 15u)),
                                  (uint8_t)(SET_COLUMN_HIGH | left >> 4)};
         if (!send_commands(display, place, sizeof place) ||
-            !(page < last ? display->port->send(display->port->user, true, bytes, width)
-                          : fxl_display_start_data(display, bytes, width))) {
+            !send_page(display, page == last, bytes, width)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The same with the commands of a PCD8544. */
+static bool send_rows_pcd8544(const fxl_display *display, uint16_t left, uint16_t top,
+                              uint16_t width, uint16_t rows, const uint8_t *bytes, size_t size)
+{
+    const uint32_t last = (top + rows - 1u) / 8u;
+    (void)size;
+    for (uint32_t page = top / 8u; page <= last; page++, bytes += width) {
+        const uint8_t place[] = {(uint8_t)(SET_BANK | page), (uint8_t)(SET_COLUMN | left)};
+        if (!send_commands(display, place, sizeof place) ||
+            !send_page(display, page == last, bytes, width)) {
             return false;
         }
     }
@@ -90,62 +144,13 @@ static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, u
 static const uint8_t turn_on[] = {1, DISPLAY_ON, 0};
 
 const fxl_display_family fxl_display_pages = {
-    &fxl_pixels_mono_pages, set_up, send_rows, send_commands, turn_on, 0, 1, 8};
+    &fxl_pixels_mono_pages, set_up, send_rows, send_commands, turn_on, 0, 1, 8, 0};
 const fxl_display_family fxl_display_sh1107 = {
-    &fxl_pixels_mono_pages, set_up_columns, send_rows, send_commands, turn_on, 0, 8, 1};
+    &fxl_pixels_mono_pages, set_up_columns, send_rows, send_commands, turn_on, 0, 8, 1, 0};
+const fxl_display_family fxl_display_st7565 = {
+    &fxl_pixels_mono_pages, set_up_st7565, send_rows, send_commands, turn_on, 0, 1, 8, 0};
 
-/* A controller of 64 rows with a glass of 128 x 64, that turns by 0 and 2 quarters: its own
- * commands, the columns of its memory, and the column where the glass begins. */
-#define OF_64_ROWS(commands, columns, left) \
-    { \
-        &fxl_display_pages, commands, sizeof(commands), columns, 64, 128, 64, left, 0x09, false, \
-            false \
-    }
+static const uint8_t power_on[] = {1, POWER_ON, 0};
 
-/* place driver: the record of a driver of pages */
-static const uint8_t sh1106_commands[] = {
-    0xAD, 0x8B, /* its own voltage converter on */
-    0xD9, 0x22, /* lengths of precharge and discharge: as after reset */
-    0xDB, 0x35, /* voltage of a row at rest: as after reset */
-};
-
-static const uint8_t sh1107_commands[] = {
-    0x20,       /* page addressing */
-    0xDC, 0x00, /* not scrolled */
-    0xD5, 0x50, /* clock: as after reset */
-    0xAD, 0x8A, /* its own voltage converter off: modules have another */
-    0xD9, 0x22, /* lengths of precharge and discharge: as after reset */
-    0xDB, 0x35, /* voltage of a column at rest: as after reset */
-};
-
-static const uint8_t ssd1306_commands[] = {
-    0x20, 0x02, /* page addressing */
-    0x8D, 0x14, /* its own charge pump on */
-    0xD9, 0xF1, /* lengths of precharge and discharge, for the charge pump */
-    0xDB, 0x40, /* voltage of a row at rest */
-};
-
-static const uint8_t ssd1309_commands[] = {
-    0xFD, 0x12, /* unlock */
-    0x20, 0x02, /* page addressing */
-    0xD9, 0x22, /* lengths of precharge and discharge: as after reset */
-    0xDB, 0x34, /* voltage of a row at rest: as after reset */
-};
-
-/* The glass is joined to the middle 128 of 132 columns. */
-const fxl_display_driver fxl_sh1106 = OF_64_ROWS(sh1106_commands, 132, 2);
-const fxl_display_driver fxl_ssd1306 = OF_64_ROWS(ssd1306_commands, 128, 0);
-const fxl_display_driver fxl_ssd1309 = OF_64_ROWS(ssd1309_commands, 128, 0);
-const fxl_display_driver fxl_ssd1309_132 = OF_64_ROWS(ssd1309_commands, 132, 2);
-
-const fxl_display_driver fxl_sh1107 = {&fxl_display_sh1107,
-                                       sh1107_commands,
-                                       sizeof sh1107_commands,
-                                       128,
-                                       128,
-                                       128,
-                                       128,
-                                       0,
-                                       0x00,
-                                       false,
-                                       true};
+const fxl_display_family fxl_display_pcd8544 = {
+    &fxl_pixels_mono_pages, set_up_pcd8544, send_rows_pcd8544, send_commands, power_on, 0, 0, 0, 0};

@@ -32,7 +32,7 @@ static bool is_in_range(const fxl_pump_config *config)
 }
 
 /* pixels 2.2 */
-size_t fxl_pump_memory_size(const fxl_pump_config *config)
+FXL_COLD size_t fxl_pump_memory_size(const fxl_pump_config *config)
 {
     if (config == NULL || !is_in_range(config)) {
         return 0;
@@ -42,7 +42,7 @@ size_t fxl_pump_memory_size(const fxl_pump_config *config)
     return band + 2u * align(sent_size(config, config->rows));
 }
 
-fxl_status fxl_pump_init(fxl_pump *pump, const fxl_pump_config *config, const fxl_pump_sink *sink,
+FXL_COLD fxl_status fxl_pump_init(fxl_pump *pump, const fxl_pump_config *config, const fxl_pump_sink *sink,
                          void *memory, size_t memory_size)
 {
     if (pump == NULL || config == NULL || sink == NULL || memory == NULL || sink->start == NULL ||

@@ -215,7 +215,8 @@ def shown_alone(folder, driver, width, height, frames):
     ending = run_alone(folder, frames)
     assert ending.code == emulator.exit_code("DONE"), ending.output
     assert ending.output == f"alone: {frames} frames, core 125000000 Hz, SPI 62500000 Hz\n"
-    size = -(-height // 8) * width if controllers.is_mono(driver) else controllers.MODULES[driver][0].PIXEL_BYTES * width * height
+    model, glass = controllers.MODULES[driver]
+    size = model.frame_bytes(width, height, glass)
     with (folder / wires.NAME).open("rb") as file:
         found = list(wires.read(file, controllers.start(driver), wires.turns_of(driver, width, height)))
     return [crc(picture) for picture, _ in found], [f"{zlib.crc32(sent[-size:]):08x}" for _, sent in found]

@@ -13,7 +13,6 @@
 #include "fixel/driver.h"
 #include "fixel/light.h"
 #include "fixel/line.h"
-#include "fixel/modules.h"
 #include "fixel/motion.h"
 #include "fixel/order.h"
 #include "fixel/orientation.h"

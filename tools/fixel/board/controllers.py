@@ -1,252 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""What modules of displays show of their wires. The controllers are written from their data sheets: ST7789, ILI9341,
-ST7735, ST7796, GC9A01 and SSD1351 in RGB565, ILI9488 in three bytes a pixel, SSD1306, SSD1309, SH1106 and SH1107 in black and white. The drivers are in lib/screen; neither was
-made from the other.
+"""What modules of displays show of their wires. The controllers are written from their data sheets: those of colours and greys in
+colour_controllers.py, those of one bit a pixel here. The drivers are in lib/screen; neither was made from the other.
 """
-
-import dataclasses
 
 import numpy
 
-from fixel.base.errors import ToolError
-
-UNWRITTEN = 0xDEAD  # a colour of the noise in a controller's memory when power comes
-REST = 120          # milliseconds that a controller wants after a reset, and after it was woken
-ROWS_OF_SSD1351 = 128
-
-
-def require(holds, sentence):
-    """Every rule of a data sheet."""
-    if not holds:
-        raise ToolError(f"the wires of the display: {sentence}", exit_code=1)
-
-
-@dataclasses.dataclass(frozen=True)
-class Glass:
-    """How a glass is joined to its controller. columns, rows: of the memory in the mode that the module is wired for.
-    left, top: where the glass begins, counted from the side of the memory that is at its upper left when the picture is
-    not turned. mirrored: the memory's own columns and rows run against those of the glass."""
-    columns: int
-    rows: int
-    width: int
-    height: int
-    left: int = 0
-    top: int = 0
-    mirrored: tuple = (False, False)
-    blue_first: bool = False    # its sub-pixels are blue, green, red
-    inverted: bool = False      # it shows the complement of what it is sent
-    com_pins: int = 0x12        # how the lines of an OLED are joined to the controller
-    first_line: int = 0         # of the controller's scanned lines, the first that the glass has
-
-    def cut(self, memory):
-        """The part of a memory that the glass shows, as seen when the picture is not turned."""
-        seen = memory[::-1 if self.mirrored[1] else 1, ::-1 if self.mirrored[0] else 1]
-        return seen[self.top:self.top + self.height, self.left:self.left + self.width]
-
-
-class Colour:
-    """A controller of MIPI's commands, in pixels of RGB565."""
-
-    WRITE = 0x2C    # the command whose data are pixels
-    FORMAT = 0x55   # 16 bits a pixel
-    PIXEL_BYTES = 2
-
-    def __init__(self, glass):
-        self.glass = glass
-        self.memory = numpy.full((glass.rows, glass.columns), UNWRITTEN, numpy.uint16)
-        self.asleep, self.on, self.inverted = True, False, False
-        self.format, self.access = 0x66, 0      # after reset: 18 bits
-        self.rested = self.awake_for = 0        # milliseconds
-        self.command, self.arguments = None, b""
-        self.window = [(0, glass.columns - 1), (0, glass.rows - 1)]
-
-    def _seen(self):
-        """The memory as pixels are written to it: bit 5 exchanges rows and columns, bits 6 and 7 mirror them."""
-        seen = self.memory[::-1 if self.access & 0x80 else 1, ::-1 if self.access & 0x40 else 1]
-        return seen.T if self.access & 0x20 else seen
-
-    def pause(self, milliseconds):
-        self.finish()
-        if self.asleep:
-            self.rested += milliseconds
-        else:
-            self.awake_for += milliseconds
-
-    def take_command(self, data):
-        self.finish()
-        require(len(data) == 1, f"{len(data)} bytes come as one command")
-        self.command = data[0]
-
-    def take_data(self, data):
-        require(self.command is not None, "data come without a command")
-        self.arguments += data
-
-    @property
-    def takes_pixels(self):
-        """Whether data that come now are pixels."""
-        return self.command == self.WRITE
-
-    def finish(self):
-        """Does the last command, whose data are there."""
-        if self.command is not None:
-            self._do(self.command, self.arguments)
-        self.command, self.arguments = None, b""
-
-    def _do(self, command, data):
-        if command == 0x01:
-            self.asleep, self.on, self.inverted, self.rested, self.awake_for = True, False, False, 0, 0
-        elif command == 0x11:
-            require(self.rested >= REST, "it is woken too early after the reset")
-            self.asleep = False
-        elif command in (0x20, 0x21):
-            self.inverted = command == 0x21
-        elif command == 0x29:
-            require(not self.asleep and self.awake_for >= REST, "it is turned on too early")
-            self.on = True
-        elif command in (0x2A, 0x2B):
-            self._set_window(command - 0x2A, data)
-        elif command == self.WRITE:
-            self._write(data)
-        elif command in (0x36, 0x3A):
-            require(len(data) == 1, f"command {command:#x} has {len(data)} bytes of data")
-            if command == 0x36:
-                self.access = data[0]
-            else:
-                self.format = data[0]
-        else:
-            require(False, f"there is no command {command:#x}")
-
-    def _set_window(self, axis, data):
-        require(len(data) == 4, "a window has four bytes an axis")
-        first, last = numpy.frombuffer(data, ">u2").tolist()
-        require(first <= last < self._seen().shape[1 - axis], f"the window {first}..{last} is beyond its memory")
-        self.window[axis] = (first, last)
-
-    def _write(self, data):
-        (left, right), (top, bottom) = self.window
-        shape = (bottom - top + 1, right - left + 1)
-        require(right < self._seen().shape[1] and bottom < self._seen().shape[0], "the window was set for another turn")
-        require(self.format == self.FORMAT, f"pixels come before it was told that they have {8 * self.PIXEL_BYTES} bits")
-        require(len(data) == self.PIXEL_BYTES * shape[0] * shape[1], "the pixels do not fill their window, whole and once")
-        self._seen()[top:bottom + 1, left:right + 1] = self._pixels(data).reshape(shape)
-
-    def _pixels(self, data):
-        """The bytes of pixels as RGB565."""
-        return numpy.frombuffer(data, ">u2")
-
-    def picture(self, turns=0):
-        """What the glass shows whoever turned the module counter-clockwise by quarter turns: pixels of RGB565."""
-        require(self.on, "it was never turned on")
-        shown = self.glass.cut(self.memory).copy()
-        if bool(self.access & 8) != self.glass.blue_first:
-            shown = shown << 11 | shown & 0x07E0 | shown >> 11
-        return numpy.rot90(~shown if self.inverted != self.glass.inverted else shown, turns)
-
-
-class Ili9488(Colour):
-    """It takes pixels of 18 bits on SPI: a byte a channel, of which it has the upper six bits. The model keeps RGB565, so the
-    lowest bit of red and of blue must be the upper one again."""
-
-    FORMAT, PIXEL_BYTES = 0x66, 3
-
-    def _pixels(self, data):
-        red, green, blue = (numpy.frombuffer(data, numpy.uint8).reshape(-1, 3) >> 2).astype(numpy.uint16).T
-        for channel in (red, blue):
-            require((channel & 1 == channel >> 5).all(), "a channel is not a whole part of white")
-        return red >> 1 << 11 | green << 5 | blue >> 1
-
-
-class Gc9a01(Colour):
-    """Its B6, which FE and EF unlock, says which way sources and gates are scanned. Libraries disagree on what it does after
-    reset, so it must be told. 66 and 67 are in no data sheet: gc9a01_mpy, issue 38, has that there is no picture without them."""
-
-    UNDESCRIBED = {0x66: bytes.fromhex("3C00CD67454510000000"), 0x67: bytes.fromhex("003C0000000154103298")}
-
-    def __init__(self, glass):
-        super().__init__(glass)
-        self.unlocked, self.scan, self.told = b"", None, set()
-
-    def _do(self, command, data):
-        if command in (0xFE, 0xEF):
-            self.unlocked += bytes([command])
-        elif command == 0xB6:
-            require(self.unlocked.endswith(b"\xFE\xEF") and len(data) == 2, "command 0xb6 is locked, or has not two bytes of data")
-            self.scan = data[1]
-        elif command in self.UNDESCRIBED:
-            require(self.unlocked.endswith(b"\xFE\xEF") and data == self.UNDESCRIBED[command], f"register {command:#x} is locked, or set otherwise")
-            self.told.add(command)
-        else:
-            super()._do(command, data)
-            if command == 0x01:
-                self.unlocked, self.scan, self.told = b"", None, set()
-
-    def picture(self, turns=0):
-        require(self.scan is not None, "it was not told which way it scans")
-        require(self.told == set(self.UNDESCRIBED), "registers 0x66 and 0x67 were not set: it shows no picture")
-        written = self.memory
-        self.memory = written[::-1 if self.scan & 0x40 else 1, ::-1 if self.scan & 0x20 else 1]
-        shown = super().picture(turns)
-        self.memory = written
-        return shown
-
-
-class Ssd1351(Colour):
-    """An OLED of colours: commands of its own, and bits 0 and 1 of its access are 5 and 6 of MIPI's. Bit 4 mirrors the scan and not
-    the memory."""
-
-    WRITE = 0x5C
-    ARGUMENTS = {0xA0: 1, 0xA1: 1, 0xA2: 1, 0xAB: 1, 0xB1: 1, 0xB3: 1, 0xB4: 3, 0xB5: 1, 0xB6: 1, 0xBE: 1, 0xC1: 3, 0xC7: 1,
-                 0xCA: 1, 0xFD: 1, 0x15: 2, 0x75: 2, 0xA6: 0, 0xA7: 0, 0xAE: 0, 0xAF: 0}
-    LOCKED = frozenset([0xA2, 0xB1, 0xB3, 0xBB, 0xBE, 0xC1])     # until FD B1 came
-
-    def __init__(self, glass):
-        super().__init__(glass)
-        self.unlocked, self.start_line, self.scan_mirrored, self.lines = False, 0, False, 128     # after reset
-
-    def _do(self, command, data):
-        if command == self.WRITE:
-            self._write(data)
-            return
-        require(len(data) == self.ARGUMENTS.get(command, -1), f"command {command:#x} has {len(data)} bytes of data")
-        require(self.unlocked or command not in self.LOCKED, f"command {command:#x} is locked")
-        if command == 0xFD:
-            self.unlocked = data[0] == 0xB1
-        elif command in (0x15, 0x75):
-            axis = int(command == 0x75)
-            require(data[0] <= data[1] < self.memory.shape[1 - axis], "the window is beyond its memory")
-            self.window[axis ^ self.access >> 5 & 1] = (data[0], data[1])
-        elif command == 0xA0:
-            self.format = 0x55 if data[0] & 0xC0 == 0x40 else 0
-            require(data[0] & 0x20, "odd and even rows are joined on two sides")
-            self.access = (data[0] & 1) << 5 | (data[0] & 2) << 5 | (0 if data[0] & 4 else 8)
-            self.scan_mirrored = bool(data[0] & 0x10)
-        elif command == 0xA1:
-            self.start_line = data[0] & 127
-        elif command == 0xA2:
-            require(data[0] == 0, "its lines are moved, which this model does not play")
-        elif command in (0xA6, 0xA7):
-            self.inverted = command == 0xA7
-        elif command in (0xAE, 0xAF):
-            self.on = command == 0xAF
-        elif command == 0xCA:
-            self.lines = data[0] + 1
-
-    def _rows(self):
-        """Which row of the memory each line of the glass shows. By the data sheet the scan has N lines, the multiplex ratio. Line i
-        of it shows the row that lies i behind the start line, and drives pin COM i, or COM N - 1 - i if bit 4 of A0 mirrors it. The
-        glass has the pins from COM 0 on."""
-        rows = numpy.full(ROWS_OF_SSD1351, -1)
-        for line in range(self.lines):
-            rows[self.lines - 1 - line if self.scan_mirrored else line] = (self.start_line + line) % ROWS_OF_SSD1351
-        require((rows[:self.glass.height] >= 0).all(), "a line of the glass is not scanned")
-        return rows[:self.glass.height]
-
-    def picture(self, turns=0):
-        written = self.memory
-        self.memory = written[self._rows()]
-        shown = super().picture(turns)
-        self.memory = written
-        return shown
+from fixel.board.colour_controllers import (UNWRITTEN, Colour, Gc9107, Gc9a01, Glass, Ili9488, Ssd1322, Ssd1327, Ssd1331,  # noqa: F401
+                                            Ssd1351, Windows, require)
 
 
 class Pages:
@@ -254,6 +14,7 @@ class Pages:
 
     PAGES = 8
     takes_pixels = True     # whenever data come
+    HIGHEST, TURNS, UNIT = 1, (0, 2), (1, 8)    # as those of Colour
     TWO_BYTES = frozenset([0x20, 0x81, 0x8D, 0xA8, 0xAD, 0xD3, 0xD5, 0xD9, 0xDA, 0xDB])  # commands with an argument
     PLAIN = frozenset([0x40, 0xA0, 0xA1, 0xA4, 0xA6, 0xA7, 0xC0, 0xC8])                  # those that it must know
     COM_PINS = 0x12                                                                      # after reset; None: no such command
@@ -265,6 +26,11 @@ class Pages:
         self.on = False
         self.settings = {0xA8: 8 * self.PAGES - 1, 0xD3: 0, 0xDA: self.COM_PINS}   # after reset: multiplex, offset, COM pins
         self.segments_mirrored = self.scan_mirrored = self.inverted = False
+
+    @staticmethod
+    def frame_bytes(width, height, glass):
+        """Bytes of a frame on a glass."""
+        return -(-height // 8) * width
 
     def pause(self, milliseconds):
         """It needs none."""
@@ -304,10 +70,15 @@ class Pages:
         self.memory[self.page, self.column:self.column + len(data)] = numpy.frombuffer(data, numpy.uint8)
         self.column += len(data)
 
+    @property
+    def scanned_lines(self):
+        """How many lines it was told to scan."""
+        return self.settings[0xA8] + 1
+
     def _scanned(self, lit):
         """What the scanned lines show that the glass has, of the memory whose first axis is scanned. Line n shows line
         n + offset of the memory; a scan that runs the other way counts n from the last line that is scanned."""
-        count, glass = self.settings[0xA8] + 1, self.glass
+        count, glass = self.scanned_lines, self.glass
         lines = numpy.arange(glass.first_line, glass.first_line + count)
         shown = (count - 1 - lines if self.scan_mirrored else lines) + self.settings[0xD3] & lit.shape[0] - 1
         require((shown < count).all(), "a line of the glass is not scanned")
@@ -319,17 +90,16 @@ class Pages:
         return lit.reshape(8 * self.PAGES, self.glass.columns)
 
     def _pins(self):
-        require(self.settings[0xA8] + 1 == self.glass.height, "it was told of another glass")
+        require(self.scanned_lines == self.glass.height, "it was told of another glass")
         return self._scanned(self._lit())
 
     def picture(self, turns=0):
         """What the glass shows whoever turned the module by two quarter turns or none: pixels of 0 and 1."""
         require(self.on, "it was never turned on")
         require(self.COM_PINS is None or self.settings[0xDA] == self.glass.com_pins, "it was told of other COM pins")
-        return numpy.rot90(self.glass.cut(self._pins() ^ self.inverted), turns)
+        return numpy.rot90(self.glass.cut(self._pins() ^ self.inverted ^ self.glass.dark), turns)
 
 
-# place driver: the model in Python, MODULES, and the comment at the top
 class Sh1106(Pages):
     """It knows no other mode than that of pages, and its converter is switched by AD."""
 
@@ -351,9 +121,130 @@ class Sh1107(Pages):
     COM_PINS = None
 
     def _pins(self):
-        require(self.settings[0xA8] + 1 == self.glass.width, "it was told of another glass")
+        require(self.scanned_lines == self.glass.width, "it was told of another glass")
         require(self.settings.get(0xDC, 0) == 0, "it is scrolled")
         return self._scanned(self._lit().T).T
+
+
+class St7565(Pages):
+    """An LCD of 65 lines, of which the glass has 64, and 132 segments. All its lines are scanned. 28 to 2F turn on booster, regulator and
+    follower, which all must be on."""
+
+    TWO_BYTES = frozenset([0x81, 0xF8])
+    PLAIN = frozenset([0x40, 0xA0, 0xA1, 0xA2, 0xA3, 0xA4, 0xA6, 0xA7, 0xC0, 0xC8, 0xE2, *range(0x20, 0x30)])
+    COM_PINS = None
+
+    def __init__(self, glass):
+        super().__init__(glass)
+        self.power = 0
+
+    def _set(self, command):
+        super()._set(command)
+        if command == 0xE2:
+            self.power, self.segments_mirrored, self.scan_mirrored, self.page, self.column = 0, False, False, 0, 0
+        elif command & 0xF8 == 0x28:
+            self.power = command & 7
+
+    def _pins(self):
+        require(self.power == 7, "its voltages are off")
+        return self._lit()[::-1 if self.scan_mirrored else 1, ::-1 if self.segments_mirrored else 1]
+
+
+class Pcd8544(Pages):
+    """An LCD of 48 lines and 84 segments. Bit 0 of the function set (20 to 27) chooses between two sets of commands, bit 1 lets pixels go
+    down columns, bit 2 powers down."""
+
+    PAGES, TURNS = 6, (0,)
+
+    def __init__(self, glass):
+        super().__init__(glass)
+        self.function, self.mode, self.voltage, self.bias = 4, 8, 0, 0      # after reset
+
+    def take_command(self, data):
+        for command in data:
+            if command & 0xF8 == 0x20:
+                self.function = command & 7
+            elif self.function & 1:
+                self._set_voltages(command)
+            elif command & 0x80:
+                require(command & 0x7F < 84, "the column is beyond its memory")
+                self.column = command & 0x7F
+            elif command & 0xF8 == 0x40:
+                require(command & 7 < self.PAGES, "the page is beyond its memory")
+                self.page = command & 7
+            else:
+                require(command & 0xFA == 0x08, f"there is no command {command:#x}")
+                self.mode = command
+
+    def _set_voltages(self, command):
+        if command & 0x80:
+            self.voltage = command & 0x7F
+        elif command & 0xF8 == 0x10:
+            self.bias = command & 7
+        else:
+            require(command & 0xFC == 0x04, f"there is no command {command:#x} of its other set")
+
+    def take_data(self, data):
+        require(not self.function & 2, "pixels go along rows")
+        super().take_data(data)
+
+    def _pins(self):
+        require(not self.function & 4 and self.voltage > 0 and self.bias == 3, "it is powered down, or its voltages are not those of 48 lines")
+        require(self.mode in (0x0C, 0x0D), "it shows no memory")
+        self.inverted = self.mode == 0x0D
+        return self._lit()
+
+    def picture(self, turns=0):
+        self.on = not self.function & 4
+        return super().picture(turns)
+
+
+class MemoryLcd:
+    """Sharp's memory LCD. The bits of a message come as they are counted: M0 (write), M1 (polarity of the glass), M2 (clear), five that
+    mean nothing, the number of a row with its lowest bit first, its pixels, eight that mean nothing; then the next row, or eight more. A
+    pixel of 1 is white. The polarity must change all the time: here from frame to frame."""
+
+    HIGHEST, TURNS, UNIT, takes_pixels = 1, (0,), (1, 1), True
+
+    def __init__(self, glass):
+        self.glass = glass
+        self.memory = numpy.full((glass.rows, glass.columns), 1, numpy.uint8)
+        self.memory[::2, ::3] = 0
+        self.polarity, self.polarity_of_frame = False, False
+
+    @staticmethod
+    def frame_bytes(width, height, glass):
+        """Bytes of a frame on a glass: whole rows of it, each with mode, number and end."""
+        return (glass.columns // 8 + 4) * height
+
+    def pause(self, milliseconds):
+        """It needs none."""
+
+    def finish(self):
+        """Every message is done when it comes."""
+
+    def take_command(self, data):
+        require(False, "it has no line for commands")
+
+    def take_data(self, data):
+        bits = numpy.unpackbits(numpy.frombuffer(data, numpy.uint8))
+        self.polarity = bool(bits[1])
+        if bits[2]:
+            require(not bits[0] and len(bits) == 16, "a message that clears has 16 bits")
+            self.memory[:] = 1
+            return
+        each = 8 + self.glass.columns + 8
+        require(bits[0] and len(bits) > 16 and (len(bits) - 16) % each == 0, "a message is no mode, whole rows with their ends, and an end")
+        for row in bits[8:-8].reshape(-1, each):
+            number = int(row[:8] @ (1 << numpy.arange(8)))
+            require(1 <= number <= self.glass.rows, f"there is no row {number}")
+            self.memory[number - 1] = row[8:-8]
+
+    def picture(self, turns=0):
+        """What the glass shows."""
+        require(self.polarity != self.polarity_of_frame, "its polarity did not change since the frame before")
+        self.polarity_of_frame = self.polarity
+        return numpy.rot90(self.glass.cut(self.memory ^ self.glass.inverted), turns)
 
 
 def _st7789(*place, **others):
@@ -376,14 +267,23 @@ def _sh1107(width, first_line):
     return Sh1107, Glass(128, 128, width, 128, first_line=first_line)
 
 
+# place driver: the model in Python, and MODULES
 _ILI9341 = Colour, Glass(240, 320, 240, 320, mirrored=(True, False), blue_first=True)
 _ILI9488 = Ili9488, Glass(320, 480, 320, 480, mirrored=(True, False), blue_first=True)
 _SSD1351 = Ssd1351, Glass(128, 128, 128, 128, mirrored=(False, True))
 _GC9A01 = Gc9a01, Glass(240, 240, 240, 240, mirrored=(True, False), blue_first=True, inverted=True)
+_GC9107 = Gc9107, Glass(128, 160, 128, 160, blue_first=True)
+_SSD1331 = Ssd1331, Glass(96, 64, 96, 64, mirrored=(True, True))
+_SSD1327 = Ssd1327, Glass(128, 128, 128, 128, mirrored=(True, True))
+_SSD1322 = Ssd1322, Glass(480, 128, 256, 64, 112, mirrored=(False, True))
+_ST7565 = St7565, Glass(132, 64, 128, 64, mirrored=(True, False), dark=True)
+_PCD8544 = Pcd8544, Glass(84, 48, 84, 48, dark=True)
+_LS013B7DH03 = MemoryLcd, Glass(128, 128, 128, 128)
+_LS027B7DH01 = MemoryLcd, Glass(400, 240, 400, 240)
 _SH1106 = _oled(132, 128, 64, 2, controller=Sh1106)
 _SSD1309 = _oled(128, 128, 64, controller=Ssd1309)
 
-# Of each driver of the library, a common module, and of each module of fixel/modules.h: its controller and glass.
+# Of each driver of the library, a common module, and of each module of fixel/display.h: its controller and glass.
 MODULES = {
     "st7789": _st7789(240, 320), "ili9341": _ILI9341, "st7735": _st7735(128, 160, 128, 160),
     "st7796": (Colour, Glass(320, 480, 320, 480, mirrored=(True, False), blue_first=True)), "gc9a01": _GC9A01,
@@ -410,6 +310,13 @@ MODULES = {
     "sh1106_128x64": _SH1106, "sh1106_72x40": _oled(132, 72, 40, 30, controller=Sh1106, first_line=12),
     "sh1107_128x128": _sh1107(128, 0), "sh1107_128x128_column_96": _sh1107(128, 96), "sh1107_64x128": _sh1107(64, 32),
     "sh1107_80x128": _sh1107(80, 24),
+    "gc9107": _GC9107, "gc9107_128x128": (Gc9107, Glass(128, 160, 128, 128, 0, 32, blue_first=True)),
+    "ssd1331": _SSD1331, "ssd1331_96x64": _SSD1331, "ssd1322": _SSD1322, "ssd1322_256x64": _SSD1322,
+    "ssd1327": _SSD1327, "ssd1327_128x128": _SSD1327,
+    "ssd1327_96x96": (Ssd1327, Glass(128, 128, 96, 96, 16, mirrored=(True, True), first_line=32)),
+    "st7565": _ST7565, "st7565_128x64": _ST7565, "pcd8544": _PCD8544, "pcd8544_84x48": _PCD8544,
+    "ls013b7dh03": _LS013B7DH03, "ls013b7dh03_128x128": _LS013B7DH03,
+    "ls027b7dh01": _LS027B7DH01, "ls027b7dh01_400x240": _LS027B7DH01,
 }
 
 
@@ -419,6 +326,6 @@ def start(name):
     return controller(glass)
 
 
-def is_mono(name):
-    """Whether a module is black and white."""
-    return issubclass(MODULES[name][0], Pages)
+def model(name):
+    """The class of a module's controller: what it takes, and how it turns."""
+    return MODULES[name][0]

@@ -70,10 +70,10 @@ def rgb565(palette):
 
 
 def turns_of(driver, width, height):
-    """How many quarter turns the program gives a module for frames of this size: of colours, the long side of the glass is
-    where that of the frame is; a square frame lies on an upright glass."""
+    """How many quarter turns the program gives a module for frames of this size: if it can show one, the long side of the glass
+    is where that of the frame is; a square frame lies on an upright glass."""
     glass_width, glass_height = glass_of(driver, 0)
-    return int(not controllers.is_mono(driver) and (height > width) != (glass_height >= glass_width))
+    return int(1 in controllers.model(driver).TURNS and (height > width) != (glass_height >= glass_width))
 
 
 def glass_of(driver, turns):
@@ -85,11 +85,12 @@ def glass_of(driver, turns):
 def shown(driver, pixels, palette, turns):
     """What the glass is to show of a frame: the frame in its middle, black around it."""
     height, width = pixels.shape
-    is_mono = controllers.is_mono(driver)
+    model = controllers.model(driver)
     glass = numpy.zeros(glass_of(driver, turns)[::-1], numpy.uint16)
     top, left = ((outer - inner) // 2 for outer, inner in zip(glass.shape, pixels.shape))
-    top -= top % 8 if is_mono else 0
-    glass[top:top + height, left:left + width] = grey.levels(pixels, palette, 1) if is_mono else rgb565(palette)[pixels]
+    left, top = (place - place % unit for place, unit in zip((left, top), model.UNIT))
+    levels = rgb565(palette)[pixels] if model.HIGHEST is None else grey.levels(pixels, palette, model.HIGHEST)
+    glass[top:top + height, left:left + width] = levels
     return glass
 
 
@@ -104,7 +105,8 @@ def check_size(driver, width, height):
 def frame_bytes(driver, pixels):
     """Bytes that a display is sent of a frame. Before its first one it may be sent the black around the frames."""
     height, width = pixels.shape
-    return -(-height // 8) * width if controllers.is_mono(driver) else controllers.MODULES[driver][0].PIXEL_BYTES * height * width
+    model, glass = controllers.MODULES[driver]
+    return model.frame_bytes(width, height, glass)
 
 
 def compare(path, driver, drawn, progress=None):
