@@ -141,6 +141,7 @@ def _turn(sides, heights, here, there):
     raise AssertionError("no turn")
 
 
+# bsp 2.4
 def cut(lines, part, number, plane):
     """Both parts of a face that lies on both sides of a node's plane."""
     heights = [height(plane, lines.points[v]) for v in part.ring]

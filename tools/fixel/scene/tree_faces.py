@@ -107,22 +107,3 @@ def add_spheres(nodes, faces, points):
 def _root(square):
     """The square root, upward."""
     return 1 + isqrt(square - 1) if square else 0
-
-
-# bsp 2.4
-def check_sides(vertices, faces, nodes):
-    """How far, in units of 2^-46, a vertex of a face lies on the wrong side of a plane that it is
-    under: at most image_tree.PLANARITY_MAX << 30 in a sound tree."""
-    worst = 0
-    for node in nodes:
-        planes, at = [], node
-        while at.parent != NONE:
-            above = nodes[at.parent]
-            planes.append((1 if above.front != NONE and nodes[above.front] is at else -1, above))
-            at = above
-        for face in faces[node.first_face:node.first_face + node.face_count]:
-            for corner in face.corners:
-                for sign, above in planes:
-                    out = -sign * (dot(above.normal, vertices[corner]) - above.distance)
-                    worst = max(worst, out)
-    return worst

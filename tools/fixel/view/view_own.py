@@ -26,7 +26,6 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 REQUEST = struct.Struct("<4H")  # WANT_..., x, y, 0
 ANSWER = struct.Struct("<4H")   # status, instance, face, 0
 WANT_FRAME, WANT_FACE = 1, 2
-NO_INSTANCE = 0xFFFF            # FXL_PICK_NONE: nothing is at the pixel
 LOOK = 0.25                     # seconds between two looks at the files
 POLL = 0.05                     # seconds
 MAKES_OWN = ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES")
