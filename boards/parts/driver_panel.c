@@ -5,8 +5,8 @@
  * (firmware/firmware.mk).
  *
  * DRIVER_NAME: a driver of fixel/display.h, or with DRIVER_IS_MODULE a module.
- * DRIVER_ALONE: the board's own panels are left out. DRIVER_BITS: of its pixels. DRIVER_ROWS: the rows of a transfer, of pages and of one bit a pixel 8.
- * DRIVER_SIDE: the longer side of its glass. */
+ * DRIVER_ALONE: the board's own panels are left out. DRIVER_BITS: of its pixels. DRIVER_ROWS: the
+ * rows of a transfer; of one bit a pixel they are 8. DRIVER_SIDE: the longer side of its glass. */
 #include <stddef.h>
 
 #include "contract/panel.h"
