@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Frames through a driver of the library (make run DRIVER=): recorded at the wires, and read back by a controller."""
 
+import argparse
 import io
 import json
 import struct
@@ -11,7 +12,7 @@ import pytest
 from board_programs import made
 from conftest import assert_one_sentence, dump_bytes, random_frames, run_cli, run_make
 
-from fixel.board import controllers, dump, wires
+from fixel.board import controllers, dump, flash, wires
 from fixel.base.errors import ToolError
 
 
@@ -223,6 +224,12 @@ def test_a_row_of_a_memory_lcd_has_its_number_with_the_lowest_bit_first():
     row = (b"D", bytes([0xC0, 0b11000000, 0x00, 0x7F, *[0xFF] * 14, 0, 0]))
     shown, = read(record(clear, row, END), "ls013b7dh03", 0)
     assert shown[2, :10].tolist() == [0] * 9 + [1] and shown.sum() == 128 * 128 - 9
+
+
+def test_a_real_board_does_not_drive_a_chip_select_that_is_high():
+    for driver in ("ls013b7dh03", "ls027b7dh01_400x240"):
+        with pytest.raises(ToolError, match=f"DRIVER={driver} .*chip select.*BOARD=pico"):
+            flash.check_display(argparse.Namespace(driver=driver, board="pico"), None)
 
 
 def test_a_byte_of_a_page_is_a_column_of_eight_rows():

@@ -101,7 +101,10 @@ def drivers():
 
 
 def check_display(options, scene):
-    """Refuses frames that the display of DRIVER= has no room for. A program of the user's own has a size of its own."""
+    """Refuses a display that the board's wires do not fit, and frames that it has no room for. A program of the user's own has a size of its own."""
+    if options.driver and issubclass(controllers.model(options.driver), controllers.MemoryLcd):
+        raise ToolError(f"DRIVER={options.driver} wants a chip select that is high during a message, and BOARD={options.board} drives it low: "
+                        "write a program of your own, whose port drives it (docs/displays.md, LCDs of one bit)")
     if options.driver and not own_run.is_own(options):
         drawn = images.load(scene)
         wires.check_size(options.driver, drawn.width, drawn.height)
