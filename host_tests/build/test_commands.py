@@ -62,7 +62,7 @@ def test_a_command_stands_behind_those_whose_results_it_works_on():
 
 
 @pytest.mark.parametrize("name", [name for name, entry in TABLE.items() if "tested" in entry])
-def test_a_command_that_does_not_end_is_typed_by_its_own_tests(name):
+def test_a_command_without_a_small_form_is_typed_by_its_own_tests(name):
     (file,) = CHECKOUT.glob(f"host_tests/*/{TABLE[name]['tested']}")
     assert re.search(rf'"make", ("--no-print-directory", )?"{name}"', file.read_text(encoding="utf-8"))
 

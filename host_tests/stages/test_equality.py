@@ -3,11 +3,12 @@
 
 import json
 import re
+import subprocess
 
 import pytest
 
 from board_programs import ROOT, made
-from conftest import assert_one_sentence, run_cli
+from conftest import assert_one_sentence, environment, run_cli
 from fixel.campaign.shards import Shard
 from fixel.check import equality as kernel_equality
 
@@ -35,10 +36,19 @@ def kernels_of(core):
     return names
 
 
-@pytest.mark.parametrize("core", CORES)
-def test_kernels_are_equal(core, tmp_path):
-    done = equality(core, tmp_path, "--thousands", "10")
+@pytest.fixture(name="compared", scope="module")
+def fixture_compared():
+    """The small form of make equality (host_tests/build/commands.toml): all programs."""
+    made(*(f"build/equality/{core}.elf" for core in CORES))
+    done = subprocess.run(["make", "equality", "THOUSANDS=10"], cwd=ROOT, env=environment(), stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                          check=False)
     assert done.returncode == 0, done.stdout + done.stderr
+    return done
+
+
+@pytest.mark.parametrize("core", CORES)
+def test_kernels_are_equal(core, compared):
+    done = compared
     lines = re.findall(rf"^{core} +(\S+) +([0-9,]+) inputs  0 differ", done.stdout, re.MULTILINE)
     assert sorted(name for name, _ in lines) == sorted(kernels_of(core)), done.stdout
     assert all(int(cases.replace(",", "")) >= 10000 for _, cases in lines), done.stdout
