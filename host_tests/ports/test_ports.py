@@ -10,6 +10,7 @@ import numpy
 import pytest
 
 from conftest import CHECKOUT, run_cli
+from fixel.base.errors import ToolError
 from fixel.board import controllers, wires
 from fixel.report import examples
 from fixel.scene import making
@@ -239,7 +240,7 @@ def test_a_broken_port_is_found(example, broken, found, scene, tmp_path, monkeyp
     """The test can fail: without a wait, or with the library's own buffer given away."""
     sources, controller, pins = EXAMPLES[example]
     copied(example, sources[1], [broken], tmp_path, monkeypatch)
-    with pytest.raises((AssertionError, controllers.ToolError)) as error:
+    with pytest.raises((AssertionError, ToolError)) as error:
         module = Module(controller, pins)
         module.play(diary_of(example, tmp_path, scene))
         wanted = expected(tmp_path, scene)

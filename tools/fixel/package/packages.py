@@ -40,4 +40,5 @@ def before(options):
 
 def main(argv):
     """The command; its exit code."""
-    return layouts.command(parser().parse_args(argv))
+    options = parser().parse_args(argv)     # before the module that does the work is imported
+    return layouts.command(options)
