@@ -30,7 +30,8 @@
 #   oracle  compiler for the host, GMP, Python packages as for run: what the samples of a report take
 #   cluster the same as oracle, and Python packages for plots, tests, and campaigns on a cluster
 #   anywhere the same as run, pico, riscv, api and docs, a C++ compiler, CMake, pkg-config, GCC for AVR, which must refuse the library,
-#           the builder of Arduino, cargo where Debian has one that is new enough, and libclang, by which a crate reads the headers of LVGL
+#           Clang and the linker of LLVM for WebAssembly, the builder of Arduino, cargo where Debian has one that is new enough, and
+#           libclang, by which a crate reads the headers of LVGL
 #
 # Debian packages come from this machine's own apt sources. Python packages are those of
 # requirements/*.txt and go into .venv; meshoptimizer and rp2040js are those of requirements/package-lock.json and go into .node. Where nothing is missing, set-up says nothing and
@@ -78,6 +79,7 @@ need_cargo() {
     has cargo || [ "$(. /etc/os-release; echo "$ID:$VERSION_ID")" = debian:12 ] || need cargo
     ls /usr/lib/llvm-*/lib/libclang*.so* >/dev/null 2>&1 || need libclang-dev
 }
+need_webassembly() { has clang || need clang; has wasm-ld || need lld; }
 need_gmp() { compiles gcc gmp.h || need libgmp-dev; }
 need_browser() { has chromium || need chromium; }
 need_debugger() { has gdb-multiarch || need gdb-multiarch; }
@@ -186,7 +188,7 @@ find_missing() {
             need_board; need_riscv; need_node; need_compilers; has pkg-config || need pkg-config; has abidiff || need abigail-tools
             has doxygen || need doxygen; has avr-gcc || need gcc-avr
             has arduino-builder || need arduino-builder; [ -d /usr/share/arduino/hardware/arduino/avr ] || need arduino-core-avr
-            need_cargo ;;
+            need_webassembly; need_cargo ;;
         *) die "unknown set-up '$what': run, view, report, units, test, lib, lib-riscv, format, fuzz, coverage, rules, tools, simplify, completion, predict, gdb, probe, pico, riscv, api, docs, oracle, cluster or anywhere" ;;
         esac
     done

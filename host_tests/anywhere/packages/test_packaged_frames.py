@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What packages carry draws the frames on record: firmware/walk with a package's sources in the place of the library."""
+"""What packages carry draws the frames on record: firmware/walk with a package's sources in the place of the library,
+on emulated cores, and as WebAssembly in Node."""
 
 import functools
 import re
@@ -12,7 +13,7 @@ from board_programs import ROOT, built
 from conftest import run_make
 from fixel.board import dump, emulator, flash_memory
 from fixel.check import frame_hashes
-from outside import need, run
+from outside import FOLDER, need, run
 from test_frame_hashes import SCENES, TIMEOUT, fixture_scene  # noqa: F401: the fixture of a record's scene
 from test_layouts import compiled, fixture_packages  # noqa: F401
 
@@ -22,34 +23,59 @@ CORES = {"m0plus": ("mps2-an385", ["-mcpu=cortex-m0plus", "-mthumb"]), "m3": ("m
 COMPILERS = {"mps2-an385": "arm-none-eabi-gcc", "rv32": "riscv64-unknown-elf-gcc"}
 
 
+# A board of WebAssembly: webassembly.c and these parts, with rv32's room.
+BOARD = [FOLDER / "packages" / "webassembly.c", *(ROOT / "boards" / "parts" / f"{part}.c" for part in ("display", "dump", "memory_functions"))]
+ROOM = ["-DWALK_BAND_BYTES=1048576", "-DWALK_ORDER_ENTRIES=65536", "-DWALK_LIST_BYTES=262144", "-DWALK_CACHE_ENTRIES=1024"]
+
+
+def of_an_emulated_core(core, source, folder):
+    """Draws by the walk of the core's board, linked with a package's sources instead of lib/."""
+    board, flags = CORES[core]
+    compiler, elf = COMPILERS[board], folder / "walk.elf"
+    need(compiler)
+    how = [*flags, "-O2", "-std=c11", "-ffreestanding", "-ffunction-sections", "-fdata-sections"]
+    objects = compiled(source, folder / "objects", how, flags if compiler.startswith("arm") else (), compiler)
+    own = f"build/boards/{board}/walk.elf"
+    built(f"{board}/walk.elf")
+    steps = run_make("-n", f"BOARD={board}", "-W", f"build/boards/{board}/firmware/walk/walk.o", own).stdout
+    link, = re.findall(rf"{compiler} [^;]*(?= -o {re.escape(own)})", steps)
+    words = [word for word in shlex.split(link) if "/lib/" not in word]
+    assert len(words) < len(shlex.split(link)) - 50, "the library's objects are left out"
+    run(*[f"-Wl,-Map,{folder}/walk.map" if word.startswith("-Wl,-Map") else word for word in words], *objects, "-lgcc", "-o", elf, folder=ROOT)
+    shutil.rmtree(folder / "objects")
+
+    def draw(image, out):
+        flash_memory.flash(board, elf, image, out.with_name("flash.bin"))
+        emulator.run(board, out.with_name("flash.bin"), elf, out, timeout=TIMEOUT)
+    return draw
+
+
+def of_webassembly(source, folder):
+    """Draws by the walk as a module, which has no C library and imports nothing."""
+    need("clang", "wasm-ld", "node")
+    how = ["--target=wasm32", "-O2", "-std=c11", "-ffreestanding", "-fno-builtin", "-Wall", "-Wextra", "-Werror"]
+    objects = compiled(source, folder / "library", how, compiler="clang")
+    (folder / "walk").mkdir()
+    includes = [f"-I{path}" for path in (source, ROOT / "boards", ROOT / "lib")]    # of lib/ only study/, which no package has
+    run("clang", *how, *ROOM, *includes, "-c", *sorted((ROOT / "firmware" / "walk").glob("*.c")), *BOARD, folder=folder / "walk")
+    run("wasm-ld", "--no-entry", "--gc-sections", "--fatal-warnings", "--stack-first", "-z", "stack-size=65536", *objects,
+        *sorted((folder / "walk").glob("*.o")), "-o", folder / "walk.wasm")
+    return lambda image, out: run("node", FOLDER / "packages" / "webassembly.mjs", folder / "walk.wasm", image, out)
+
+
 @pytest.fixture(scope="module", name="walks")
 def fixture_walks(packages, tmp_path_factory):
-    """By a core: the walk of its board, linked with a package's sources instead of lib/."""
+    """By a core: what draws an image into a frame dump."""
     @functools.cache
     def walk(core):
-        board, flags = CORES[core]
-        compiler = COMPILERS[board]
-        need(compiler)
-        folder = tmp_path_factory.mktemp(core)
-        how = [*flags, "-O2", "-std=c11", "-ffreestanding", "-ffunction-sections", "-fdata-sections"]
-        objects = compiled(packages / "esp-idf" / "src", folder / "objects", how, flags if compiler.startswith("arm") else (), compiler)
-        elf = f"build/boards/{board}/walk.elf"
-        built(f"{board}/walk.elf")
-        steps = run_make("-n", f"BOARD={board}", "-W", f"build/boards/{board}/firmware/walk/walk.o", elf).stdout
-        link, = re.findall(rf"{compiler} [^;]*(?= -o {re.escape(elf)})", steps)
-        words = [word for word in shlex.split(link) if "/lib/" not in word]
-        assert len(words) < len(shlex.split(link)) - 50, "the library's objects are left out"
-        run(*[f"-Wl,-Map,{folder}/walk.map" if word.startswith("-Wl,-Map") else word for word in words], *objects, "-lgcc", "-o", folder / "walk.elf", folder=ROOT)
-        shutil.rmtree(folder / "objects")
-        return board, folder / "walk.elf"
+        source, folder = packages / "esp-idf" / "src", tmp_path_factory.mktemp(core)
+        return of_webassembly(source, folder) if core == "wasm32" else of_an_emulated_core(core, source, folder)
     return walk
 
 
 @pytest.mark.parametrize("scene", SCENES, indirect=True)
-@pytest.mark.parametrize("core", CORES)
+@pytest.mark.parametrize("core", [*CORES, "wasm32"])
 def test_a_package_draws_what_is_on_record(walks, core, scene, tmp_path):
     name, image = scene
-    board, elf = walks(core)
-    flash_memory.flash(board, elf, image, tmp_path / "flash.bin")
-    emulator.run(board, tmp_path / "flash.bin", elf, tmp_path / "frames.fxld", timeout=TIMEOUT)
+    walks(core)(image, tmp_path / "frames.fxld")
     assert frame_hashes.difference(frame_hashes.load()[name], dump.read_dump(tmp_path / "frames.fxld")) == ""
