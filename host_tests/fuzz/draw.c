@@ -38,8 +38,8 @@ static fxl_clip_result checked_by_view(const fxl_model_view *model_view, const f
                       &seen.vertices[i].position, sizeof seen.vertices[i].position) == 0);
         needed |= judge_outcode(&model_view->view->view_frustum, &seen.vertices[i].position, 0);
     }
-    fxl_clip_result expected =
-        fxl_clip_view_to_planes(&seen, &model_view->view->view_frustum, needed, &checked, &clipped);
+    fxl_clip_result expected = fxl_clip_view_by_planes(
+        &seen, &model_view->view->view_frustum, needed, &checked, NULL, &clipped);
     judge_view_clip(expected, clipped, model_view->view);
     fxl_clip_result cut = fxl_clip_by_view(model_view, face, work, screen);
     /* A face outside of one plane may have been cut away by one before it; one between the
@@ -48,11 +48,13 @@ static fxl_clip_result checked_by_view(const fxl_model_view *model_view, const f
            (cut == FXL_CLIP_BETWEEN && expected == FXL_CLIP_INSIDE));
     judge_screen(cut, screen);
     if (clipped != NULL) {
-        fxl_screen_polygon same;
         const fxl_lens lens = fxl_view_drawn_lens(model_view->view);
-        DEMAND(fxl_project_polygon(&lens, clipped, &same) == FXL_OK);
-        DEMAND(same.count == screen->count && same.colour == screen->colour);
-        DEMAND(memcmp(same.points, screen->points, same.count * sizeof same.points[0]) == 0);
+        DEMAND(clipped->count == screen->count && clipped->colour == screen->colour);
+        for (uint32_t i = 0; i < clipped->count; i++) {
+            fxl_screen_point same;
+            DEMAND(fxl_project_point(&lens, &clipped->vertices[i].position, &same) == FXL_OK);
+            DEMAND(memcmp(&same, &screen->points[i], sizeof same) == 0);
+        }
     }
     return cut;
 }

@@ -32,10 +32,7 @@ static fxl_view_point any_view_point(fuzz_input *in)
 void fuzz_project(fuzz_input *in)
 {
     fxl_lens lens = fuzz_lens(in, FXL_SCREEN_MAX * FXL_SCREEN_MAX);
-    fxl_view_polygon polygon = {0};
-    fxl_screen_polygon screen_polygon;
-    bool all = true;
-    for (; polygon.count < ROUNDS && in->left > 0; polygon.count++) {
+    for (int i = 0; i < ROUNDS && in->left > 0; i++) {
         fxl_view_point point = any_view_point(in);
         fxl_screen_point before = {12345, -54321};
         fxl_screen_point screen = before;
@@ -43,11 +40,7 @@ void fuzz_project(fuzz_input *in)
         judge_projection(&lens, &point, status, &screen);
         DEMAND(status == FXL_OK || memcmp(&before, &screen, sizeof screen) == 0);
         record_bytes(&screen, sizeof screen);
-        polygon.vertices[polygon.count].position = point;
-        all = all && status == FXL_OK;
     }
-    DEMAND((fxl_project_polygon(&lens, &polygon, &screen_polygon) == FXL_OK) == all);
-    DEMAND(screen_polygon.count == (all ? polygon.count : 0));
 }
 
 /* A screen coordinate: about the band, at quarter pixels so that centres are
@@ -176,7 +169,8 @@ void fuzz_clip_world(fuzz_input *in)
                                  fxl_plane_distance(side, &vertex->position));
         }
     }
-    fxl_clip_result cut = fxl_clip_world_to_frustum(&polygon, frustum, &work, &result);
+    fxl_clip_result cut =
+        fxl_clip_world_to_planes(&polygon, frustum, FXL_PLANES_ALL, &work, &result);
     DEMAND((result != NULL) == (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT));
     DEMAND((result == &polygon) == (cut == FXL_CLIP_INSIDE));
     for (uint32_t i = 0; result != NULL && i < result->count; i++) {
@@ -205,8 +199,8 @@ void fuzz_clip_view(fuzz_input *in)
         needed |= judge_outcode(&view.view_frustum, &point, fuzz_below(in, FXL_PLANES_ALL + 1u));
         polygon.vertices[i].position = point;
     }
-    fxl_clip_result cut =
-        fxl_clip_view_to_planes(&polygon, &view.view_frustum, FXL_PLANES_ALL, &work, &result);
+    fxl_clip_result cut = fxl_clip_view_by_planes(&polygon, &view.view_frustum, FXL_PLANES_ALL,
+                                                  &work, NULL, &result);
     DEMAND((result == &polygon) == (cut == FXL_CLIP_INSIDE));
     judge_view_clip(cut, result, &view);
     record_number(cut);
@@ -216,15 +210,15 @@ void fuzz_clip_view(fuzz_input *in)
     for (int which = 0; which < 2; which++) { /* the input within the work */
         const fxl_view_polygon *same;
         again.polygons[which] = polygon;
-        DEMAND(fxl_clip_view_to_planes(&again.polygons[which], &view.view_frustum, FXL_PLANES_ALL,
-                                       &again, &same) == cut);
+        DEMAND(fxl_clip_view_by_planes(&again.polygons[which], &view.view_frustum, FXL_PLANES_ALL,
+                                       &again, NULL, &same) == cut);
         DEMAND((same == NULL) == (result == NULL));
         DEMAND(same == NULL || (same->count == result->count &&
                                 memcmp(same->vertices, result->vertices,
                                        same->count * sizeof same->vertices[0]) == 0));
     }
     /* By the planes that a vertex is outside of, and no others. */
-    cut = fxl_clip_view_to_planes(&polygon, &view.view_frustum, needed, &again, &result);
+    cut = fxl_clip_view_by_planes(&polygon, &view.view_frustum, needed, &again, NULL, &result);
     DEMAND((cut == FXL_CLIP_INSIDE) == (needed == 0));
     judge_view_clip(cut, result, &view);
 }

@@ -178,7 +178,7 @@ void fuzz_volumes(fuzz_input *in)
     record_varying(result);
     bool inside = true;
     for (uint32_t i = 0; i < polygon.count; i++) {
-        inside = inside && fxl_volume_holds(&volume, &polygon.vertices[i].position);
+        inside = inside && fxl_volume_code(&volume, &polygon.vertices[i].position) == 0;
     }
     DEMAND(inside == (cut == FXL_CLIP_INSIDE));
     const fxl_clip_triangle solid = {

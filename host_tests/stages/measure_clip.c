@@ -112,7 +112,7 @@ static void compare_whole(stages_tally *tally, const fxl_view_frustum *frustum,
 {
     static fxl_clip_view_work work;
     const fxl_view_polygon *result;
-    fxl_clip_result whole = fxl_clip_view_to_planes(in, frustum, FXL_PLANES_ALL, &work, &result);
+    fxl_clip_result whole = fxl_clip_view_by_planes(in, frustum, FXL_PLANES_ALL, &work, NULL, &result);
     int same = whole == expected && (result != NULL) == (left != NULL) &&
                (!left || same_vertices(result, left));
     tally->mismatched += !same;
@@ -142,7 +142,7 @@ static void compare_needed(stages_tally *tally, const fxl_view_frustum *frustum,
 {
     static fxl_clip_view_work work;
     const fxl_view_polygon *result;
-    fxl_clip_result by_needed = fxl_clip_view_to_planes(in, frustum, needed, &work, &result);
+    fxl_clip_result by_needed = fxl_clip_view_by_planes(in, frustum, needed, &work, NULL, &result);
     tally->mismatched += (by_needed == FXL_CLIP_INSIDE) != (needed == 0);
     for (int i = 0; result && i < result->count; i++) {
         for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
@@ -318,7 +318,7 @@ static void compare_whole_in_world(stages_tally *tally, const fxl_frustum *frust
 {
     static fxl_clip_world_work work;
     const fxl_polygon *result;
-    fxl_clip_result whole = fxl_clip_world_to_frustum(in, frustum, &work, &result);
+    fxl_clip_result whole = fxl_clip_world_to_planes(in, frustum, FXL_PLANES_ALL, &work, &result);
     int same = whole == expected && (result != NULL) == (left != NULL) &&
                (!left || same_vertices_in_world(result, left));
     tally->mismatched += !same;

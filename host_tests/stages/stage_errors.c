@@ -254,8 +254,10 @@ static void take_random_polygon(tallies *to, stages_random *random)
         stages_check_view_frustum(&to->clip, &lens, &view.view_frustum);
     }
     fxl_polygon polygon = stages_random_polygon(random, &view.camera);
-    fxl_view_polygon seen;
-    fxl_transform_polygon(&view.camera, &polygon, &seen);
+    fxl_view_polygon seen = {.colour = polygon.colour, .count = polygon.count};
+    for (int i = 0; i < polygon.count; i++) {
+        fxl_transform_point(&view.camera, &polygon.vertices[i].position, &seen.vertices[i].position);
+    }
     if (stages_random_below(random, 8) == 0) {
         fxl_plane *plane = &view.frustum.planes[stages_random_below(random, FXL_PLANE_COUNT)];
         uint32_t on = stages_random_below(random, polygon.count);

@@ -166,12 +166,3 @@ def test_code_is_read_to_its_last_instruction():
         code.instruction(0x10C)
     with pytest.raises(ToolError, match="no code at 0xfe"):
         code.instruction(0xFE)
-
-
-def test_a_function_holds_the_addresses_up_to_its_end():
-    code = object.__new__(MachineCode)
-    code.functions = [types.SimpleNamespace(name=name, start=start, end=end) for name, start, end in
-                      (("f", 0x100, 0x110), ("g", 0x120, 0x130))]
-    code.starts = [0x100, 0x120]
-    found = [code.function_at(address) for address in (0xFF, 0x100, 0x10F, 0x110, 0x11F, 0x120, 0x12F, 0x130)]
-    assert [each and each.name for each in found] == [None, "f", "f", None, None, "g", "g", None]

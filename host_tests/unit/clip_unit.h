@@ -44,6 +44,17 @@ static inline void clip_look(const fxl_pose *pose, const fxl_lens *lens, fxl_cam
     fxl_frustum_from_sides(camera, lens, frustum, world);
 }
 
+/* Transforms each vertex of a polygon, and copies colour and count. */
+static inline void clip_see_polygon(const fxl_camera *camera, const fxl_polygon *polygon,
+                                    fxl_view_polygon *seen)
+{
+    seen->colour = polygon->colour;
+    seen->count = polygon->count;
+    for (int i = 0; i < polygon->count; i++) {
+        fxl_transform_point(camera, &polygon->vertices[i].position, &seen->vertices[i].position);
+    }
+}
+
 enum {
     PLANE_CASES = 12
 };

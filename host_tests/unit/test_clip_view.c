@@ -164,7 +164,7 @@ static fxl_clip_result clip(const fxl_view_polygon *polygon, const fxl_view_poly
     fxl_lens lens = unit_lens(64, 64);
     fxl_view_frustum frustum;
     fxl_view_frustum_from_lens(&lens, &frustum);
-    return fxl_clip_view_to_planes(polygon, &frustum, FXL_PLANES_ALL, &work, result);
+    return fxl_clip_view_by_planes(polygon, &frustum, FXL_PLANES_ALL, &work, NULL, result);
 }
 
 static fxl_view_polygon polygon_of(const int *numbers, size_t count)
@@ -281,7 +281,8 @@ static const fxl_view_polygon *cut_one_by_one(const fxl_view_polygon *polygon, b
     fxl_view_frustum_from_lens(&lens, &frustum);
     for (int i = 0; i < FXL_PLANE_COUNT && polygon != NULL; i++) {
         const int plane = is_reversed ? FXL_PLANE_COUNT - 1 - i : i;
-        fxl_clip_view_to_planes(polygon, &frustum, (fxl_planes)(1u << plane), &work, &polygon);
+        fxl_clip_view_by_planes(polygon, &frustum, (fxl_planes)(1u << plane), &work, NULL,
+                                &polygon);
     }
     return polygon;
 }

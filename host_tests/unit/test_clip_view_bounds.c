@@ -301,9 +301,9 @@ void test_from_any_place_to_the_screen(void)
         fxl_polygon polygon = far_polygon(&pose.position);
         static fxl_view_polygon view;
         const fxl_view_polygon *result;
-        fxl_transform_polygon(&camera, &polygon, &view);
+        clip_see_polygon(&camera, &polygon, &view);
         fxl_clip_result outcome =
-            fxl_clip_view_to_planes(&view, &frustum, FXL_PLANES_ALL, &work, &result);
+            fxl_clip_view_by_planes(&view, &frustum, FXL_PLANES_ALL, &work, NULL, &result);
         TEST_ASSERT_EQUAL(outcome == FXL_CLIP_INSIDE || outcome == FXL_CLIP_CUT, result != NULL);
         TEST_ASSERT_TRUE(outcome != FXL_CLIP_CAPACITY);
         if (result) {

@@ -242,7 +242,7 @@ static fxl_clip_result clip(const fxl_polygon *polygon, const fxl_polygon **resu
 {
     fxl_lens lens;
     fxl_frustum frustum = frustum_of(&lens);
-    return fxl_clip_world_to_frustum(polygon, &frustum, &work, result);
+    return fxl_clip_world_to_planes(polygon, &frustum, FXL_PLANES_ALL, &work, result);
 }
 
 void test_frustum_inside_returns_the_input(void)

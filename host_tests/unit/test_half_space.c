@@ -155,9 +155,7 @@ void test_points(void)
     };
     for (size_t i = 0; i < sizeof points / sizeof points[0]; i++) {
         fxl_view_point at = {V(points[i].x), V(points[i].y), V(points[i].z)};
-        const uint32_t expected = points[i].outside;
-        TEST_ASSERT_EQUAL(expected, fxl_volume_code(&volume, &at));
-        TEST_ASSERT_EQUAL(expected == 0, fxl_volume_holds(&volume, &at));
+        TEST_ASSERT_EQUAL(points[i].outside, fxl_volume_code(&volume, &at));
     }
 }
 

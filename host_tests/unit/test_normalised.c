@@ -46,7 +46,9 @@ void test_a_point_is_seen_from_the_eye(void)
         const fxl_point point = unit_point(FXL_COORDINATE_MAX);
         const int64_t unit = (int64_t)1 << 30;
         fxl_view_point seen = {0, 0, 0};
-        fxl_normalised_point(&frustum, &point, &seen);
+        fxl_point from_eye;
+        fxl_subtract(&point, &frustum.eye, &from_eye);
+        fxl_normalised_from_eye(&frustum, &from_eye, &seen);
         TEST_ASSERT_TRUE(seen.x == ((int64_t)point.x - Q16(3)) * unit);
         TEST_ASSERT_TRUE(seen.y == ((int64_t)point.y + Q16(5)) * unit);
         TEST_ASSERT_TRUE(seen.z == ((int64_t)point.z - Q16(7)) * unit);

@@ -243,24 +243,3 @@ void test_what_is_set_up_of_a_lens(void)
         TEST_ASSERT_EQUAL_INT32(lenses[i].fast ? 32 : INT32_MAX, made.depth_min);
     }
 }
-
-void test_a_polygon_is_its_points(void)
-{
-    fxl_lens lens = unit_lens(320, 240);
-    fxl_view_polygon view = {.colour = 9, .count = 3};
-    view.vertices[0].position = (fxl_view_point){100, 200, (int64_t)1 << 40};
-    view.vertices[1].position = (fxl_view_point){-V(5), V(2), V(10)};
-    view.vertices[2].position = (fxl_view_point){77777777777, 1 << 25, (int64_t)1 << 38};
-    fxl_screen_polygon screen;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_project_polygon(&lens, &view, &screen));
-    TEST_ASSERT_EQUAL(9, screen.colour);
-    TEST_ASSERT_EQUAL(3, screen.count);
-    for (int i = 0; i < 3; i++) {
-        fxl_screen_point point;
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_project_point(&lens, &view.vertices[i].position, &point));
-        TEST_ASSERT_EQUAL_MEMORY(&point, &screen.points[i], sizeof point);
-    }
-    view.vertices[2].position.z = 0;
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_project_polygon(&lens, &view, &screen));
-    TEST_ASSERT_EQUAL(0, screen.count);
-}

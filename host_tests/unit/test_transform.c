@@ -135,25 +135,6 @@ void test_opposite_corners_of_the_world(void)
     TEST_ASSERT_TRUE_MESSAGE(largest > (int64_t)28370 << 46, "no corner was straight ahead");
 }
 
-void test_a_polygon_is_its_points(void)
-{
-    fxl_pose pose = unit_pose();
-    fxl_camera camera = camera_at(&pose);
-    fxl_polygon polygon = {.colour = 77, .count = FXL_POLYGON_CAPACITY};
-    for (int i = 0; i < polygon.count; i++) {
-        polygon.vertices[i].position = unit_point(FXL_COORDINATE_MAX);
-    }
-    static fxl_view_polygon view;
-    fxl_transform_polygon(&camera, &polygon, &view);
-    TEST_ASSERT_EQUAL(77, view.colour);
-    TEST_ASSERT_EQUAL(FXL_POLYGON_CAPACITY, view.count);
-    for (int i = 0; i < view.count; i++) {
-        fxl_view_point point;
-        fxl_transform_point(&camera, &polygon.vertices[i].position, &point);
-        TEST_ASSERT_EQUAL_MEMORY(&point, &view.vertices[i].position, sizeof point);
-    }
-}
-
 /* Vertices seen through a cache of any size are those worked out by themselves. */
 
 enum {

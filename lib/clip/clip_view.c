@@ -111,10 +111,3 @@ fxl_clip_result fxl_clip_view_by_planes(const fxl_view_polygon *in, const fxl_vi
     *result = (const fxl_view_polygon *)left;
     return cut;
 }
-
-fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
-                                        fxl_planes planes, fxl_clip_view_work *work,
-                                        const fxl_view_polygon **result)
-{
-    return fxl_clip_view_by_planes(in, frustum, planes, work, NULL, result);
-}

@@ -50,12 +50,7 @@ fxl_clip_result fxl_clip_view_to_plane(const fxl_view_polygon *in, const fxl_vie
  * is then lost if a plane cuts it.
  * Error: that of fxl_clip_view_to_plane for each cut. If the input lies inside all
  * planes that are not given, so does the result, to within 1 unit of 2^-46 a
- * coordinate. Source: A10, A12. */
-fxl_clip_result fxl_clip_view_to_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
-                                        fxl_planes planes, fxl_clip_view_work *work,
-                                        const fxl_view_polygon **result);
-
-/* The same as fxl_clip_view_to_planes, and it counts in stats, which may be null. */
+ * coordinate. The function counts its cuts in stats, which may be null. Source: A10, A12. */
 fxl_clip_result fxl_clip_view_by_planes(const fxl_view_polygon *in, const fxl_view_frustum *frustum,
                                         fxl_planes planes, fxl_clip_view_work *work,
                                         fxl_clip_stats *stats, const fxl_view_polygon **result);

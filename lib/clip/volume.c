@@ -136,13 +136,3 @@ uint32_t fxl_volume_code(const fxl_volume *volume, const fxl_view_point *point)
     }
     return code;
 }
-
-bool fxl_volume_holds(const fxl_volume *volume, const fxl_view_point *point)
-{
-    for (uint32_t i = 0; i < FXL_PLANE_COUNT; i++) {
-        if (fxl_half_space_distance(&volume->planes[i], point) < 0) {
-            return false;
-        }
-    }
-    return true;
-}

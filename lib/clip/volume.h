@@ -80,9 +80,6 @@ fxl_q18_46 fxl_half_space_distance(const fxl_half_space *plane, const fxl_view_p
 /* Returns the outcode of a point: bit i is set where the point lies outside plane i. Exact. */
 uint32_t fxl_volume_code(const fxl_volume *volume, const fxl_view_point *point);
 
-/* Tells whether a point is inside all six planes. Exact. */
-bool fxl_volume_holds(const fxl_volume *volume, const fxl_view_point *point);
-
 #ifdef __cplusplus
 }
 #endif

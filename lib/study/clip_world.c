@@ -111,9 +111,3 @@ fxl_clip_result fxl_clip_world_to_planes(const fxl_polygon *in, const fxl_frustu
     FXL_ASSERT((planes & ~(unsigned)FXL_PLANES_ALL) == 0);
     return fxl_clip_world_by_planes(in, frustum, planes, planes, work, NULL, result);
 }
-
-fxl_clip_result fxl_clip_world_to_frustum(const fxl_polygon *in, const fxl_frustum *frustum,
-                                          fxl_clip_world_work *work, const fxl_polygon **result)
-{
-    return fxl_clip_world_to_planes(in, frustum, FXL_PLANES_ALL, work, result);
-}

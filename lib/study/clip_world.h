@@ -26,22 +26,18 @@ extern "C" {
 fxl_clip_result fxl_clip_world_to_plane(const fxl_polygon *in, const fxl_plane *plane,
                                         fxl_polygon *out, fxl_q18_46 *distances);
 
-/* Clips a polygon to the six planes, in the order of their numbers. *result is the input itself
- * where no plane cut it, a polygon of work where one did, null where nothing is left. The input
- * may be a polygon of work; a plane that cuts it then overwrites it. Requirements and error are
- * those of fxl_clip_world_to_plane. */
-fxl_clip_result fxl_clip_world_to_frustum(const fxl_polygon *in, const fxl_frustum *frustum,
-                                          fxl_clip_world_work *work, const fxl_polygon **result);
-
-/* Clips a polygon to some of the six planes: those whose bit, 1 << FXL_PLANE_..., is set. With
- * FXL_PLANES_SIDES the frustum has neither near nor far; together the sides keep what is behind the
- * eye out, too. A polygon through the eye keeps a vertex there, and fxl_project_point refuses that
- * vertex. In all else this is fxl_clip_world_to_frustum. Source: A4. */
+/* Clips a polygon to some of the six planes, in the order of their numbers: those whose bit, 1 <<
+ * FXL_PLANE_..., is set. *result is the input itself where no plane cut it, a polygon of work where
+ * one did, null where nothing is left. The input may be a polygon of work; a plane that cuts it
+ * then overwrites it. With FXL_PLANES_SIDES the frustum has neither near nor far; together the
+ * sides keep what is behind the eye out, too. A polygon through the eye keeps a vertex there, and
+ * fxl_project_point refuses that vertex. Requirements and error are those of
+ * fxl_clip_world_to_plane. Source: A4. */
 fxl_clip_result fxl_clip_world_to_planes(const fxl_polygon *in, const fxl_frustum *frustum,
                                          fxl_planes planes, fxl_clip_world_work *work,
                                          const fxl_polygon **result);
 
-/* Internal: clips as fxl_clip_world_to_frustum does, but tests only the planes whose bit is set in
+/* Internal: clips as fxl_clip_world_to_planes does, but tests only the planes whose bit is set in
  * planes, and those of then, too, once one has cut: rounding may have put a new vertex outside of
  * any plane. stats may be null. */
 fxl_clip_result fxl_clip_world_by_planes(const fxl_polygon *in, const fxl_frustum *frustum,

@@ -123,16 +123,6 @@ void fxl_normalised_from_eye(const fxl_normalised *frustum, const fxl_point *fro
     view_point->z = coordinate(&frustum->z, from_eye->x, from_eye->y, from_eye->z);
 }
 
-/* Both points are within FXL_COORDINATE_MAX, so each difference is below 2^30. */
-void fxl_normalised_point(const fxl_normalised *frustum, const fxl_point *point,
-                          fxl_view_point *view_point)
-{
-    FXL_ASSERT(fxl_point_in_range(point));
-    fxl_point from_eye = {point->x - frustum->eye.x, point->y - frustum->eye.y,
-                          point->z - frustum->eye.z};
-    fxl_normalised_from_eye(frustum, &from_eye, view_point);
-}
-
 /* Sums are below 2^62, and an inset below 2^49. */
 /* clippers 2.2 */
 uint32_t fxl_normalised_code(const fxl_normalised *frustum, const fxl_view_point *point)

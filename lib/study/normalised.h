@@ -43,13 +43,9 @@ typedef struct {
 void fxl_normalised_from_camera(const fxl_camera *camera, const fxl_lens *lens,
                                 fxl_normalised *frustum);
 
-/* Transforms a point of the world. Requires a point in range. Error, given the matrix: half a
- * unit of 2^-46 a coordinate, none where the row's shift is 0. Each coordinate is below 2^61. */
-void fxl_normalised_point(const fxl_normalised *frustum, const fxl_point *point,
-                          fxl_view_point *seen);
-
 /* Transforms a point that is given relative to the eye, along the axes of the world. Requires
- * each of its coordinates below 2^30. Error as above. */
+ * each of its coordinates below 2^30. Error, given the matrix: half a unit of 2^-46 a coordinate,
+ * none where the row's shift is 0. Each coordinate of the result is below 2^61. */
 void fxl_normalised_from_eye(const fxl_normalised *frustum, const fxl_point *from_eye,
                              fxl_view_point *seen);
 

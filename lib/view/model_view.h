@@ -110,11 +110,6 @@ void fxl_transform_point(const fxl_camera *camera, const fxl_point *point, fxl_v
     FXL_REQUIRES(FXL_DIRECTION(&camera->axes.forward)) FXL_ASSIGNS(*view)
     FXL_ENSURES(FXL_POINT_BELOW(view, (int64_t)7 << 59));
 
-/* Transforms every vertex of a polygon as fxl_transform_point does, and copies colour
- * and count. Source: A6. */
-void fxl_transform_polygon(const fxl_camera *camera, const fxl_polygon *polygon,
-                           fxl_view_polygon *view);
-
 #ifdef __cplusplus
 }
 #endif

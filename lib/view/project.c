@@ -134,24 +134,6 @@ fxl_status fxl_project_point(const fxl_lens *lens, const fxl_view_point *view,
     return fxl_project_visible(&projection, view, screen);
 }
 
-fxl_status fxl_project_polygon(const fxl_lens *lens, const fxl_view_polygon *view,
-                               fxl_screen_polygon *screen)
-{
-    fxl_projection projection;
-    fxl_projection_from_lens(lens, &projection);
-    screen->colour = view->colour;
-    screen->count = 0;
-    for (uint32_t i = 0; i < view->count; i++) {
-        fxl_status status =
-            fxl_project_visible(&projection, &view->vertices[i].position, &screen->points[i]);
-        if (status != FXL_OK) {
-            return status;
-        }
-    }
-    screen->count = view->count;
-    return FXL_OK;
-}
-
 /* Projection with one reciprocal for x and y; the remainder decides the last unit.
  *
  * The result must be the same as in project.c. For a side X and a depth Z that is q with

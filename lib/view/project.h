@@ -58,13 +58,6 @@ fxl_status fxl_project_visible(const fxl_projection *projection, const fxl_view_
 fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_point *view,
                               fxl_screen_point *screen);
 
-/* Projects every vertex of a polygon as fxl_project_point does, and copies colour and count.
- * FXL_E_RANGE: as with fxl_project_point; the screen polygon's count is 0, and its points have no
- * meaning.
- * Source: A6 (Listing 65.3, ProjectPolygon). */
-fxl_status fxl_project_polygon(const fxl_lens *lens, const fxl_view_polygon *view,
-                               fxl_screen_polygon *screen);
-
 /* The same as fxl_project_visible, for any point, by a long division. */
 fxl_status fxl_project_any(const fxl_projection *projection, const fxl_view_point *view,
                            fxl_screen_point *screen)

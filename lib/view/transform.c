@@ -11,14 +11,3 @@ void fxl_transform_point(const fxl_camera *camera, const fxl_point *point, fxl_v
     const fxl_view_point eye_itself = {0, 0, 0};
     fxl_rotate(&camera->axes, &difference, &eye_itself, view);
 }
-
-void fxl_transform_polygon(const fxl_camera *camera, const fxl_polygon *polygon,
-                           fxl_view_polygon *view)
-{
-    view->colour = polygon->colour;
-    view->count = polygon->count;
-    for (uint32_t i = 0; i < polygon->count; i++) {
-        const fxl_vertex *vertex = &polygon->vertices[i];
-        fxl_transform_point(camera, &vertex->position, &view->vertices[i].position);
-    }
-}

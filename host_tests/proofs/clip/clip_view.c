@@ -267,24 +267,6 @@ void prove_clip_view_by_planes(void)
 }
 
 /* [[row]]
- * function = "fxl_clip_view_to_planes"
- * property = "the same without counts"
- * checks = 105
- * unwind = 8
- * stands_in = { fxl_clip_view_to_plane = "any_cut", fxl_clip_stats_add = "any_stats" }
- */
-void prove_clip_view_to_planes(void)
-{
-    fxl_view_frustum frustum;
-    const fxl_view_polygon *left;
-    ANY_CONTENT(&polygon_in);
-    ASSUME(is_polygon(&polygon_in));
-    (void)fxl_clip_view_to_planes(&polygon_in, &frustum, nondet_u8() & FXL_PLANES_ALL, &work, &left);
-    ASSERT("nothing, the input, or a polygon of the workspace", left == NULL || is_polygon(left));
-    PROOF_ENDS();
-}
-
-/* [[row]]
  * function = "lib/clip/clip_view.h:fxl_clip_stats_add"
  * property = "any distances of up to 32 vertices, or no counts: nothing is out of bounds"
  * checks = 26

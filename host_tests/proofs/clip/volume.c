@@ -120,21 +120,6 @@ void prove_volume_code(void)
 }
 
 /* [[row]]
- * function = "fxl_volume_holds"
- * property = "any distances: nothing is out of bounds"
- * checks = 61
- * unwind = 7
- * stands_in = { fxl_half_space_distance = "any_distance" }
- */
-void prove_volume_holds(void)
-{
-    fxl_view_point point;
-    ASSUME(FXL_POINT_BELOW(&point, ((int64_t)1 << 61) - 1));
-    (void)fxl_volume_holds(&volume, &point);
-    PROOF_ENDS();
-}
-
-/* [[row]]
  * function = "fxl_volume_from_window"
  * property = "any window, or null: nothing overflows, and its planes are half-spaces"
  * checks = 119

@@ -186,25 +186,3 @@ void prove_project_point(void)
     (void)fxl_project_point(&lens, &view, &screen);
     PROOF_ENDS();
 }
-
-/* [[row]]
- * function = "fxl_project_polygon"
- * property = "any lens and polygon of up to 32 vertices of the view: all vertices or none"
- * checks = 290
- * unwind = 33
- * stands_in = { fxl_project_visible = "any_projection" }
- */
-void prove_project_polygon(void)
-{
-    const fxl_lens lens = any_lens();
-    static fxl_view_polygon view;
-    static fxl_screen_polygon screen;
-    ANY_CONTENT(&view);
-    ASSUME(view.count <= FXL_POLYGON_CAPACITY);
-    for (uint32_t i = 0; i < FXL_POLYGON_CAPACITY; i++) {
-        ASSUME(FXL_POINT_BELOW(&view.vertices[i].position, ((int64_t)1 << 61) - 1));
-    }
-    const fxl_status status = fxl_project_polygon(&lens, &view, &screen);
-    ASSERT("all vertices or none", screen.count == (status == FXL_OK ? view.count : 0));
-    PROOF_ENDS();
-}

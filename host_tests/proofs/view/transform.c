@@ -33,34 +33,3 @@ void prove_transform_point(void)
     fxl_transform_point(camera, point, view);
     PROOF_ENDS();
 }
-
-/* For fxl_transform_point: what its contract requires. */
-void any_transform(const fxl_camera *camera, const fxl_point *point, fxl_view_point *view)
-{
-    fxl_view_point any;
-    (void)camera;
-    ASSERT("a point of the world", FXL_POINT_BELOW(point, FXL_COORDINATE_MAX));
-    *view = any;
-}
-
-/* [[row]]
- * function = "fxl_transform_polygon"
- * property = "any polygon of up to 32 vertices of the world: nothing is out of bounds"
- * checks = 93
- * unwind = 33
- * stands_in = { fxl_transform_point = "any_transform" }
- */
-void prove_transform_polygon(void)
-{
-    fxl_camera camera;
-    static fxl_polygon polygon;
-    static fxl_view_polygon view;
-    ANY_CONTENT(&polygon);
-    ASSUME(polygon.count <= FXL_POLYGON_CAPACITY);
-    for (uint32_t i = 0; i < FXL_POLYGON_CAPACITY; i++) {
-        ASSUME(FXL_POINT_BELOW(&polygon.vertices[i].position, FXL_COORDINATE_MAX));
-    }
-    fxl_transform_polygon(&camera, &polygon, &view);
-    ASSERT("as many vertices", view.count == polygon.count);
-    PROOF_ENDS();
-}

@@ -182,8 +182,9 @@ static void load_normalised(const clipper_case *of, const fxl_normalised *frustu
 {
     *polygon = (fxl_varying_polygon){.count = of->polygon.count, .carried = FXL_CARRIED_MAX};
     for (int i = 0; i < of->polygon.count; i++) {
-        fxl_normalised_point(frustum, &of->polygon.vertices[i].position,
-                             &polygon->vertices[i].position);
+        fxl_point from_eye;
+        fxl_subtract(&of->polygon.vertices[i].position, &frustum->eye, &from_eye);
+        fxl_normalised_from_eye(frustum, &from_eye, &polygon->vertices[i].position);
         case_carry(of, i, &polygon->vertices[i]);
     }
 }

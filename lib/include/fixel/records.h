@@ -120,14 +120,14 @@ typedef struct fxl_model_view {
 
 /* --- clipping ------------------------------------------------------------------------- */
 
-/* The workspace of fxl_clip_view_to_planes. The caller owns it. It keeps nothing from
+/* The workspace of fxl_clip_view_by_planes. The caller owns it. It keeps nothing from
  * one call to the next. */
 typedef struct {
     fxl_view_polygon polygons[2];
     fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
 } fxl_clip_view_work;
 
-/* The workspace of fxl_clip_world_to_frustum (study/clip_world.h). The caller
+/* The workspace of fxl_clip_world_to_planes (study/clip_world.h). The caller
  * owns it. It keeps nothing from one call to the next. */
 typedef struct {
     fxl_polygon polygons[2];

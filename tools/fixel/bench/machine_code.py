@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """A program's functions and instructions, from its ELF file."""
 
-import bisect
 import dataclasses
 import pathlib
 
@@ -42,7 +41,6 @@ class MachineCode:
         symbols = list(table.iter_symbols())
         self.symbols = {symbol.name: symbol["st_value"] for symbol in symbols if symbol.name}
         self.functions = _functions(elf, symbols)
-        self.starts = [function.start for function in self.functions]
         self.sections = [(section["sh_addr"], section.data()) for section in elf.iter_sections()
                          if section["sh_flags"] & SHF_EXECINSTR and section["sh_size"]]
         # "$t" and "$d" mark where code and data begin within a section.
@@ -55,13 +53,6 @@ class MachineCode:
         if name not in self.symbols:
             raise ToolError(f"{self.path} has no symbol {name}: it is not a program of the bench")
         return self.symbols[name] & ~1
-
-    def function_at(self, address):
-        """The function that holds an address, or None."""
-        place = bisect.bisect_right(self.starts, address) - 1
-        if place < 0 or address >= self.functions[place].end:
-            return None
-        return self.functions[place]
 
     def instruction(self, address):
         """The instruction at an address."""
