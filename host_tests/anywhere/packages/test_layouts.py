@@ -226,6 +226,17 @@ def test_zephyr_module_names_what_is_there(packages):
     assert options == set(re.findall(r"^config (\w+)$", (folder / named["kconfig"]).read_text(encoding="utf-8"), re.MULTILINE))
 
 
+def test_conan_has_the_kernels_of_the_core_that_the_flags_of_c_choose(packages, tmp_path):
+    """Whatever the tool chain calls the processor, and where it gives flags to C alone, as Conan's cflags do."""
+    need("cmake", "make", "arm-none-eabi-gcc")
+    run("cmake", "-S", packages / "conan", "-B", tmp_path, "-G", "Unix Makefiles", "-DCMAKE_SYSTEM_NAME=Generic", "-DCMAKE_SYSTEM_PROCESSOR=thumbv7m",
+        "-DCMAKE_C_COMPILER=arm-none-eabi-gcc", "-DCMAKE_C_FLAGS=-mcpu=cortex-m3 -mthumb", "-DCMAKE_BUILD_TYPE=Release",
+        "-DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY")
+    run("make", "-C", tmp_path, "src/clip/clip_by_view_armv7m.obj")
+    kernel, = tmp_path.rglob("clip_by_view_armv7m*.obj")
+    assert " T fxl_clip_by_view" in run("arm-none-eabi-nm", kernel)
+
+
 def test_conan_creates_it_and_its_consumer_runs(packages, tool, tmp_path):
     need("cmake", "gcc")
     conan = tool("conan", "conan>=2.0,<3")
