@@ -137,7 +137,7 @@ bool cortexm_protect(void)
     return true;
 }
 
-#else
+#elif defined(__ARM_ARCH_6M__)
 
 /* The stack is the lowest memory, so an overflow leaves the RAM. The stack is painted, too. */
 bool cortexm_protect(void)
@@ -145,4 +145,6 @@ bool cortexm_protect(void)
     return false;
 }
 
+#else
+#error "no memory protection is known for this architecture"
 #endif
