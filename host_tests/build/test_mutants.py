@@ -2,10 +2,13 @@
 """What fixel mutants takes for a mistake, and what it leaves alone; and the mutants of a small project, of its library and its tools: the same
 bytes on one process and on eight, and what is done is kept."""
 
+import contextlib
+import fcntl
 import json
 import shutil
 import subprocess
 import sys
+import threading
 import types
 
 import pytest
@@ -146,6 +149,7 @@ def test_forgotten_runs():
 CONFTEST = """
 import pathlib
 import sys
+import threading
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tools"))
 """
@@ -217,3 +221,23 @@ def test_other_tests_are_other_shards(project):
     after, said = project(**ALLOWED)
     assert said.count(", 0 of them by earlier commands") == 2
     assert [json.loads(new)["percent"] > json.loads(old)["percent"] for old, new in zip(before, after, strict=True)] == [True, True]
+
+
+def test_two_that_begin_at_once_make_a_folder_once_and_neither_waits_for_the_others_end(tmp_path, monkeypatch):
+    """Each has its lock before one of them makes the folder."""
+    real, both, made = fcntl.flock, threading.Barrier(2), []
+
+    def flock(handle, how):
+        real(handle, how)
+        if how == fcntl.LOCK_SH:
+            both.wait()
+
+    monkeypatch.setattr(library_mutants.fcntl, "flock", flock)
+    monkeypatch.setattr(library_mutants, "_held", contextlib.ExitStack())
+    with library_mutants._held:
+        held = [threading.Thread(target=library_mutants.hold, args=(tmp_path / "library-1", made.append), daemon=True) for _ in range(2)]
+        for thread in held:
+            thread.start()
+        for thread in held:
+            thread.join()
+        assert len(made) == 1 and (tmp_path / "library-1").is_dir()

@@ -155,11 +155,10 @@ def hold(folder, make):
     one of its kind goes when nobody has it."""
     folder.parent.mkdir(parents=True, exist_ok=True)
     lock = _held.enter_context(open(folder.with_suffix(".lock"), "ab"))
-    while True:
-        fcntl.flock(lock, fcntl.LOCK_SH)
-        if folder.exists():
-            return
-        fcntl.flock(lock, fcntl.LOCK_EX)
+    fcntl.flock(lock, fcntl.LOCK_SH)
+    # Not by an exclusive lock of the same file: who waited for that would wait for the end of whoever was first.
+    with open(folder.parent / f"{NAME}.making", "ab") as making:
+        fcntl.flock(making, fcntl.LOCK_EX)
         if not folder.exists():
             _remove_others(folder)
             with scratch.folder("mutants", folder.parent) as new:
