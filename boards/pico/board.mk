@@ -22,7 +22,7 @@ BOARD_DRIVER_ROWS := 20 10
 BOARD_ALONE := rp2040_uart_text
 
 # The boot ROM copies the first 256 bytes of flash to RAM and runs them: boot2.c. The vector table follows.
-BOARD_MEMORY := flash_base=0x10000000 flash_size=2M flash_sector=4K program_size=512K \
+BOARD_MEMORY := flash_base=0x10000000 flash_size=2M flash_sector=4K program_size=512K boot_size=256 \
     ram_base=0x20000000 ram_size=264K stack_size=8K handler_stack_size=1K
 
 BOARD_PARTS := $(filter-out systick,$(CORTEXM_PARTS)) armv6m_fault

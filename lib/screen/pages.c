@@ -87,7 +87,8 @@ static bool set_up_st7565(const fxl_display *display, const fxl_display_config *
            send_commands(display, driver->commands, driver->commands_size);
 }
 
-/* It is powered down until it is turned on, and takes commands and pixels. */
+/* Before it is turned on it is powered down, but for the commands that set it up, and takes
+ * commands and pixels. */
 static bool set_up_pcd8544(const fxl_display *display, const fxl_display_config *config)
 {
     const fxl_display_driver *driver = config->driver;
