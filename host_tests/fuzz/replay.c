@@ -2,7 +2,7 @@
 /* Runs a fuzz target on files, without a fuzzer: the corpus as a test, on any compiler.
  *
  *   replay_TARGET FILE...                  prints a line for each file: its name, and the hash of
- *                                          what the library answered (record.h)
+ *                                          what the library answered (answers.h)
  *   replay_TARGET --record RECORD FILE...  compares them with the lines of a file such as this
  *
  * Exit: 0, or 1 an answer is not that on record, or 2 a file cannot be read. */
