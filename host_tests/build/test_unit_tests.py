@@ -193,3 +193,9 @@ def test_the_text_of_the_unit_tests_is_that_of_a_cortex_m3(cpu):
                              "-Ilib/include", "-Ilib", "-x", "c", "-"], input=includes, cwd=CHECKOUT, text=True, capture_output=True,
                             check=True).stdout for core in ("cortex-m3", cpu)]
     assert texts[0] == texts[1] and texts[0].count("\n") > 2000
+
+
+def test_no_two_files_of_unit_tests_share_a_name():
+    """A suite is called after its file: of two with one name the second would hide what the first found."""
+    names = [file.stem for file in (CHECKOUT / "host_tests").rglob("test_*.c")]
+    assert sorted(names) == sorted(set(names)) and len(names) > 100

@@ -12,10 +12,10 @@ WALK_TEST_CFLAGS := $(WARNINGS) -g1 $(RELATIVE_PATHS) -O1 -fsanitize=undefined -
     -Ilib/include -Ilib -Iboards -Iboards/contract -Ifirmware/walk -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ihost_tests/boards/walk -I$(WALK_TEST) \
     -I$(CMOCK_DIR)/src -I$(WALK_TEST_UNITY)/src -DWALK_BAND_BYTES=1024 -DWALK_ORDER_ENTRIES=4 -DWALK_LIST_BYTES=100 \
     -DWALK_CACHE_ENTRIES=8
-WALK_TEST_OBJECTS := $(addprefix $(WALK_TEST)/,test_walk.o test_path.o test_dump.o test_display.o test_window.o board_double.o scene_bytes.o \
+WALK_TEST_OBJECTS := $(addprefix $(WALK_TEST)/,test_walk.o test_path.o test_dump.o test_walk_display.o test_window.o board_double.o scene_bytes.o \
     walk.o plan.o methods.o targets.o act_path.o path.o)
 
-UNITY_TESTS += $(addprefix $(WALK_TEST)/,test_walk test_path test_dump test_display test_window)
+UNITY_TESTS += $(addprefix $(WALK_TEST)/,test_walk test_path test_dump test_walk_display test_window)
 
 $(WALK_TEST)/mock_%.c $(WALK_TEST)/mock_%.h: boards/contract/%.h host_tests/boards/walk/cmock.yml
 	$(MAKE_FOLDER)
@@ -78,7 +78,7 @@ $(WALK_TEST)/test_dump: $(addprefix $(WALK_TEST)/,test_dump.o test_dump_runner.o
 	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
 
-$(WALK_TEST)/test_display: $(addprefix $(WALK_TEST)/,test_display.o test_display_runner.o display.o mock_panel.o \
+$(WALK_TEST)/test_walk_display: $(addprefix $(WALK_TEST)/,test_walk_display.o test_walk_display_runner.o display.o mock_panel.o \
         unity.o cmock.o)
 	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
