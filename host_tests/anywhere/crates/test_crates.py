@@ -104,12 +104,12 @@ def test_the_picture_of_the_simulator_is_the_librarys(crates, tested, tmp_path):
     assert differ.sum() == text.sum(), "pixels differ outside of the text"
 
 
-def test_every_public_function_is_declared(crates):
-    header = (crates / "fixel-sys" / "c" / "fixel.h").read_text(encoding="utf-8")
+def test_every_public_function_is_declared(crates, tmp_path):
+    sources = crates / "fixel-sys" / "c"
+    header = "".join(file.read_text(encoding="utf-8") for file in sorted(sources.glob("fixel/*.h")))
     header = re.sub(r"/\*.*?\*/", "", header, flags=re.DOTALL)
-    run("gcc", "-O1", "-c", "fixel.c", "-o", "fixel.o", folder=crates / "fixel-sys" / "c")
-    symbols = re.findall(r" [TDRB] (fxl_\w+)", run("nm", "fixel.o", folder=crates / "fixel-sys" / "c"))
-    (crates / "fixel-sys" / "c" / "fixel.o").unlink()
+    run("gcc", "-O1", f"-I{sources}", "-c", *sorted(sources.glob("*/*.c")), folder=tmp_path)
+    symbols = re.findall(r" [TDRB] (fxl_\w+)", run("nm", *sorted(tmp_path.glob("*.o"))))
     public = {name for name in (re.sub(r"_for_polygons_of_\d+$", "", symbol) for symbol in symbols) if re.search(rf"\b{name}\b", header)}
     bindings = (crates / "fixel-sys" / "src" / "bindings.rs").read_text(encoding="utf-8")
     declared = set(re.findall(r"pub (?:fn|static) (fxl_\w+)", bindings))
