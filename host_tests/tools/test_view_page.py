@@ -129,7 +129,7 @@ def test_frames_a_second(page):
     page.click("[data-rate='0']")
     page.wait_for_selector("[data-rate='0'][aria-pressed='true']")
     wait_for_frames(page, 5)
-    page.wait_for_function("() => Number(document.getElementById('board-rate').textContent) > 0")
+    page.wait_for_function("() => Number(document.getElementById('board-rate').textContent.replaceAll(',', '')) > 0")    # 1,020.3 of a quick one
     page.click("[data-rate='30']")
     page.wait_for_selector("[data-rate='30'][aria-pressed='true']")
 
