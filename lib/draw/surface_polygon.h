@@ -6,7 +6,6 @@
 
 #include "../raster/draw_outline.h"
 #include "../raster/scan.h"
-#include "../raster/tiny.h"
 #include "submit_sorted.h"
 #include "submit.h"
 #include "fixel/surfaces.h"
@@ -225,35 +224,20 @@ typedef void fxl_polygon_finder(const void *what, const fxl_model_view *model_vi
                                 const fxl_face *face, const fxl_traversal *traversal,
                                 fxl_surface_polygon *polygon);
 
-/* Paints a polygon in a band; what: as above. tiny: the pixels that it covers, where it is a tiny
- * triangle; else null. Returns true if it is known that it reaches a row. */
+/* Paints a polygon in a band; what: as above. Returns true if it is known that it reaches a row. */
 typedef bool fxl_polygon_painter(const void *what, fxl_workspace *workspace,
                                  const fxl_surface_polygon *polygon, const fxl_screen_point *points,
-                                 uint32_t count, const fxl_tiny *tiny, const fxl_band *band);
-
-/* Finds the pixels of a triangle that is tiny. Most others are as high as to have more rows of
- * centres between two of their points. */
-static inline bool fxl_find_tiny(const fxl_traversal *traversal, fxl_tiny *tiny)
-{
-    const fxl_screen_polygon *screen = &traversal->workspace->screen;
-    const fxl_screen_point *points = screen->points;
-    const int32_t high = (FXL_TINY_SIDE + 1) * 65536;
-    return FXL_HAS_TINY && screen->count == 3 && points[1].y - points[0].y < high &&
-           points[0].y - points[1].y < high && points[2].y - points[0].y < high &&
-           points[0].y - points[2].y < high && fxl_tiny_find(points, traversal->band, tiny);
-}
+                                 uint32_t count, const fxl_band *band);
 
 /* Paints a polygon in the band. One that has no row there may have one on the rest of the screen,
- * which is all that counts. tiny: as of the painter; one of no pixels is not painted. */
+ * which is all that counts. */
 static inline __attribute__((always_inline)) fxl_outcome
 fxl_draw_polygon(const fxl_traversal *traversal, const fxl_surface_polygon *polygon,
-                 fxl_polygon_painter *paint, const fxl_tiny *tiny, const void *what)
+                 fxl_polygon_painter *paint, const void *what)
 {
     fxl_workspace *workspace = traversal->workspace;
     const fxl_screen_polygon *screen = &workspace->screen;
-    const bool paints = tiny == NULL || tiny->pixels != 0;
-    if (!(paints &&
-          paint(what, workspace, polygon, screen->points, screen->count, tiny, traversal->band)) &&
+    if (!paint(what, workspace, polygon, screen->points, screen->count, traversal->band) &&
         !fxl_outline_has_rows(screen, traversal->renderer->frame.view.lens.height)) {
         return 0;
     }
@@ -292,13 +276,11 @@ fxl_submit_found_polygons(const fxl_model_view *model_view, const fxl_face *face
     fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
     fxl_outcome outcome = (fxl_outcome)1 << cut;
     while (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) {
-        fxl_tiny tiny;
-        const bool is_tiny = draws && fxl_find_tiny(traversal, &tiny);
-        if (!found && !(is_tiny && tiny.pixels == 0)) {
+        if (!found) {
             find(what, model_view, face, traversal, polygon);
             found = true;
         }
-        outcome |= draws ? fxl_draw_polygon(traversal, polygon, paint, is_tiny ? &tiny : NULL, what)
+        outcome |= draws ? fxl_draw_polygon(traversal, polygon, paint, what)
                          : fxl_emit_polygon(traversal, polygon);
         if (traversal->clipper->next == NULL || outcome >= FXL_OUTCOME_FULL) {
             break;

@@ -108,10 +108,8 @@ find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
 /* fxl_polygon_painter. */
 static inline __attribute__((always_inline)) bool
 paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_polygon *polygon,
-              const fxl_screen_point *points, uint32_t count, const fxl_tiny *tiny,
-              const fxl_band *band)
+              const fxl_screen_point *points, uint32_t count, const fxl_band *band)
 {
-    (void)tiny;
     return paint_surface(((const fxl_mapped_surface *)what)->surfaces, workspace, polygon, points,
                          count, band);
 }

@@ -167,36 +167,6 @@ paint_flat(fxl_workspace *workspace, const fxl_depth_plane *plane, const fxl_scr
     return paint_flat_here(workspace, plane, points, count, colour, shade, band);
 }
 
-/* The pixels of a tiny triangle. */
-static __attribute__((noinline)) void paint_tiny(fxl_workspace *workspace,
-                                                 const fxl_depth_plane *plane, uint8_t colour,
-                                                 uint8_t shade, const fxl_tiny *tiny,
-                                                 const fxl_band *band)
-{
-    const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
-    const fxl_depth_rule rule = {FXL_TARGET_DEPTH_BITS == 32, head->or_equal};
-    const fxl_gradient *gradient = &plane->gradient;
-    if (head->pass == FXL_DEPTH_BLENDED) {
-        return;
-    }
-    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
-    const fxl_filling filling = fxl_filling_of(band, colour, shade, workspace->dark);
-    for (uint32_t pixels = tiny->pixels; pixels != 0;) {
-        const uint32_t last = 31u - fxl_leading_zeros(pixels);
-        const int32_t x = tiny->column + (int32_t)(last % FXL_TINY_SIDE);
-        const int32_t y = tiny->row + (int32_t)(last / FXL_TINY_SIDE);
-        pixels ^= 1u << last;
-        const uint32_t code =
-            fxl_depth_code_at(head->scale, plane, gradient->at + gradient->down * y, x);
-        void *cells = (uint8_t *)(uintptr_t)(head + 1) +
-                      (size_t)(y - band->first_row) * band->width * (FXL_TARGET_DEPTH_BITS / 8);
-        if (fxl_depth_passes(cells, x, code, rule)) {
-            fxl_depth_keep(cells, x, code, rule.wide);
-            fxl_pixels_of_row(band, (uint32_t)y)[x] = (fxl_pixel)filling;
-        }
-    }
-}
-
 /* fxl_target.flat: what has no depth is at infinity. Front to back, the first of these to cover a
  * pixel is seen, as in a span buffer; far to near, the last one. */
 static bool flat(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band)
@@ -241,14 +211,9 @@ find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
 /* fxl_polygon_painter. */
 static inline __attribute__((always_inline)) bool
 paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_polygon *polygon,
-              const fxl_screen_point *points, uint32_t count, const fxl_tiny *tiny,
-              const fxl_band *band)
+              const fxl_screen_point *points, uint32_t count, const fxl_band *band)
 {
     (void)what;
-    if (tiny != NULL) {
-        paint_tiny(workspace, &polygon->depth, polygon->colour, polygon->shade, tiny, band);
-        return true;
-    }
     return paint_flat(workspace, &polygon->depth, points, count, polygon->colour, polygon->shade,
                       band);
 }
@@ -277,17 +242,9 @@ static inline bool draw_polygon(const fxl_model_view *model_view, const fxl_face
     const fxl_screen_polygon *screen = &workspace->screen;
     const uint8_t shade = FXL_TARGET_PIXEL_BITS == 16 ? screen->shade : 0;
     fxl_depth_plane plane;
-    fxl_tiny tiny;
-    const bool is_tiny = fxl_find_tiny(traversal, &tiny);
-    if (!is_tiny || tiny.pixels != 0) {
-        fxl_find_depth_by_normal(model_view, face, traversal, &plane);
-    }
-    if (is_tiny && tiny.pixels != 0) {
-        paint_tiny(workspace, &plane, face->material, shade, &tiny, traversal->band);
-        return true;
-    }
-    return (!is_tiny && paint_flat_here(workspace, &plane, screen->points, screen->count,
-                                        face->material, shade, traversal->band)) ||
+    fxl_find_depth_by_normal(model_view, face, traversal, &plane);
+    return paint_flat_here(workspace, &plane, screen->points, screen->count, face->material, shade,
+                           traversal->band) ||
            fxl_outline_has_rows(screen, traversal->renderer->frame.view.lens.height);
 }
 
