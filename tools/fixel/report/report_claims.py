@@ -50,7 +50,7 @@ CLAIMS = (
           "that is nearest to the exact product."),
     Claim("orientation_parents", 1, "of its bound", "The centre, the scale and the orientation of an instance with up "
           "to eight parents, against the exact ones, by the bounds for its depth."),
-    Claim("sine_cosine", 1, "2^-30", "A sine or cosine, against the exact one."),
+    Claim("sine_cosine", 0.51, "2^-30", "A sine or cosine, against the exact one."),
     Claim("vertex_unclipped", 0.55, "1/65536 pixel", "The place of an unclipped vertex on the screen, "
           "against the exact place, given its coordinates, the camera's position and matrix."),
     Claim("vertex_turned", 1, "of its bound", "A vertex of a turned and scaled instance in the view, against the exact "
