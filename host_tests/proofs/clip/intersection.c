@@ -5,7 +5,7 @@
 /* [[row]]
  * function = "fxl_intersection_fraction"
  * property = "nothing overflows"
- * checks = 23
+ * checks = 24
  * contract = true
  * uses = ["fxl_fraction"]
  */

@@ -235,7 +235,7 @@ void prove_divide(void)
  * id = "move of line"
  * function = "move"
  * property = "any parameter: nothing overflows, and what is moved is in the view"
- * checks = 47
+ * checks = 53
  * uses = ["fxl_multiply_high"]
  */
 void prove_move(void)

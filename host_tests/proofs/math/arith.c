@@ -104,7 +104,7 @@ void prove_divide_round(void)
 /* [[row]]
  * function = "lib/math/arith.h:fxl_divide_floor"
  * property = "nothing overflows, and the remainder is below the denominator"
- * checks = 81
+ * checks = 83
  * contract = true
  * uses = ["fxl_divide_u32"]
  * flags = ["--object-bits", "8"]

@@ -153,7 +153,7 @@ void prove_channel_of_values(void)
 /* [[row]]
  * function = "set_words"
  * property = "nothing is undefined"
- * checks = 235
+ * checks = 266
  */
 void prove_set_words(void)
 {

@@ -284,3 +284,16 @@ void prove_band_begin_at_column_0(void)
     ASSERT("so many bytes before", (uintptr_t)band.pixels + ((uintptr_t)band.first_column << palette) == before);
     PROOF_ENDS();
 }
+
+/* [[row]]
+ * function = "lib/raster/columns.h:fxl_band_is_aligned"
+ * property = "any band: of two bytes a pixel, its pixels and its palette begin at even addresses"
+ * checks = 19
+ */
+void prove_band_is_aligned(void)
+{
+    fxl_band band;
+    const uintptr_t places = (uintptr_t)band.pixels | (uintptr_t)band.palette;
+    ASSERT("even, or without a palette", fxl_band_is_aligned(&band) == (band.palette == NULL || places % 2 == 0));
+    PROOF_ENDS();
+}

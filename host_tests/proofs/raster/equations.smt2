@@ -4,21 +4,21 @@
 ; id = "fxl_edge_dividend exact"
 ; function = "lib/raster/edge.h:fxl_edge_dividend"
 ; property = "at most 2^14 heights"
-; checks = 6
+; checks = 7
 ; text = ["uint32_t part = (uint32_t)start & 65535;", "int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);", "return (sum - 1) >> 16;"]
 
 ; [[row]]
 ; id = "fxl_edge_first_pixel exact"
 ; function = "lib/raster/edge.h:fxl_edge_first_pixel"
 ; property = "the remainder is below the height"
-; checks = 6
+; checks = 7
 ; text = ["int32_t quotient = fxl_divide_down(dividend, (uint32_t)height);", "*error = (uint32_t)dividend - (uint32_t)quotient * (uint32_t)height;", "FXL_LEMMA(*error < (uint32_t)height);"]
 
 ; [[row]]
 ; id = "fxl_edge_divide exact"
 ; function = "lib/raster/edge_divide.h:fxl_edge_divide"
 ; property = "a quotient is not larger than its dividend"
-; checks = 6
+; checks = 7
 ; text = ["int64_t numerator = (int64_t)dividend * ((int64_t)1 << 32);", "int64_t quotient = numerator / height;", "FXL_LEMMA(FXL_BELOW(quotient, (int64_t)1 << 60));"]
 
 ; Edges of lib/raster/edge.h and lib/raster/edge_divide.h on integers: h is the height, t the centre below the top.

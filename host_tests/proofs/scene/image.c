@@ -242,6 +242,7 @@ fxl_status any_check(const fxl_image_header *head, fxl_scene_fault *fault)
 void prove_scene_sections_check(void)
 {
     fxl_scene_fault fault;
+    passed = 0;
     const fxl_status status = fxl_scene_sections_check(&image.head, nondet_size(), nondet_bool() ? &fault : NULL);
     ASSERT("all four checks passed", status != FXL_OK || passed == 4);
     PROOF_ENDS();

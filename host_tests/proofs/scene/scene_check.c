@@ -278,6 +278,8 @@ void prove_scene_check_with(void)
 {
     any_scene();
     scene.vertices = nondet_bool() ? vertices : NULL;
+    checked = 0;
+    more_checked = false;
     const fxl_status status = fxl_scene_check_with(nondet_bool() ? &scene : NULL, &fault, any_more);
     ASSERT("checked by all", status != FXL_OK || (checked == 10 && more_checked));
     PROOF_ENDS();
