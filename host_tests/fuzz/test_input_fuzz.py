@@ -4,12 +4,10 @@ ToolError with a short message. The seed is fixed; FUZZ_EXAMPLES (make fuzz) ask
 seed."""
 
 import copy
-import functools
 import io
 import json
 import os
 import pathlib
-import re
 import tempfile
 
 from hypothesis import given, strategies as st
@@ -19,8 +17,8 @@ from conftest import CHECKOUT
 from fuzzing import fuzzed, short_refusals
 from fixel.image import image
 from fixel.model import texture_image
-from fixel.scene import toml_billboard, toml_light, toml_model, toml_motion, toml_object, toml_scene, toml_texture
-from fixel.scene import compiler
+from fixel.scene import compiler, keys, toml_scene
+from fixel.scene.toml_table import Several, Sub, inline
 from model_files import glb, gltf, png, stl, stl_text
 from test_checkers import mutant
 from test_ply import binary as ply_binary, text as ply_text
@@ -192,22 +190,8 @@ def test_any_name_of_a_scene(kind, stem):
 
 # --- TOML --------------------------------------------------------------------------
 
-@functools.cache    # what is drawn must not change while it is drawn
-def _keys():
-    """Every key that a table of a scene may have: the sets of names in what reads scenes, and the names of the sets."""
-    found = {"count", "step"}
-    for source in sorted((CHECKOUT / "tools" / "fixel" / "scene").glob("toml_*.py")):
-        text = source.read_text(encoding="utf-8")
-        found.update(*(re.findall("[a-z_]+", names) for names in re.findall(r"\{((?:\s*\"[a-z_]+\",?)+)", text)))
-    return sorted(found)
-
-
-# place key: only if the fuzzer has no values of the key's kind
-# place light: a new setting: random settings
-def test_the_keys_are_those_of_all_that_reads_scenes():
-    assert {*toml_object.KEYS, *toml_scene.TOP_KEYS, *toml_texture.KEYS, *toml_motion.KEYS, *toml_light.KEYS,
-            *toml_billboard.OBJECT_KEYS, "pattern", "wrap", "key", "anchor", "yaw", "offset", "facing", "fog", "visibility",
-            "reserve"} <= set(_keys())
+TABLES_OF_KEYS = [table for name, table in vars(keys).items() if isinstance(table, dict) and name.isupper()]
+EVERY_KEY = sorted({name for table in TABLES_OF_KEYS for name in table})
 
 
 SCALARS = st.sampled_from([
@@ -217,30 +201,22 @@ SCALARS = st.sampled_from([
     '"open"', '"model.obj"', '"/dev/zero"', '"\\u0000"', '"\\u001b[31m"', '"forward"', '"smooth"',
     '"t"', '"b"', '"t.png"', '"bricks"', '"tree"', '"planar"', '"repeat"', '"half"', '"depth"', '"circle"', "[32, 32]", "[4, 4096]",
     '"' + "x" * 5000 + '"', "[1, 2, 3]", "[0, 0, 0]", "[1, 0, 0]", "[20, 20]", "[1000, 1000, 1000]", "[]", "{}", "[[]]"])
-KEYS = st.sampled_from(_keys())
+KEYS = st.sampled_from(EVERY_KEY)
 VALUES = st.recursive(SCALARS, lambda inner: st.one_of(
     st.lists(inner, max_size=4).map(lambda items: "[" + ", ".join(items) + "]"),
     st.dictionaries(KEYS, inner, max_size=4).map(
         lambda pairs: "{" + ", ".join(f"{key} = {value}" for key, value in pairs.items()) + "}")), max_leaves=8)
-# Values that a key takes, beside other keys that suit it.
-SOUND_VALUES = {
-    "name": ['"a"', '"the car"'], "position": ["[1, 2, 3]"], "positions": ["[[0, 0, 0], [4, 0, 4]]"],
-    "repeat": ["{ count = [2, 1, 2], step = [3, 3, 3] }"], "scale": ["2", "[1, 2, 0.5]"], "rotation": ["30", "[30, 20, 10]"],
-    "ring": ["{ count = 3, radius = 5 }", "{ count = 3, radius = 5, turned = true }"], "anchor": ['"base"', '"middle"'],
-    "colour": ['"red"', '"#123456"'], "colours": ['["red", "#00f"]'], "colour_index": ["9"], "colour_step": ["1"],
-    "colour_next": ["2"], "layer": ["0", "7"], "kind": ['"convex"', '"sorted"'], "moves": ["true", "false"],
-    "two_sided": ["true"], "clusters": ["true"], "inside": ["true"], "parts": ["[2, 1, 2]"], "shade": ["false"],
-    "turn": ["20", "[20, 10, 5]"], "size": ["2", "0.25", "[8, 8]", "[1, 2]"], "spin": ["{ yaw = 3 }", "{ axis = [1, 1, 0], degrees = 2 }"],
+# Values that keys take by their kinds (keys.py), small ones, and those in which one part must suit another or a name is that of something.
+# place key: only if the fuzzer must know a name or parts that suit one another
+SAID = {
+    "name": ['"a"', '"the car"'], "texture": ['"t"'], "textures": ['["t", ""]'], "billboard": ['"b"'], "parent": ['"car"'], "file": ['"t.png"'],
+    "obj": ['"t.obj"'], "model": ['"t.obj"'], "group": ['"g"', '"t"'], "without": ['"g"', '["t"]'], "tree": ['"all"', '"0"'],
+    "spin": ["{ yaw = 3 }", "{ axis = [1, 1, 0], degrees = 2 }"], "fog": ["{ near = 2, far = 9 }"],
     "motion": ["{ circle = 3, degrees = 4 }", "{ by = [1, 0, 0], frames = 9, back = true }", "{ keys = [{ frames = 2 }, { turn = 9 }] }"],
-    "texture": ['"t"'], "lit": ["true"], "smooth": ["true"], "mapping": ['"box"'], "tiles": ["[2, 2]"], "opacity": ["8", "4"],
-    "division": ['"affine"', "8"], "texels_per_unit": ["4"], "texel_offset": ["[1, 2]"], "file": ['"t.png"'],
-    "pattern": ['"bricks"', '"tree"'], "pixels": ["[8, 8]", '"rgb565"'], "most_colours": ["8"], "bits": ["4", "8", "16"], "blend": ["true", '"add"'], "wrap": ['"repeat"', '"clamp"'],
-    "levels": ["1", "8"], "axis": ["[1, 2, 3]"], "degrees": ["5"], "start": ["30", "{ position = [0, 1, 0] }"], "yaw": ["1"], "pitch": ["2"], "roll": ["3"],
-    "circle": ["4"], "by": ["[2, 0, 0]"], "key": ['"#010203"', '"origin"'], "sides": ["5"], "cells": ["[2, 2]"], "seed": ["3"], "obj": ['"t.obj"'], "group": ['"g"', '"t"'], "without": ['"g"', '["t"]'],
-    "keys": ["[{ position = [0, 0, 0] }, { position = [1, 0, 0], frames = 3 }]", "[{ frames = 3 }, {}]"],
-    "facing": ["true"], "frames": ["9"], "back": ["true"], "repeats": ["true"], "direction": ["[1, 2, 3]"], "ambient": ["0.5"], "sky": ["[0.1, 0.1, 0.2]"],
-    "strength": ["0.5"], "dark": ["0.25"], "points": ["[{ position = [0, 1, 0], range = 4 }]"], "fog": ["{ near = 2, far = 9 }"],
-    "steps": ['[{ keys = ["forward"], frames = 9 }]'], "orbit": ["{ radius = 4 }"], "gait": ["{}", "{ speed_max = 2 }"], "interpolation": ['"smooth"', '"linear"']}
+    "keys": ["[{ position = [0, 0, 0] }, { position = [1, 0, 0], frames = 3 }]", "[{ frames = 3 }, {}]", '["forward"]'],
+    "steps": ['[{ keys = ["forward"], frames = 9 }]']}
+SOUND_VALUES = {name: SAID.get(name) or sorted({inline(value) for table in TABLES_OF_KEYS if name in table
+                                                for value in table[name].kind.sound()}) for name in EVERY_KEY}
 
 
 ODDS = [True] * 7 + [False]     # of a sound value
@@ -254,10 +230,26 @@ def tables(draw, keys, most=4):
             for key in chosen}
 
 
-TABLES = st.sampled_from(["[screen]", "[view]", "[light]", "[[objects]]", "[path]", "[path.orbit]", "[path.gait]",
-                          "[path.start]", "[[beams]]", "[glow]", "[[path.keys]]", "[[path.steps]]", "[objects.ring]",
-                          "[objects.repeat]", "[palette]", "[[textures]]", "[[billboards]]", "[objects.spin]", "[objects.motion]",
-                          "[[objects.motion.keys]]", "[[light.points]]", "[light.fog]"])
+def headings(table, before=""):
+    """The headings of tables in a table."""
+    for name, key in table.items():
+        rows = key.kind.kind if isinstance(key.kind, Several) else None
+        inner = rows if isinstance(rows, Sub) else key.kind if isinstance(key.kind, Sub) else getattr(key.kind, "other", None)
+        if isinstance(inner, Sub):
+            yield f"[[{before}{name}]]" if rows else f"[{before}{name}]"
+            yield from headings(inner.keys, f"{before}{name}.")
+
+
+HEADINGS = ["[[objects]]", *headings(keys.TOP), *headings(keys.OBJECT, "objects.")]
+TABLES = st.sampled_from(HEADINGS)
+
+
+def test_every_key_has_sound_values_and_every_table_its_heading():
+    assert set(SAID) <= set(EVERY_KEY) and all(SOUND_VALUES.values()) and "[2, 9]" in SOUND_VALUES["cells"]
+    assert {"[screen]", "[[beams]]", "[path.orbit]", "[[path.keys]]", "[objects.ring]", "[[objects.motion.keys]]", "[[light.points]]",
+            "[light.fog]", "[objects.images]"} <= set(HEADINGS)
+
+
 KNOWN = st.sampled_from([
     '[[objects]]\nsolid = "box"\n', '[[objects]]\nsolid = "floor"\ncells = [3, 3]\n', "[path]\nkeys = [{ position = [0, 0, 0] }]\n",
     "[path]\norbit = { radius = 4 }\n", '[path]\nsteps = [{ keys = ["forward"], frames = 9 }]\n',
@@ -278,7 +270,7 @@ def toml_files(draw):
     lines = []
     for part in draw(st.lists(st.one_of(KNOWN, KNOWN, TABLES), min_size=1, max_size=4, unique_by=lambda part: part.split("\n")[0])):
         lines.append(part)
-        lines += [f"{key} = {value}" for key, value in draw(tables(_keys(), 1)).items()]
+        lines += [f"{key} = {value}" for key, value in draw(tables(EVERY_KEY, 1)).items()]
     return "\n".join(lines).encode()
 
 
@@ -302,9 +294,9 @@ ROWS = [
     ('[[objects]]\nsolid = "box"\n[objects.motion]\n', {"circle": "4", "degrees": "5"}, ["start", "facing", "back"], ""),
     ('[[objects]]\nsolid = "box"\n[objects.motion]\n', {"by": "[1, 0, 0]", "frames": "9"}, ["back", "repeats", "facing"], ""),
     ('[[objects]]\nsolid = "box"\n[objects.motion]\n', {"keys": "[{ turn = 9 }, {}]"}, ["repeats", "start"], ""),
-    ("[light]\n", {"levels": "8"}, sorted(toml_light.KEYS - {"colour", "sky"}), '[[objects]]\nsolid = "box"\n'),
+    ("[light]\n", {"levels": "8"}, sorted({*keys.LIGHT} - {"colour", "sky"}), '[[objects]]\nsolid = "box"\n'),
     ("[light]\n", {}, ["colour", "sky", "direction", "ambient"], '[[objects]]\nsolid = "box"\n'),
-    (BRICKS + '[[objects]]\nsolid = "box"\n', {"texture": '"t"'}, sorted(toml_texture.KEYS | toml_motion.KEYS - {"parent"}), "")]
+    (BRICKS + '[[objects]]\nsolid = "box"\n', {"texture": '"t"'}, sorted({*keys.SURFACE, *keys.TURNED} - {"parent"}), "")]
 
 
 @fuzzed(0.13)
@@ -343,11 +335,11 @@ def test_any_picture(picture, chance, changes, cut, table):
           ("t.png", bytes(blob)))
 
 
-OF_A_SOLID = toml_object.KEYS - toml_model.KEYS - {"cells", "rings", "taper", "seed", "sea", "sides", "colour", "parent", "textures"}
+OF_A_SOLID = {*keys.OBJECT} - {*keys.MODEL, *keys.SOLID, "colour", "parent", "textures"}
 
 
 @fuzzed(0.1)
-@given(st.one_of(tables(OF_A_SOLID, 3), tables(toml_object.KEYS)), st.sampled_from([{}, {"texture": '"t"'}, {"colour_index": "5"}]))
+@given(st.one_of(tables(OF_A_SOLID, 3), tables(keys.OBJECT)), st.sampled_from([{}, {"texture": '"t"'}, {"colour_index": "5"}]))
 def test_any_object(pairs, more):
     text = "".join(f"{key} = {value}\n" for key, value in {"solid": '"box"', **more, **pairs}.items())
     check("scene.toml", f"{BRICKS}[[objects]]\n{text}[path]\nkeys = [{{ position = [0, 0, 0] }}]\n".encode())

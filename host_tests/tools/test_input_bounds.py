@@ -207,7 +207,6 @@ def test_200_000_continued_lines(tmp_path):
     assert_built(tmp_path, tmp_path / "scene.obj")
 
 
-# place key: only if the key has a bound
 @pytest.mark.parametrize("name, most", [("scene.obj", obj.FILE_MAX), ("scene.toml", toml_table.FILE_MAX)])
 def test_a_file_of_more_bytes_than_the_limit_is_not_read(tmp_path, name, most):
     """1 GB without a line's end; a hole in a file takes no space."""

@@ -97,7 +97,6 @@ def test_without_beams_an_image_is_as_it_was(tmp_path):
     ("direction = [3, -4, 0]", "direction = [0, 0, 0]", ["no direction"]),
     ("direction = [3, -4, 0]", "direction = [0, -1, 0]", ["plane of the window"]),
     ("direction = [3, -4, 0]", "direction = [3, -4, 0]\nposition = [0, 0, 0]", ["beams[0]"]),
-    (", [-4, 2, 1], [-4, 1, 1]]", "]", ["2 corners"]),
     ("[-4, 2, 1], [-4, 1, 1]", "[-4, 1, 1], [-4, 2, 1]", ["not convex"]),
     ("direction = [3, -4, 0]", "direktion = [3, -4, 0]", ['"direction"']),
     ('solid = "box"', 'solid = "prism"\nsides = 20', ["too many to be split"]),

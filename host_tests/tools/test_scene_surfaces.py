@@ -406,21 +406,16 @@ def test_what_is_wrong_is_named(tmp_path):
             (own, ["file, pattern", "none is given"]),
             (own + 'pattern = "brick"\n', ['did you mean "bricks"']),
             (own + 'pattern = "checker"\nfile = "p.png"\n', ["both file and pattern"]),
-            (own + 'pattern = "checker"\nsize = [16, 12]\n', ["size[1]", "12", "power of two"]),
-            (own + 'pattern = "checker"\nsize = [512, 1]\n', ["size[0]", "512"]),
+            (own + 'pattern = "checker"\nsize = 16\n', ["size", "[width, height]", "16"]),
             (own + 'pattern = "checker"\ncolours = ["red"]\n', ["1 colours", "2"]),
-            (own + 'pattern = "checker"\nbits = 5\n', ["bits: 4, 8 or 16, found 5"]),
             (own + 'file = "odd.png"\nbits = 16\nmost_colours = 9\n', ["most_colours", "RGB565 keep every colour"]),
             (own + 'pattern = "checker"\nsize = [1, 8]\nbits = 4\n', ["at least 2 wide"]),
             (own + 'pattern = "checker"\nmost_colours = 5\n', ["most_colours", "belongs to a file"]),
-            (own + 'pattern = "checker"\nlevels = 10\n', ["levels = 10"]),
-            (own + 'pattern = "checker"\nwrap = "mirror"\n', ["wrap", '"mirror"']),
             (own + 'file = "gone.png"\n', ["there is no file", "gone.png"]),
             (own + 'file = "bad.png"\n', ["bad.png", "cannot be read", "PNG"]),
             (own + 'file = "odd.dds"\n', ["odd.dds", "DDS", "save it as PNG", "PNG"]),
-            (own + 'file = "odd.png"\nsize = [4, 4]\n', ["size", "power of two"]),
-            (TEXTURE + TEXTURE, ['there is a texture "t" already']),
-            ('[[textures]]\npattern = "checker"\n', ['"name" is missing'])):
+            (own + 'file = "odd.png"\nsize = [4, 4]\n', ["size", '"path"', "[4, 4]"]),
+            (TEXTURE + TEXTURE, ['there is a texture "t" already'])):
         with pytest.raises(ToolError) as caught:
             build(tmp_path, text + TILE)
         assert not [part for part in parts if part not in str(caught.value)], caught.value
@@ -429,16 +424,8 @@ def test_what_is_wrong_is_named(tmp_path):
 def test_what_is_wrong_of_an_object_is_named(tmp_path):
     for text, parts in (
             ('textures = ["t"]\n', ["both texture and textures"]),
-            ("division = 4\n", ["division", "4", '"affine"']),
-            ("opacity = 0\n", ["opacity = 0", "1..16"]),
-            ('blend = "mix"\n', ["blend", 'expected true, false or "add", found "mix"']),
-            ("blend = 1\n", ["blend", 'expected true, false or "add", found 1']),
-            ("tiles = [1]\n", ["tiles", "[across, down]"]),
-            ("tiles = [1, 0]\n", ["tiles"]),
             ("tiles = [1, 1]\ntexels_per_unit = 2\n", ["both texels_per_unit and tiles"]),
-            ("texels_per_unit = 0\n", ["texels_per_unit = 0"]),
             ("texels_per_unit = 16384\nscale = 4\n", ["more than 16383 texels long"]),
-            ("texel_offset = 3\n", ["texel_offset", "[u, v]"]),
             ("lit = true\n", ["lit", "[light] levels"]),
             ("smooth = true\n", ["smooth", "[light] levels"]),
             ('mapping = "file"\ntiles = [1, 1]\n', ["tiles", 'mapping = "box"']),

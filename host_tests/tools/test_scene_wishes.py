@@ -154,8 +154,7 @@ def test_a_header_of_c_has_the_tree_that_the_scene_asks_for(tmp_path):
 
 @pytest.mark.parametrize("value, words", [
     ('"7"', ("tree: the layers of the tree are", "all, most or none")), ('"trees"', ("tree: the layers of the tree are", "of 0")),
-    ('""', ("tree: the layers of the tree are",)), ("0", ("tree: expected a string", '"all"', "found 0")),
-    ("true", ("tree: expected a string",)), ('["all"]', ("tree: expected a string",))])
+    ('""', ("tree: the layers of the tree are",))])
 def test_a_wrong_tree_is_refused(tmp_path, value, words):
     done = run_cli("build", scene_of(tmp_path, f"tree = {value}" + SOLIDS % ""), "-o", tmp_path / "out.fxls")
     assert_one_sentence(done, "scene.toml", *words)

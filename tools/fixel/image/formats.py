@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""Writes what the fields of a scene image are in C and in docs/formats.md, of their table in tools/fixel/image/fields.py."""
+"""Writes what the fields of a scene image are in C and in docs/formats.md, of their table in tools/fixel/image/fields.py, and what values and
+defaults the keys of a scene file have in docs/scenes.md, of their tables in tools/fixel/scene/keys.py."""
 
 import argparse
 import pathlib
 import re
 
 from fixel.base import output
+from fixel.commands import late
 from fixel.image.fields import ENTRY, HEAD, HEADER, SECTIONS, VERSION
 
+keys = late("fixel.scene", "keys")
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-DOCUMENT = "docs/formats.md"
+DOCUMENT, KEYS = "docs/formats.md", "docs/scenes.md"
 WRITTEN = """/* SPDX-License-Identifier: MIT */
 /* {}
  * Written by `fixel formats` of tools/fixel/image/fields.py: change that. Internal. */
@@ -108,9 +111,43 @@ def page(text):
     return text
 
 
+# place key: where its row stands in the page, if its table is new
+# The tables of docs/scenes.md: what stands before a key, its table in keys.py, and which of its keys; none: all.
+def _key_tables():
+    baked = {"direction", "ambient", *keys.BAKED}
+    own = {*keys.OBJECT} - {*keys.SURFACE, *keys.TURNED}
+    return {
+        "top": [("", keys.TOP, {"background"}), ("screen.", keys.SCREEN, None), ("view.", keys.VIEW, None), ("light.", keys.LIGHT, baked),
+                ("glow.", keys.GLOW, None), ("palette.", keys.PALETTE, None),
+                ("", keys.TOP, {"tree", "textures", "billboards", "objects", "beams", "path"})],
+        "objects": [("", keys.OBJECT, own), ("ring.", keys.RING, None), ("repeat.", keys.REPEAT, None), ("", keys.SPRITE, {"billboard"})],
+        "textures": [("", keys.TEXTURE, None)], "surfaces": [("", keys.SURFACE, None), ("images.", keys.IMAGES, None)],
+        "billboards": [("", keys.BILLBOARD, None)],
+        "motions": [("", keys.TURNED, None), ("spin.", keys.SPIN, None), ("motion.", keys.MOTION, None), ("motion.keys[].", keys.MOTION_KEY, None)],
+        "light": [("light.", keys.LIGHT, {*keys.LIGHT} - baked), ("light.points[].", keys.POINT, None), ("light.fog.", keys.FOG, None)],
+        "beams": [("", keys.BEAM, None)],
+        "path": [("", keys.PATH, None), ("keys[].", keys.PATH_KEY, None), ("orbit.", keys.ORBIT, None), ("steps[].", keys.STEP, None),
+                 ("start.", keys.START, None), ("gait.", keys.GAIT, None)]}
+
+
+def keys_page(text):
+    """docs/scenes.md with the values and defaults of keys renewed. What a key means stands in the last cell of its row, and stays."""
+    for name, parts in _key_tables().items():
+        block = re.compile(f"(<!-- keys: {name} -->\n)(.*?)(<!-- end -->)", re.DOTALL)
+        found = block.search(text)
+        meanings = {cells[1].strip(" `"): cells[4].strip() for cells in (re.split(r"(?<!\\)\|", row) for row in found[2].splitlines()) if len(cells) == 6}
+        lines = ["| key | value | default | meaning |", "| --- | --- | --- | --- |"]
+        for before, table, those in parts:
+            lines += [f"| `{before}{key}` | {row.kind.values()} | {row.default_words()} | {meanings.get(before + key, '')} |"
+                      for key, row in table.items() if those is None or key in those]
+        text = text[:found.start(2)] + "\n".join(lines) + "\n" + text[found.end(2):]
+    return text
+
+
 def texts():
     """{file: what it must hold}."""
-    return {"lib/scene/scene_sections.h": scene_header(), "lib/paint/surface_sections.h": surface_header(),
+    return {KEYS: keys_page((ROOT / KEYS).read_text(encoding="utf-8")),
+            "lib/scene/scene_sections.h": scene_header(), "lib/paint/surface_sections.h": surface_header(),
             DOCUMENT: page((ROOT / DOCUMENT).read_text(encoding="utf-8"))}
 
 

@@ -20,7 +20,6 @@ __all__ = ["CONVEX", "COORDINATE_MAX", "FACE_VERTICES_MAX", "Face", "IMAGE_MAX",
            "check_coordinates", "check_plane", "load", "pack", "radius_of", "unpack"]
 
 GAIT_MAX, TURN_MAX = 256 << 16, 1 << 30
-# place key: only if it is a member of SceneImage; else what makes faces or colours
 KEYS = {"forward": 1, "back": 2, "left": 4, "right": 8,
         "pitch_up": 16, "pitch_down": 32, "roll_left": 64, "roll_right": 128}
 

@@ -5,7 +5,7 @@
 `private_names.py` finds the names that a source has for itself, which must not meet in one file.
 
 `fixel packages`, of `packages.py`, writes the packages of Arduino, PlatformIO, ESP-IDF, Zephyr, Conan and Rust into
-`build/packages`. `layouts.py` does the work by `layouts.toml`, the one table of what each has. `rust_bindings.py` makes
+`build/packages`, by `layouts.toml`, the one table of what each has. `rust_bindings.py` makes
 declarations of Rust of the public headers.
 
 `fixel docs`, of `docs.py`, writes the reference of the public functions and types into `build/docs`, pages of HTML. Doxygen

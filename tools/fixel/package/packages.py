@@ -8,13 +8,27 @@ import argparse
 import pathlib
 import tomllib
 
+from fixel.base import output
 from fixel.base.errors import ToolError
 from fixel.base.nearest import question
+from fixel.base.version import version
 from fixel.commands import late
 
-layouts = late("fixel.package", "layouts")
+one_text, rust_bindings = late("fixel.package", "one_text rust_bindings")
+examples, making, image = late("fixel.report", "examples"), late("fixel.scene", "making"), late("fixel.image", "image")
 
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 TABLE = pathlib.Path(__file__).with_name("layouts.toml")
+ABOUT = "Fixed-point 3-D renderer for microcontrollers"
+CONFIG = "fixel/config.h"
+# Builds of packages give C another -O than assembly, or assembly none (Arduino: -Os to C alone); both read this.
+NEVER_BY_O = ("#define FXL_CONFIG_H\n", """#define FXL_CONFIG_H
+
+/* As packaged, the library is compact only if the build says so, to C and assembly alike. */
+#ifndef FXL_COMPACT
+#define FXL_COMPACT 0
+#endif
+""")
 
 
 def parser():
@@ -38,7 +52,62 @@ def before(options):
     return known
 
 
+def library():
+    """{path below a package's folder of sources: its text}: the tree of lib/ but for the study, with its public headers beside
+    the rooms."""
+    files = {file.relative_to(one_text.LIB): file for room in one_text.ROOMS for file in sorted((one_text.LIB / room).glob("*.[chS]"))}
+    include = one_text.LIB / "include"
+    files |= {file.relative_to(include): file for file in sorted(include.rglob("*.h"))}
+    # Assembly finds what it includes by the place of the file alone: some builds give it no folders.
+    found = {path.as_posix(): file.read_text(encoding="utf-8").replace('"../include/', '"../') for path, file in files.items()}
+    found[CONFIG] = found[CONFIG].replace(*NEVER_BY_O, 1)
+    return found
+
+
+def texts(layout):
+    """{path in a package: its text}."""
+    source = layout["source"]
+    found = {path: text.lstrip("\n").format(version=version(), about=ABOUT) for path, text in layout["files"].items()}
+    found |= {f"{source}/{path}": text for path, text in library().items()}
+    if layout.get("example"):
+        found[f"{layout['example']}/main.c"] = examples.PROGRAM.read_text(encoding="utf-8")
+    if layout.get("copy"):
+        folder = ROOT / layout["copy"]
+        found |= {file.relative_to(folder).as_posix(): file.read_text(encoding="utf-8") for file in sorted(folder.rglob("*")) if file.is_file()}
+    if layout.get("crate"):
+        bindings = rust_bindings.Bindings(one_text.header_text(version()))
+        found[f"{layout['crate']}/src/bindings.rs"] = bindings.text()
+        found[f"{source}/layouts.c"], found[f"{layout['crate']}/tests/layouts.rs"] = bindings.layouts()
+    for name, sketch in layout.get("sketches", {}).items():
+        found |= {f"examples/{name}/{file.name}": file.read_text(encoding="utf-8") for files in sketch["files"] for file in ROOT.glob(files)
+                  if not file.name.endswith("_scene.h")}
+    found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
+    return found
+
+
+def write(layout, folder):
+    """Writes a package; the number of its files."""
+    found = texts(layout)
+    for path, text in found.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        output.write_file(folder / path, text)
+    if layout.get("example"):
+        examples.write_scene(folder / layout["example"])
+    if layout.get("image"):
+        output.write_file(folder / layout["image"], image.pack(examples.scene()))
+    if layout.get("own_image"):
+        examples.write_own_image(folder / layout["own_image"])
+    for name, sketch in layout.get("sketches", {}).items():
+        making.export(str(ROOT / sketch["scene"]), str(folder / "examples" / name / f"{pathlib.Path(sketch['scene']).stem}_scene.h"),
+                      frames=sketch.get("frames"))
+    return len(found) + len(layout.get("sketches", {}))
+
+
 def main(argv):
     """The command; its exit code."""
-    options = parser().parse_args(argv)     # before the module that does the work is imported
-    return layouts.command(options)
+    options = parser().parse_args(argv)
+    known = before(options)
+    for name in [options.only] if options.only else known:
+        count = write(known[name], options.out / name)
+        print(f"{options.out / name}: {count} files")
+    return 0

@@ -26,7 +26,7 @@ from fixel.base.version import version
 from fixel.commands import late
 from fixel.package import one_text, repository
 
-layouts, package_table = late("fixel.package", "layouts packages")
+package_table = late("fixel.package", "packages")
 zipfile = late("zipfile")
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
@@ -96,7 +96,7 @@ def packages(root, seconds):
     with scratch.folder("release") as folder:
         for name, layout in package_table.table().items():
             place = pathlib.Path(folder) / name
-            layouts.write(layout, place)
+            package_table.write(layout, place)
             made[f"fixel-{version()}-{name}.zip"] = zipped(of_folder(place, "fixel"), seconds)
     return made
 

@@ -16,7 +16,7 @@ def codes_of(file, size):
     """(an image file's codes (texture.codes_of), notes). size: (width, height) to scale it to, or None."""
     name = c_scene.printable(os.path.basename(file))
     opened = texture_image.read(file, name)
-    if size is None and not (texture.is_side(opened.width) and texture.is_side(opened.height)):
+    if size is None and not {opened.width, opened.height} <= set(texture.SIDES):
         raise ToolError(f"{name}: an image of {opened.width} x {opened.height}; the sides of a texture are powers of two from "
                         f"1 to {texture.SIDE_MAX}: let --size scale it, like --size 64x64")
     pixels = opened.scaled(*size) if size else opened.pixels

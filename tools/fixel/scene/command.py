@@ -48,7 +48,7 @@ def make_texture(arguments):
     from fixel.scene import texture
     sides = re.fullmatch(r"([0-9]{1,3})x([0-9]{1,3})", arguments.size) if arguments.size else None
     size = tuple(map(int, sides.groups())) if sides else None
-    if arguments.size and (size is None or not all(map(texture.is_side, size))):
+    if arguments.size and (size is None or not set(size) <= set(texture.SIDES)):
         raise ToolError(f"--size is {quoted(arguments.size)}; it must be like 64x32, both powers of two from 1 to "
                         f"{texture.SIDE_MAX}")
     if not 1 <= arguments.levels <= image_surface.LEVELS_MAX:

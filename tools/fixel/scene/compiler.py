@@ -5,7 +5,7 @@ import dataclasses
 
 from fixel.image import image
 from fixel.model import model_file, suffixes
-from fixel.scene import framing, look as looks, target, toml_scene, tree
+from fixel.scene import framing, keys, look as looks, target, toml_scene, tree
 from fixel.base.job import Quiet
 from fixel.base.errors import ToolError
 
@@ -23,8 +23,8 @@ def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", r
     if not is_model and suffixes.suffix_of(scene) != ".toml":
         model_file.refuse_by_all(scene, scene)
     suffixes.check_scene(scene)
-    if frames is not None and not 1 <= frames <= toml_scene.FRAMES_MAX:
-        raise ToolError(f"--frames {frames} is outside 1..{toml_scene.FRAMES_MAX}")
+    if frames is not None and not 1 <= frames <= keys.FRAMES_MAX:
+        raise ToolError(f"--frames {frames} is outside 1..{keys.FRAMES_MAX}")
     report.stage("reading the file")
     if is_model:
         look = _still(look, scene) if layers and layers != "none" else look

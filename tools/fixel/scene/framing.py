@@ -11,7 +11,7 @@ import numpy as np
 
 from fixel.image import image
 from fixel.model import creases, model_file
-from fixel.scene import model_parts, model_scenery, texture_size, toml_images, toml_model, toml_object, toml_scene, toml_table
+from fixel.scene import keys, model_parts, model_scenery, texture_size, toml_images, toml_model, toml_scene, toml_table
 from fixel.base.errors import ToolError
 from fixel.base.vectors import dot
 from fixel.model.mesh import UNIT, newell, open_edges
@@ -208,7 +208,7 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN, p
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
     points -= middle
     size = float(np.sqrt((points ** 2).sum(axis=1)).max())
-    least = radius / toml_object.SCALE_MAX
+    least = radius / keys.SCALE_MAX
     if not least < size < SIZE_MAX:
         raise ToolError(f"{shortened(name)}: the model's radius of {size:g} is outside {least:g}..{SIZE_MAX:g}: scale the model in the program that "
                         "made it, such as to a radius of 1")

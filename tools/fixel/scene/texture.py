@@ -13,6 +13,7 @@ from fixel.base.errors import ToolError
 from fixel.base.reading import Beside, quoted
 
 SIDE_MAX = 256
+SIDES = tuple(1 << i for i in range(9))    # texels that a texture may be wide or high
 COLOURS_MAX = 255           # of a texture of palette entries
 # place pixel-format: colours of a texture of the format
 EVERY_COLOUR = 1 << 24      # room for the colours of a texture of RGB565: none is merged
@@ -55,11 +56,6 @@ class Picture:
                     counts[number] += 1
         total = max(1, sum(counts))
         return tuple(round(sum(n * c[k] for n, c in zip(counts, self.colours)) / total) for k in range(3))
-
-
-def is_side(number):
-    """Whether a texture may be so wide or high."""
-    return 1 <= number <= SIDE_MAX and number & (number - 1) == 0
 
 
 def _nearest_side(number):
@@ -263,9 +259,11 @@ def pattern(name, width, height, colours):
 
 def pattern_colours(row, name):
     """The colours that a row of a scene file gives a pattern, or the pattern's own."""
-    given = row.rows("colours") if "colours" in row else list(PATTERNS[name][1])
+    if "colours" not in row:
+        return [palette.parse(colour, name) for colour in PATTERNS[name][1]]
+    given = row["colours"]
     check_colours(given, name, row.at("colours"))
-    return [palette.parse(colour, f"{row.at('colours')}[{i}]") for i, colour in enumerate(given)]
+    return given
 
 
 # --- the pictures of a scene -------------------------------------------------------------------
@@ -289,7 +287,7 @@ class Pictures:
 
     def file(self, row, most, any_side=False, key=None, side=SIDE_MAX):
         """The picture of the file that a row of a scene file names (from_pixels)."""
-        name = row.text("file")
+        name = row["file"]
         file = Beside(self.folder, name)
         if not file.exists():
             raise ToolError(f"{row.at('file')}: there is no file {quoted(name)}; the path is taken from the scene file's folder")

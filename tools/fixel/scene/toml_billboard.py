@@ -2,22 +2,17 @@
 """The billboards of a scene file: pictures that objects show instead of a mesh, and what an image keeps of them."""
 
 from dataclasses import dataclass
+from fractions import Fraction
 
 from fixel.image import image_billboard
 from fixel.model import quantity
-from fixel.scene import palette, texture, toml_motion
+from fixel.scene import texture
 from fixel.base.errors import ToolError
 from fixel.image.image_billboard import Billboards, Board
 from fixel.model.mesh import Shape, unit_normal
 from fixel.image.image import Face
 from fixel.base.reading import quoted, shortened
-from fixel.scene.toml_table import Table
 
-# place key: a key of [[billboards]]
-# What an object with a billboard may say.
-OBJECT_KEYS = {"name", "billboard", "position", "positions", "repeat", "ring", "layer", "moves", *toml_motion.KEYS}
-_ROW_KEYS = {"name", "file", "pattern", "pixels", "colours", "most_colours", "bits", "key", "size", "anchor"}
-BOARDS_MAX = 256        # of a scene file
 _COLOURS = {1: 2, 4: 16, 8: 255}
 
 
@@ -32,65 +27,40 @@ class Wish:
     anchor_y: int
 
 
-def _key(row):
-    """The colour of a picture that is not drawn; None: it says so itself."""
-    return palette.parse(row.data["key"], row.at("key")) if "key" in row else None
-
-
-def _most(row, bits):
-    """How many colours a picture may have, beside what is not drawn."""
-    return row.whole("most_colours", 32 if bits == 8 else _COLOURS[bits] - 1, 1, _COLOURS[bits])
-
-
 def _picture(row, pictures, bits):
     if row.only_one("file", "pattern") == "pattern":
-        for key in ("most_colours", "key"):
-            if key in row:
-                raise ToolError(f"{row.at(key)}: belongs to a file")
-        name = row.choice("pattern", None, list(texture.PATTERNS))
-        sides = row.wholes("pixels", 2, texture.SIDE_MAX) if "pixels" in row else (32, 32)
-        return pictures.pattern(row, name, *sides)
-    for key in ("pixels", "colours"):
-        if key in row:
-            raise ToolError(f"{row.at(key)}: belongs to a pattern; a file has its own")
-    return pictures.file(row, _most(row, bits), any_side=True, key=_key(row))
+        row.refuse(("most_colours", "key"), "belongs to a file")
+        return pictures.pattern(row, row["pattern"], *row["pixels"])
+    row.refuse(("pixels", "colours"), "belongs to a pattern; a file has its own")
+    most = row.get("most_colours", 32 if bits == 8 else _COLOURS[bits] - 1)
+    quantity.in_range(most, 1, _COLOURS[bits], row.at("most_colours"))
+    return pictures.file(row, most, any_side=True, key=row["key"])
 
 
-def _pair(row, name, default, low, most):
-    values = row.rows(name) if name in row else default
-    if len(values) != 2:
-        raise ToolError(f"{row.at(name)}: expected two numbers of world units")
-    return tuple(quantity.q16(quantity.in_range(quantity.fraction(value, row.at(name)), low, high, row.at(name), "world units"))
-                 for value, high in zip(values, most))
-
-
-def _wish(data, where, pictures):
+def _wish(row, pictures):
     """(name, Wish) of an entry of billboards."""
-    row = Table(data, where, _ROW_KEYS)
-    name, bits = row.text("name"), row.whole("bits", 8, 1, 8)
-    if bits not in image_billboard.BITS:
-        raise ToolError(f"{row.at('bits')}: 1, 4 or 8, found {bits}")
+    name, bits = row["name"], row["bits"]
     picture = _picture(row, pictures, bits)
     if len(picture.colours) + picture.has_clear > 1 << bits:
         raise ToolError(f"{row.where}: {len(picture.colours)} colours{' and what is not drawn' if picture.has_clear else ''} "
                         f"do not go into {bits} bits a pixel")
     if not picture.colours:
         raise ToolError(f"{row.where}: nothing of the picture is drawn")
-    row.need("size")
-    width, height = _pair(row, "size", None, quantity.fraction("1/256", ""), (8191, 8191))
-    sides = (quantity.fraction(f"{width}/65536", ""), quantity.fraction(f"{height}/65536", ""))
-    anchor = _pair(row, "anchor", [sides[0] / 2, 0], 0, sides)
+    width, height = sides = tuple(map(quantity.q16, row["size"]))
+    anchor = tuple(map(quantity.q16, row.get("anchor", (Fraction(width, 2 << 16), 0))))
+    for at, side in zip(anchor, sides):
+        quantity.in_range(Fraction(at, 1 << 16), 0, Fraction(side, 1 << 16), row.at("anchor"), "world units")
     return name, Wish(picture, bits, width, height, *anchor)
 
 
 def read(top, pictures):
     """The billboards of a scene by name. pictures: the scene's texture.Pictures."""
-    return top.named("billboards", "billboard", BOARDS_MAX, lambda data, where: _wish(data, where, pictures))
+    return top.named("billboards", "billboard", lambda row: _wish(row, pictures))
 
 
 def of_object(table, known):
     """The billboard that an object names."""
-    name = table.text("billboard")
+    name = table["billboard"]
     if name not in known:
         there = shortened(", ".join(sorted(known))) or "none"
         raise ToolError(f"{table.at('billboard')}: there is no billboard {quoted(name)}; the scene's billboards: {there}")

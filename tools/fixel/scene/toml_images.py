@@ -9,15 +9,13 @@ import math
 import numpy as np
 
 from fixel.image import image_surface
-from fixel.scene import image_cut, texture
+from fixel.model import quantity
+from fixel.scene import image_cut, keys, texture
 from fixel.base.errors import ToolError
 from fixel.model.surface import product
 from fixel.scene.surfaces import Paint
 from fixel.scene.toml_table import Table
 
-# place key: a key of images
-KEYS = {"images"}
-_ROW_KEYS = {"size", "colours", "levels", "bits"}
 # place pixel-format: colours of images in the format
 PLAIN_MAX = 128     # colours of images in RGB565 that faces have of the palette
 TINTED_MAX = 64     # textures that are an image times the colours of vertices: more are left without
@@ -62,35 +60,22 @@ def picture(image, colour, size, most, levels, bits):
     return image.pictures[key]
 
 
-def texel_bits(row):
-    """Bits of a texel: 16 of RGB565, 8 or 4 of palette entries."""
-    bits = row.whole("bits", 8, 4, 16)
-    if bits not in (4, 8, 16):
-        raise ToolError(f"{row.at('bits')}: 4, 8 or 16, found {bits}")
-    return bits
-
-
-def _most(row, bits):
-    """How many colours a texture may have. Of 16 one is what is not drawn."""
-    if bits == 16 and "colours" in row:
-        raise ToolError(f"{row.at('colours')}: belongs to 4 and 8 bits; texels of RGB565 keep every colour")
-    return texture.EVERY_COLOUR if bits == 16 else row.whole("colours", 15 if bits == 4 else 32, 1,
-                                                             15 if bits == 4 else texture.COLOURS_MAX)
+def most_colours(row, key, most_of_4):
+    """How many colours a texture may have, by the key of its row. most_of_4: of 4 bits a texel, whose 16 have what is not drawn."""
+    if row["bits"] == 16:
+        row.refuse((key,), "belongs to 4 and 8 bits; texels of RGB565 keep every colour")
+        return texture.EVERY_COLOUR
+    most = row.get(key, 15 if row["bits"] == 4 else 32)
+    return quantity.in_range(most, 1, most_of_4 if row["bits"] == 4 else texture.COLOURS_MAX, row.at(key))
 
 
 def _row(table):
     """(largest side, colours of a texture, levels, bits) of an object's images; None where it has none."""
-    value = table.data.get("images", False)
-    if isinstance(value, bool):
-        value = {} if value else None
-    if value is None:
+    row = table["images"]
+    if row is False:
         return None
-    row = Table(value, table.at("images"), _ROW_KEYS)
-    size = row.whole("size", 64, 1, texture.SIDE_MAX)
-    if not texture.is_side(size):
-        raise ToolError(f"{row.at('size')}: {size} is not a power of two from 1 to {texture.SIDE_MAX}")
-    bits = texel_bits(row)
-    return size, _most(row, bits), row.whole("levels", 1, 1, image_surface.LEVELS_MAX), bits
+    row = Table({}, table.at("images"), keys.IMAGES) if row is True else row
+    return row["size"], most_colours(row, "colours", 15), row["levels"], row["bits"]
 
 
 @dataclasses.dataclass(eq=False)    # equal only if the same: a file may have 65,535 faces, and as many objects
@@ -139,9 +124,8 @@ def read(table, mesh_of, known):
     row = _row(table)
     if row is None:
         return None
-    for key in ("texture", "textures", "mapping", "texels_per_unit", "tiles", "opacity"):
-        if key in table:
-            raise ToolError(f"{table.at(key)}: the materials' images and their opacity are the file's; keep one or the other")
+    table.refuse(("texture", "textures", "mapping", "texels_per_unit", "tiles", "opacity"),
+                 "the materials' images and their opacity are the file's; keep one or the other")
     mesh = mesh_of() if "solid" not in table else None
     surfaces = mesh.surfaces if mesh else None
     if surfaces is None or not has_looks(surfaces):

@@ -6,15 +6,9 @@ import math
 
 from fixel.image import image_beam, image_light
 from fixel.model import quantity
-from fixel.scene import palette
+from fixel.scene import keys, palette
 from fixel.base.errors import ToolError
-from fixel.image.image_header import FAR_MAX
-from fixel.scene.toml_table import Table
 
-# place key: a key of [light]
-KEYS = {"direction", "ambient", "colour", "sky", "bake", "levels", "strength", "dark", "points", "fog"}
-BAKED = ("colour", "sky", "bake")                   # keys of baked light alone
-AT_RUN_TIME = ("strength", "dark", "points", "fog")    # keys of light at run time alone
 
 
 class RunTime:
@@ -34,53 +28,36 @@ def _q30(value):
 
 
 def _points(light):
-    rows = light.rows("points") if "points" in light else []
-    if len(rows) > image_light.POINTS_MAX:
-        raise ToolError(f"{light.at('points')}: {len(rows)} point lights are more than {image_light.POINTS_MAX}")
-    points = []
-    for i, data in enumerate(rows):
-        row = Table(data, f"{light.at('points')}[{i}]", {"position", "range", "strength"})
-        reach = row.number("range", None, Fraction(1, 65536), quantity.COORDINATE_MAX, "world units")
-        points.append((*map(quantity.q16, row.position("position")), quantity.q16(reach),
-                       _q30(row.number("strength", 1, 0, 1))))
-    return points
+    return [(*map(quantity.q16, row["position"]), quantity.q16(row["range"]), _q30(row["strength"])) for row in light.rows("points")]
 
 
 def _fog(light):
     if "fog" not in light:
         return 0, 0
-    fog = light.table("fog", {"near", "far"})
-    near, far = (quantity.q16(fog.number(key, None, 0, FAR_MAX >> 16, "world units")) for key in ("near", "far"))
+    fog = light["fog"]
+    near, far = quantity.q16(fog["near"]), quantity.q16(fog["far"])
     if near >= far:
         raise ToolError(f"{fog.where}: near = {near / 65536:g} is not below far = {far / 65536:g}")
     return near, far
 
 
 def _baked(light, direction, ambient):
-    for key in AT_RUN_TIME:
-        if key in light:
-            raise ToolError(f"{light.at(key)}: belongs to light at run time; give levels too, like levels = 16")
-    return palette.Light([float(c) for c in direction], float(ambient),
-                         palette.parse(light.data.get("colour", "white"), light.at("colour")),
-                         palette.parse(light.data.get("sky", "white"), light.at("sky")), light.switch("bake", False))
+    light.refuse(keys.AT_RUN_TIME, "belongs to light at run time; give levels too, like levels = 16")
+    return palette.Light([float(c) for c in direction], float(ambient), light["colour"], light["sky"], light["bake"])
 
 
 def _run_time(light, direction, ambient):
-    for key in BAKED:
-        if key in light:
-            raise ToolError(f"{light.at(key)}: belongs to light that the tool computes; leave out levels or {key}")
-    levels = light.whole("levels", None, image_light.LEVELS_MIN, image_light.LEVELS_MAX)
+    light.refuse(keys.BAKED, "belongs to light that the tool computes; leave out levels or {key}")
     whole = math.lcm(*(c.denominator for c in direction))
-    made = image_light.Light(_q30(ambient), _q30(light.number("strength", 1 - ambient, 0, 1)),
+    made = image_light.Light(_q30(ambient), _q30(light.get("strength", 1 - ambient)),
                              image_beam.unit([int(c * whole) for c in direction]), [], _points(light), _fog(light))
-    return RunTime(made, palette.parse(light.data.get("dark", "black"), light.at("dark")), levels)
+    return RunTime(made, light["dark"], light["levels"])
 
 
 def read(top):
     """What lights a scene: it bakes a colour, or marks it as one for a ramp (RunTime)."""
-    light = top.table("light", KEYS)
-    direction = quantity.vector(light.data.get("direction", ["-0.4", "-1", "0.7"]), light.at("direction"))
+    light = top.table("light")
+    direction, ambient = light["direction"], light["ambient"]
     if not any(direction):
         raise ToolError(f"{light.at('direction')}: [0, 0, 0] is no direction")
-    ambient = light.number("ambient", Fraction(2, 5), 0, 1)
     return (_run_time if "levels" in light else _baked)(light, direction, ambient)

@@ -15,13 +15,10 @@ from fixel.base.notes import Usual
 from fixel.base.reading import Beside, QUOTE_MAX, quoted
 from fixel.image import image
 from fixel.model import merge, model_file, simplify, suffixes, t_junctions
-from fixel.model.mesh import FILE_FACES_MAX, Mesh, UNIT, rounding_error, shape
+from fixel.model.mesh import Mesh, UNIT, rounding_error, shape
 from fixel.model.sources import Sources
 
-# place key: a key of an object's model file: obj, model, fit and others
-KEYS = {"obj", "model", "group", "without", "fit", "mend", "merge", "simplify"}
 NEAR_MAX = 1000     # names of groups among which the nearest is looked for
-FIT_MAX = 16382
 
 
 class Files:
@@ -124,17 +121,7 @@ def groups_of(table):
     """The Groups of an object; None where it says nothing of them."""
     if "group" not in table and "without" not in table:
         return None
-    return Groups(_names(table, "group"), _names(table, "without"), table.at("group" if "group" in table else "without"))
-
-
-def _names(table, key):
-    """The names of groups: one, or a list of them."""
-    if key not in table:
-        return ()
-    value = table.need(key)
-    if isinstance(value, list) and value and all(isinstance(each, str) for each in value):
-        return tuple(value)
-    return (table.text(key),)
+    return Groups(table["group"], table["without"], table.at("group" if "group" in table else "without"))
 
 
 def _check_group(mesh, file, group, where):
@@ -148,7 +135,7 @@ def _check_group(mesh, file, group, where):
 
 def read(table, key, files, progress):
     """(mesh, its Beside, notes) of an object's file; files: a Files with those that were read already."""
-    name = table.text(key)
+    name = table[key]
     if key == "obj" and suffixes.is_model(name) and suffixes.suffix_of(name) != ".obj":
         raise ToolError(f"{table.at('obj')}: {quoted(name)} is no OBJ file; say model = instead of obj =")
     file, where = files.file(name), f"{table.at(key)}: {quoted(name)}"
@@ -165,11 +152,6 @@ def read(table, key, files, progress):
     mesh, notes = reader(file, None, progress, files.sources)
     mesh.unread = files.sources.unread[known:]
     return mesh, file, notes
-
-
-def faces_asked(table):
-    """How many faces an object's model is to have at most; None where it is to keep them."""
-    return table.whole("simplify", None, simplify.FACES_MIN, FILE_FACES_MAX) if "simplify" in table else None
 
 
 def near_origin(mesh):
@@ -192,18 +174,17 @@ def short(value):
 
 def fit(table, mesh):
     """The scale that makes the model's largest extent so many units."""
-    wanted = table.number("fit", None, Fraction(1, 1000), FIT_MAX, "world units")
     if "scale" in table:
         raise ToolError(f"{table.where}: both fit and scale are given; keep one")
     if mesh.extent == 0:
         raise ToolError(f"{table.at('fit')}: the model has no extent: all its vertices are one point")
-    return (short(wanted * UNIT / mesh.extent),) * 3
+    return (short(table["fit"] * UNIT / mesh.extent),) * 3
 
 
 def wishes(table, name):
     """(mend, merge) of an object with a file."""
     default = suffixes.holds_triangles(name)
-    return table.switch("mend", default), table.switch("merge", default)
+    return table.get("mend", default), table.get("merge", default)
 
 
 def make(mesh, rows, name, inside, wanted, progress, splits=True):

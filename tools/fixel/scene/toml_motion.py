@@ -13,47 +13,23 @@ from fixel.image import image_placement
 from fixel.image.image_placement import Key, Motion, Placement
 from fixel.model import quantity
 from fixel.model.quantity import matrix, sine_cosine
-from fixel.scene.toml_table import Table
-
-# place key: a key of an object's places or motion: ring, repeat, position; motion, turn, spin, parent
-_RING = {"count", "radius", "start", "turn", "turned"}
-
-
-def _ring_count(table):
-    return table.table("ring", _RING).whole("count", None, 1, 1000) if "ring" in table else 1
-
+from fixel.scene import keys
 
 def ring_is_turned(table):
     """Whether the copies on a ring are one model, each with a turn of its own."""
-    return "ring" in table and table.table("ring", _RING).switch("turned", False)
+    return "ring" in table and table["ring"]["turned"]
 
 
-def _ring_places(table, count):
+def _ring_places(ring):
     """(offset, yaw) of each place on a ring about the position."""
-    if "ring" not in table:
+    if ring is None:
         return [((0, 0, 0), 0)]
-    ring = table.table("ring", _RING)
-    radius = ring.number("radius", None, 0, 16382, "world units")
-    start, turn = ring.degrees("start"), ring.switch("turn", True)
     places = []
-    for i in range(count):
-        yaw = start + Fraction(360 * i, count)
+    for i in range(ring["count"]):
+        yaw = ring["start"] + Fraction(360 * i, ring["count"])
         sine, cosine = sine_cosine(yaw)
-        places.append(((radius * sine, 0, radius * cosine), yaw if turn else 0))
+        places.append(((ring["radius"] * sine, 0, ring["radius"] * cosine), yaw if ring["turn"] else 0))
     return places
-
-
-def _repeat_count(table):
-    if "repeat" not in table:
-        return 1, 1, 1
-    return table.table("repeat", {"count", "step"}).wholes("count", 3, 1000)
-
-
-def _repeat_step(table):
-    if "repeat" not in table:
-        return 0, 0, 0
-    repeat = table.table("repeat", {"count", "step"})
-    return quantity.vector(repeat.need("step"), repeat.at("step"))
 
 
 def _repeated(base, step, count):
@@ -66,28 +42,27 @@ def count(table):
     """How many instances there are."""
     if "positions" in table and "position" in table:
         raise ToolError(f"{table.where}: both position and positions are given; keep one")
-    return (len(table.rows("positions")) if "positions" in table else 1) * _ring_count(table) * math.prod(_repeat_count(table))
+    ring, repeat = table["ring"], table["repeat"]
+    return len(table.get("positions", "1")) * (ring["count"] if ring else 1) * (math.prod(repeat["count"]) if repeat else 1)
 
 
 def places(table):
     """(position, extra yaw) of every instance, in order."""
-    if "positions" in table:
-        bases = [quantity.position(p, f"{table.at('positions')}[{i}]") for i, p in enumerate(table.rows("positions"))]
-    else:
-        bases = [table.position("position") if "position" in table else (0, 0, 0)]
+    bases = table.get("positions", (table["position"],))
     if "ring" not in table and "repeat" not in table:
         return [(base, 0) for base in bases]
-    rings, step, repeat = _ring_places(table, _ring_count(table)), _repeat_step(table), _repeat_count(table)
+    repeat = table["repeat"]
+    step, repeat = (repeat["step"], repeat["count"]) if repeat else ((0, 0, 0), (1, 1, 1))
+    rings = _ring_places(table["ring"])
     return [(point, yaw) for base in bases for out, yaw in rings
             for point in _repeated(map(operator.add, base, out), step, repeat)]
 
 
-KEYS = {"turn", "size", "spin", "motion", "parent"}
-SIZE_MIN, SIZE_MAX = Fraction(1, 256), 256
+SIZE_MIN, SIZE_MAX = keys.SIZE.kind.low, keys.SIZE.kind.high
 FRAMES_MAX = image_placement.FRAME_MAX
 STEP_MAX = 120      # degrees between two keys of the image: less than half a turn, which is the short way
 _FINE = 1 << 156
-ZEROS = (Fraction(0),) * 3
+ZEROS = keys.ZEROS
 
 
 @dataclass
@@ -124,45 +99,29 @@ class Life:
         return bool(any(self.steps) or self.axis or self.radius or len(self.stops) > 1 or self.parent)
 
 
-def _angles(value, where):
-    """yaw, or [yaw, pitch, roll] in degrees."""
-    value = value if isinstance(value, list) else [value, 0, 0]
-    if len(value) != 3:
-        raise ToolError(f"{where}: expected yaw or [yaw, pitch, roll] in degrees")
-    return tuple(quantity.degrees(v, f"{where}[{i}]") for i, v in enumerate(value))
-
-
-def _size(table):
-    return table.number("size", 1, SIZE_MIN, SIZE_MAX)
-
-
 def _read_spin(table, life):
-    spin = table.table("spin", {"axis", "degrees", "start", "yaw", "pitch", "roll"})
+    spin = table["spin"]
     angles = [key for key in ("yaw", "pitch", "roll") if key in spin]
     if ("axis" in spin) == bool(angles):
         raise ToolError(f"{spin.where}: give an axis and degrees, or some of yaw, pitch and roll, in degrees a frame")
     if angles:
-        for key in ("degrees", "start"):
-            if key in spin:
-                raise ToolError(f"{spin.at(key)}: belongs to an axis")
-        life.steps = tuple(spin.degrees(key) for key in ("yaw", "pitch", "roll"))
+        spin.refuse(("degrees", "start"), "belongs to an axis")
+        life.steps = spin["yaw"], spin["pitch"], spin["roll"]
         return
-    axis = quantity.vector(spin.need("axis"), spin.at("axis"))
+    axis = spin["axis"]
     longest = max(map(abs, axis))
     if not longest:
         raise ToolError(f"{spin.at('axis')}: [0, 0, 0] is no axis")
     # Any length will do; a long one has the fewest roundings.
     life.axis = tuple(quantity.q16(c * 8191 / longest) for c in axis)
-    spin.need("degrees")
-    life.spin = spin.degrees("start"), spin.degrees("degrees")
+    life.spin = spin["start"], spin.need("degrees")
 
 
 def _read_circle(motion, life):
-    life.radius = motion.number("circle", None, 0, 16382, "world units")
-    motion.need("degrees")
-    step, start = motion.degrees("degrees"), motion.degrees("start")
+    life.radius = motion["circle"]
+    step, start = motion.need("degrees"), motion["start"]
     life.circle = start, step
-    if motion.switch("facing", False):
+    if motion["facing"]:
         # Along the circle: a quarter turn ahead of the way from its middle, or behind it.
         ahead = 90 if step > 0 else -90
         life.turn = (life.turn[0] + start + ahead, *life.turn[1:])
@@ -170,23 +129,19 @@ def _read_circle(motion, life):
 
 
 def _read_way(motion, life):
-    way = quantity.vector(motion.need("by"), motion.at("by"))
-    frames = motion.whole("frames", None, 1, FRAMES_MAX // 2)
-    life.stops = [Stop(0), Stop(frames, way)]
-    life.repeats = motion.switch("repeats", True)
-    if motion.switch("back", False):
+    frames = motion.need("frames")
+    life.stops = [Stop(0), Stop(frames, motion["by"])]
+    life.repeats = motion["repeats"]
+    if motion["back"]:
         life.stops.append(Stop(2 * frames))
 
 
 def _read_stops(motion, life):
     frame, life.stops = 0, []
-    rows = motion.rows("keys")
-    life.repeats = motion.switch("repeats", True) and len(rows) > 1
-    for i, data in enumerate(rows):
-        key = Table(data, f"{motion.at('keys')}[{i}]", {"frames", "offset", "turn", "size"})
-        offset = quantity.vector(key.data["offset"], key.at("offset")) if "offset" in key else ZEROS
-        life.stops.append(Stop(frame, offset, _angles(key.data.get("turn", 0), key.at("turn")), _size(key)))
-        frame += key.whole("frames", 1, 1, FRAMES_MAX)
+    life.repeats = motion["repeats"] and len(motion["keys"]) > 1
+    for key in motion["keys"]:
+        life.stops.append(Stop(frame, key["offset"], key["turn"], key["size"]))
+        frame += key["frames"]
         if frame > FRAMES_MAX:
             raise ToolError(f"{motion.at('keys')}: more than {FRAMES_MAX:,} frames")
     if life.repeats:
@@ -195,7 +150,7 @@ def _read_stops(motion, life):
 
 def _read_motion(table, life):
     known = {"circle": {"degrees", "start", "facing"}, "by": {"frames", "back", "repeats"}, "keys": {"repeats"}}
-    motion = table.table("motion", set(known).union(*known.values()))
+    motion = table["motion"]
     kind = motion.only_one(*known)
     for key in motion.data:
         if key != kind and key not in known[kind]:
@@ -205,17 +160,13 @@ def _read_motion(table, life):
 
 def read(table):
     """What an object's keys say, or None: it is not turned."""
-    if not any(key in table for key in KEYS):
+    if not any(key in table for key in keys.TURNED):
         return None
-    life = Life(where=table.where)
-    life.turn = _angles(table.data.get("turn", 0), table.at("turn"))
-    life.size = _size(table)
+    life = Life(table["turn"], table["size"], parent=table["parent"], where=table.where)
     if "spin" in table:
         _read_spin(table, life)
     if "motion" in table:
         _read_motion(table, life)
-    if "parent" in table:
-        life.parent = table.text("parent")
     return life
 
 
@@ -258,8 +209,8 @@ def _key(stop, life, position):
 
 def _motion(instance, parent):
     life = instance.life
-    keys = [_key(stop, life, instance.centre) for stop in _fine(life.stops)]
-    return Motion(keys, tuple(map(quantity.angle, life.steps)), life.axis or (0, 0, 0),
+    stops = [_key(stop, life, instance.centre) for stop in _fine(life.stops)]
+    return Motion(stops, tuple(map(quantity.angle, life.steps)), life.axis or (0, 0, 0),
                   tuple(map(quantity.angle, life.spin)) if life.axis else (0, 0), quantity.q16(life.radius),
                   tuple(map(quantity.angle, life.circle)) if life.radius else (0, 0), parent, int(life.repeats))
 
@@ -316,7 +267,7 @@ def _parent_of(instance, named):
     found = named.get(name, [])
     if not found:
         raise ToolError(f"{instance.where}: parent: no object before this one has the name {quoted(name)} and one of "
-                        f"{', '.join(sorted(KEYS))}")
+                        f"{', '.join(sorted(keys.TURNED))}")
     if len(found) > 1:
         raise ToolError(f"{instance.where}: parent: {len(found)} objects have the name {quoted(name)}")
     return found[0]
@@ -331,14 +282,14 @@ def _check_depth(item, parents, depths):
 
 def _parents(lively):
     """{id of an instance: its parent}; and those that move, themselves or as parents, in order."""
-    parents, named, depths, keys = {}, {}, {}, 0
+    parents, named, depths, stops = {}, {}, {}, 0
     for item in lively:
         if item.life.parent is not None:
             parents[id(item)] = _parent_of(item, named)
         named.setdefault(item.name, []).append(item)
         _check_depth(item, parents, depths)
-        keys += _count_keys(item.life.stops)
-        if keys > image_placement.KEYS_MAX:
+        stops += _count_keys(item.life.stops)
+        if stops > image_placement.KEYS_MAX:
             raise ToolError(f"{item.where}: the motions have more than {image_placement.KEYS_MAX:,} keys together, with those that "
                             "large turns need; turn less between two keys, or give fewer objects keys")
     needed = {id(parent) for parent in parents.values()}

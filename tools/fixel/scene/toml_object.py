@@ -8,7 +8,7 @@ import math
 
 from fixel.image import image
 from fixel.model import quantity, solids
-from fixel.scene import palette, parts, toml_billboard, toml_images, toml_light, toml_model, toml_motion, toml_texture
+from fixel.scene import keys, parts, toml_billboard, toml_images, toml_light, toml_model, toml_motion, toml_texture
 from fixel.base.job import Quiet
 from fixel.base.errors import ToolError
 from fixel.model.convex import is_convex
@@ -17,15 +17,9 @@ from fixel.base.reading import quoted
 from fixel.scene.toml_table import Table
 from fixel.model.quantity import matrix
 
-# place key: a key of an object
-KEYS = {"name", "solid", "sides", "taper", "rings", "cells", "seed", "sea", "inside", "parts", "position",
-        "positions", "repeat", "ring", "scale", "rotation", "anchor", "colour", "colours",
-        "shade", "colour_index", "colour_step", "colour_next", "layer", "kind",
-        "moves", "two_sided", "clusters", *toml_model.KEYS, *toml_motion.KEYS, *toml_texture.KEYS}
-SCALE_MAX = 1 << 30     # such as of a model in metres whose sides are nanometres
 INSTANCES_MAX = 65535
+_PLAIN = (200, 192, 176)    # the colour of what has none
 SORTED_NOTE = "not convex, so its faces are sorted far to near"
-_UNTURNED = (Fraction(0),) * 3
 
 
 @dataclass
@@ -46,50 +40,9 @@ class Instance:
     life: object = None     # a toml_motion.Life, of what is turned; its centre is then without the rise
 
 
-def _scale(table):
-    value = table.data.get("scale", 1)
-    if isinstance(value, list):
-        scale = quantity.vector(value, table.at("scale"))
-    else:
-        scale = (quantity.fraction(value, table.at("scale")),) * 3
-    for item in scale:
-        if not 0 < item <= SCALE_MAX:
-            raise ToolError(f"{table.at('scale')} = {quantity.shown(item)} is outside "
-                            f"0..{SCALE_MAX} (0 not included)")
-    return scale
-
-
-def _rotation(table):
-    if "rotation" not in table:
-        return _UNTURNED
-    value = table.need("rotation")
-    if not isinstance(value, list):
-        value = [value, 0, 0]
-    if len(value) != 3:
-        raise ToolError(f"{table.at('rotation')}: expected yaw or [yaw, pitch, roll] in degrees")
-    return tuple(quantity.degrees(v, f"{table.at('rotation')}[{i}]") for i, v in enumerate(value))
-
-
 def _solid_options(table):
-    options = {}
-    if "sides" in table:
-        options["sides"] = table.whole("sides", None, 3, solids.SIDES_MAX)
-    if "rings" in table:
-        options["rings"] = table.whole("rings", None, 2, solids.SIDES_MAX)
-    if "taper" in table:
-        options["taper"] = float(table.number("taper", None, Fraction(1, 100), 10))
-    if "cells" in table:
-        options["cells"] = table.wholes("cells", 2, 200)
-    if "seed" in table:
-        options["seed"] = table.whole("seed", None, 0, 65535)
-    if "sea" in table:
-        options["sea"] = float(table.number("sea", None, 0, Fraction(9, 10)))
-    return options
-
-
-def _parts(table):
-    """(across, along) of the parts that an object is divided into; None for one that is not."""
-    return table.wholes("parts", 2, parts.MOST) if "parts" in table else None
+    options = {key: table[key] for key in keys.SOLID if key in table}
+    return {key: float(value) if isinstance(value, Fraction) else value for key, value in options.items()}
 
 
 # place light: a new setting: what reads light of an object
@@ -110,29 +63,24 @@ class Objects:
         """(mesh, name, identity) of an object's solid or file."""
         source = table.only_one("obj", "model", "solid")
         if source == "solid":
-            for key in sorted(toml_model.KEYS - {"obj", "model"}):
-                if key in table:
-                    raise ToolError(f"{table.at(key)}: means nothing for a solid")
-            name = table.choice("solid", None, list(solids.SOLIDS))
-            options = _solid_options(table)
+            table.refuse(keys.MODEL.keys(), "means nothing for a solid")
+            name, options = table["solid"], _solid_options(table)
             identity = (name, *sorted(options.items()))
             if identity not in self.solids:
                 self.solids[identity] = solids.make(name, options, table.where)
             return self.solids[identity], table.where, identity
-        for key in ("sides", "rings", "taper", "cells", "seed", "sea"):
-            if key in table:
-                raise ToolError(f"{table.at(key)}: means nothing for a file")
-        self.files[table.text(source)], name, notes = toml_model.read(table, source, self.files, self.progress)
+        table.refuse(keys.SOLID, "means nothing for a file")
+        self.files[table[source]], name, notes = toml_model.read(table, source, self.files, self.progress)
         self.notes += notes
         if "simplify" in table:
             self.progress.stage(f"simplifying {name}")
-            count, whole = toml_model.faces_asked(table), name
+            count, whole = table["simplify"], name
             name = self.files.fewer(name, count)
             if name is whole:
                 self.notes.append(f"{name}: simplify: it has no more than {count:,} triangles, and stays as it is")
-        if table.data.get("vertex_colours") == "none":
+        if table["vertex_colours"] == "none":
             name = self.files.plain(name)
-        chosen, by_node = toml_model.groups_of(table), table.data.get("anchor") == "node"
+        chosen, by_node = toml_model.groups_of(table), table["anchor"] == "node"
         if chosen is None:
             return self.files[name], name, (name,)
         return self.files.part(name, chosen, by_node), name, (name, chosen.names, chosen.without, by_node)
@@ -142,8 +90,8 @@ class Objects:
         mesh, name, _ = self.mesh(table)
         if name not in self.files.results or not found:
             return
-        scale = toml_model.fit(table, mesh) if "fit" in table else _scale(table)
-        record = self.simplified.setdefault(name, toml_model.Simplified(name, self.files.results[name], toml_model.faces_asked(table)))
+        scale = toml_model.fit(table, mesh) if "fit" in table else table["scale"]
+        record = self.simplified.setdefault(name, toml_model.Simplified(name, self.files.results[name], table["simplify"]))
         record.scale = max(record.scale, float(max(scale)))
         radii = {}
         for each in found:
@@ -154,7 +102,7 @@ class Objects:
 
     def _pivot(self, table, name, rows):
         """The point about which an object's node turns, in 16.16; None unless the node is its anchor."""
-        if table.data.get("anchor") != "node":
+        if table["anchor"] != "node":
             return None
         chosen = toml_model.groups_of(table) if "solid" not in table else None
         pivot = self.files.pivot(name, chosen) if chosen else None
@@ -164,7 +112,7 @@ class Objects:
 
     def _look_of(self, table):
         """What an object says of its surfaces; one that says nothing has the same as all others that do not."""
-        says = not toml_texture.KEYS.isdisjoint(table.data)
+        says = not keys.SURFACE.keys().isdisjoint(table.data)
         if says or self.plain_look is None:
             look = toml_texture.Wish(table, self.textures, not isinstance(self.light, toml_light.RunTime),
                                      lambda: self.mesh(table)[0], self.images)
@@ -177,13 +125,13 @@ class Objects:
         """The shape, whether it is convex, and where its corners are on its textures, computed once for each mesh, size,
         turn and texture."""
         mesh, name, identity = self.mesh(table)
-        inside = table.switch("inside", False)
+        inside = table["inside"]
         rotation = tuple(a % 360 if a else a for a in rotation)
         sides = self._sides(table, mesh)
         scale = toml_model.fit(table, mesh) if "fit" in table else scale
         wanted = toml_model.wishes(table, name) if "solid" not in table else (False, False)
         wanted = wanted[0], wanted[1] and not look.wanted()     # a merged face has no texture coordinates
-        is_middle = table.data.get("anchor") == "middle"
+        is_middle = table["anchor"] == "middle"
         key = (identity, scale, rotation, inside, sides, wanted, is_middle, look.key)
         if key not in self.shapes:
             self.progress.stage(table.where)
@@ -203,9 +151,7 @@ class Objects:
     @staticmethod
     def _sides(table, mesh):
         """False, True, "open": both sides only where the mesh is open, or "file": as the materials of a glTF file say."""
-        value = table.data.get("two_sided", False)
-        if not isinstance(value, bool) and value not in ("open", "file"):
-            raise ToolError(f"{table.at('two_sided')}: expected true, false, \"open\" or \"file\", found {quoted(value)}")
+        value = table["two_sided"]
         if value == "file" and mesh.scenery is None:
             raise ToolError(f'{table.at("two_sided")}: "file" is for a glTF file, whose materials say so (doubleSided)')
         return value
@@ -237,7 +183,7 @@ class Objects:
 
     def _kind(self, table, convex):
         """Convex or sorted; checked where it is stated."""
-        stated = table.choice("kind", "", ["", "convex", "sorted"])
+        stated = table["kind"]
         if stated == "convex" and not convex:
             raise ToolError(f"{table.at('kind')}: this model is not convex (some vertices stand "
                             "out in front of some face); leave kind away or say \"sorted\"")
@@ -248,15 +194,11 @@ class Objects:
     def _wish(self, table, look):
         """What colours an object's faces wish for, as a key of self.coloured. With textures: their mean colours."""
         if "colour_index" in table:
-            return ("index", table.whole("colour_index", None, 1, 255) - 1, table.whole("colour_next", 0, 0, 254),
-                    table.whole("colour_step", 0, 0, 254))
-        for key in ("colour_step", "colour_next"):
-            if key in table:
-                raise ToolError(f"{table.at(key)}: needs colour_index")
+            return "index", table["colour_index"] - 1, table["colour_next"], table["colour_step"]
+        table.refuse(("colour_step", "colour_next"), "needs colour_index")
         if "colours" in table:
-            bases = tuple(palette.parse(c, f"{table.at('colours')}[{i}]")
-                          for i, c in enumerate(table.rows("colours")))
-            if table.data.get("solid") == "island":
+            bases = table["colours"]
+            if table["solid"] == "island":
                 mesh, _, identity = self.mesh(table)
                 colours = self._shared((identity, bases), lambda: solids.by_height(mesh, bases))
             else:
@@ -267,10 +209,10 @@ class Objects:
             mesh, name, identity = self.mesh(table)
             colours = self._shared((identity, None), lambda: self._of_file(mesh.surfaces, name, identity))
         else:
-            own = palette.parse(table.data.get("colour", "#c8c0b0"), table.at("colour"))
+            own = table.get("colour", _PLAIN)
             bases = (own,) if "colour" in table else tuple(p.picture.mean if p else own for p in look.paints)
             colours = self._shared((bases, look.images), lambda: bases, look)
-        return "shaded" if table.switch("shade", True) else "plain", colours
+        return "shaded" if table["shade"] else "plain", colours
 
     def _shared(self, key, make, look=None):
         """The toml_images.Colours of a wish; the same object for the same wish. Under an image a face's own colour is
@@ -340,20 +282,17 @@ class Objects:
         name = data.get("name") if isinstance(data, dict) else None
         where = f"{self.name}: object {number}" + (f" ({quoted(name)})" if name else "")
         has_billboard = isinstance(data, dict) and "billboard" in data
-        table = Table(data, where, toml_billboard.OBJECT_KEYS if has_billboard else KEYS)
-        if "name" in table:
-            table.text("name")
+        table = Table(data, where, keys.SPRITE if has_billboard else keys.OBJECT)
+        name = table["name"]
         if has_billboard:
             return self._billboards(table, name)
         if sum(key in table for key in ("colour", "colours", "colour_index")) > 1:
             raise ToolError(f"{where}: colour, colours and colour_index exclude each other")
-        scale, rotation = _scale(table), _rotation(table)
-        anchor = table.choice("anchor", "origin", ["origin", "base", "middle", "node"])
+        scale, rotation, anchor = table["scale"], table["rotation"], table["anchor"]
         look = self._look_of(table)
-        layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table, look)
-        clusters = table.switch("clusters", False)
+        layer, moves, clusters, wish = table["layer"], table["moves"], table["clusters"], self._wish(table, look)
         places = self._places(table)
-        life, turned, division = toml_motion.read(table), toml_motion.ring_is_turned(table), _parts(table)
+        life, turned, division = toml_motion.read(table), toml_motion.ring_is_turned(table), table["parts"]
         if division and (life or turned):
             raise ToolError(f"{table.at('parts')}: what turns or moves is not divided; leave parts away")
         shaped, coloured, result = {}, {}, []   # by yaw, and where copies differ by number too
@@ -396,7 +335,7 @@ class Objects:
         scene may have."""
         key = id(whole.shape[0]), whole.shape[1], id(whole.colours), id(whole.looks), division
         if key not in self.divided:
-            self.divided[key] = parts.split(whole, division, table.data.get("kind") == "sorted")
+            self.divided[key] = parts.split(whole, division, table["kind"] == "sorted")
             if len(whole.colours) > FACES_MAX:
                 self.notes.append(f"{whole.where}: a model has at most {FACES_MAX:,} faces and vertices: its {len(whole.colours):,} "
                                   f"faces became {len(self.divided[key])} objects")
@@ -409,7 +348,7 @@ class Objects:
     def _billboards(self, table, name):
         """All instances of an object that shows a billboard. The colour of its face is the picture's mean."""
         wish = toml_billboard.of_object(table, self.billboards)
-        layer, moves, life = table.whole("layer", 0, 0, 255), table.switch("moves", False), toml_motion.read(table)
+        layer, moves, life = table["layer"], table["moves"], toml_motion.read(table)
         if toml_motion.ring_is_turned(table):
             raise ToolError(f"{table.at('ring')}: turned means nothing for a billboard, which looks at the eye")
         places = self._places(table)

@@ -2,41 +2,33 @@
 """From a scene file to a scene image. docs/scenes.md describes the file."""
 
 import collections
+import functools
 from fractions import Fraction
 import math
+import operator
 import os
 
 from fixel.image import image, image_beam, image_header
 from fixel.model import clusters, quantity
 from fixel.model.surface import MEAN_NOTE
-from fixel.scene import palette, target, texture, toml_billboard, toml_light, toml_model, toml_motion, toml_table, toml_texture
+from fixel.scene import keys, palette, target, texture, toml_billboard, toml_light, toml_model, toml_motion, toml_table, toml_texture
 from fixel.scene import path as walk
 from fixel.base.job import Quiet
 from fixel.base.errors import ToolError
 from fixel.image.image import Face, Model, Object, SceneImage
-from fixel.base.reading import quoted, shortened
+from fixel.base.reading import shortened
 from fixel.scene.surfaces import Records
 from fixel.scene.toml_object import Objects, SORTED_NOTE
 from fixel.scene.toml_table import Table
 
-FRAMES_MAX = 1_000_000      # of a path
 POSES_MAX = 32_768          # of keys or an orbit
-# place key: a key of the file, [view], [palette], [path] or [[beams]]
-TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams", "path", "palette",
-            "textures", "billboards", "tree"}
-_VIEW_KEYS = {"fov", "focal", "near", "far", "inset", "centre", "visibility", "pixels", "order", "depth"}
-_PALETTE_KEYS = {"reserve", "colours", "blend"}
 
 
 def _centre(view, width, height, fov, inset):
     """The lens's centre in the image's integers; None for the middle of the screen."""
     if "centre" not in view:
         return None
-    numbers = view.need("centre")
-    if not isinstance(numbers, list) or len(numbers) != 2:
-        raise ToolError(f"{view.at('centre')}: expected [x, y] in pixels, from the upper left corner of the screen")
-    centre = tuple(quantity.q16(quantity.in_range(quantity.fraction(number, view.at("centre")), -4096, 4096,
-                                                  view.at("centre"), "pixels")) for number in numbers)
+    centre = tuple(map(quantity.q16, view["centre"]))
     if centre == image_header.middle(width, height):
         return None
     try:
@@ -48,26 +40,20 @@ def _centre(view, width, height, fov, inset):
 
 def _lens(top):
     """width, height, fov, near, far, inset, centre in the image's integers."""
-    screen = top.table("screen", {"width", "height"})
-    width = screen.whole("width", 320, 1, image_header.SCREEN_MAX)
-    height = screen.whole("height", 240, 1, image_header.SCREEN_MAX)
-    view = top.table("view", _VIEW_KEYS)
+    screen, view = top.table("screen"), top.table("view")
+    width, height = screen["width"], screen["height"]
     if "focal" in view and "fov" in view:
         raise ToolError(f"{view.where}: both fov and focal are given; keep one")
     if "focal" in view:
-        focal = view.number("focal", None, Fraction(1, 1000), 10000, "pixels")
-        turns = Fraction(math.atan2(width / 2, float(focal)) / math.pi)
+        turns = Fraction(math.atan2(width / 2, float(view["focal"])) / math.pi)
         fov = 360 * turns
         quantity.in_range(fov, 10, 150, f"{view.at('focal')}: the field of view that it gives",
                           "degrees")
     else:
-        fov = quantity.in_range(view.degrees("fov", 75), 10, 150, view.at("fov"), "degrees")
+        fov = view["fov"]
     # 10 and 150 degrees are no whole binary angles; the range ends just inside.
     fov = min(max(quantity.angle(fov), image_header.FOV_MIN), image_header.FOV_MAX)
-    near = view.number("near", Fraction(1, 4), Fraction(1, 256), 32767, "world units")
-    far = view.number("far", 256, Fraction(1, 256), 32767, "world units")
-    inset = view.number("inset", 0, 0, 1, "world units")
-    near, far, inset = quantity.q16(near), quantity.q16(far), quantity.q16(inset)
+    near, far, inset = (quantity.q16(view[key]) for key in ("near", "far", "inset"))
     if near + 2 * inset >= far:
         raise ToolError(f"{view.where}: near + 2 inset = {(near + 2 * inset) / 65536:g} is not "
                         f"below far = {far / 65536:g}")
@@ -79,32 +65,21 @@ def _lens(top):
 # rgb565 3.5
 def _target(top, scene):
     """How the scene asks to be drawn: pixels, depth buffer and order. visibility = "depth" means depth = 16."""
-    view = top.table("view", _VIEW_KEYS)
-    scene.pixel_bits = 16 if view.choice("pixels", "palette", ["palette", "rgb565"]) == "rgb565" else 8
-    scene.depth_bits = view.data.get("depth", 0)
-    if type(scene.depth_bits) is not int or scene.depth_bits not in image_header.DEPTHS:
-        raise ToolError(f"{view.at('depth')}: expected 0, 16 or 32, the bits of a pixel's depth, found {quoted(scene.depth_bits)}")
-    if view.choice("visibility", "default", ["default", "depth"]) == "depth":
+    view = top.table("view")
+    scene.pixel_bits = 16 if _is_565(top) else 8
+    scene.depth_bits = view["depth"]
+    if view["visibility"] == "depth":
         if "depth" in view:
             raise ToolError(f'{view.at("visibility")}: "depth" is depth = 16; give only one of visibility and depth')
         scene.depth_bits = 16
-    order = view.choice("order", None, ["distance", "tree"]) if "order" in view else None
-    if order == "tree" and _layers(top) == "none":
+    if view["order"] == "tree" and top["tree"] == "none":
         raise ToolError(f'{view.at("order")}: "tree" needs a tree; give tree = "all" at the top of the file')
-    scene.by_distance = order == "distance"
+    scene.by_distance = view["order"] == "distance"
 
 
 def _is_565(top):
     """Whether frames are of RGB565, which need no shades of light in the palette."""
-    return top.table("view", _VIEW_KEYS).data.get("pixels") == "rgb565"
-
-
-def _layers(top):
-    """The layers that are to have a tree, as text (tree.layers_of), or "none"."""
-    layers = top.data.get("tree", "none")
-    if not isinstance(layers, str):
-        raise ToolError(f'{top.at("tree")}: expected a string like "5", "2,4,5", "all", "most" or "none", found {quoted(layers)}')
-    return layers
+    return top.table("view")["pixels"] == "rgb565"
 
 
 def _on_screen(lens, screen):
@@ -122,57 +97,32 @@ def _check_poses(count, where):
     """Refuses more poses than the limit."""
     if count > POSES_MAX:
         raise ToolError(f"{where}: {count:,} frames are more than the limit of {POSES_MAX:,} that are computed; steps may "
-                        f"have up to {FRAMES_MAX:,}")
+                        f"have up to {keys.FRAMES_MAX:,}")
 
 
-def _key(data, where):
-    key = Table(data, where, {"position", "yaw", "pitch", "roll", "look_at", "frames"})
+def _key(key):
     if "look_at" in key and ("yaw" in key or "pitch" in key):
-        raise ToolError(f"{where}: look_at decides yaw and pitch; remove one or the other")
-    return walk.Key(key.position("position"), key.whole("frames", 1, 1, FRAMES_MAX),
-                    key.degrees("yaw"), key.degrees("pitch"), key.degrees("roll"),
-                    key.position("look_at") if "look_at" in key else None)
+        raise ToolError(f"{key.where}: look_at decides yaw and pitch; remove one or the other")
+    return walk.Key(*(key[name] for name in ("position", "frames", "yaw", "pitch", "roll", "look_at")))
 
 
-def _gait(table):
-    gait = table.table("gait", {"acceleration", "friction", "speed_max", "turn"})
-    numbers = [quantity.q16(gait.number(key, default, 0, 256, "units a step")) for key, default in
-               (("acceleration", "0.05"), ("friction", "0.02"), ("speed_max", "0.4"))]
-    turn = quantity.in_range(gait.degrees("turn", 3), 0, 90, gait.at("turn"), "degrees a step")
-    return (*numbers, quantity.angle(turn))
+def _gait(gait):
+    return (*(quantity.q16(gait[key]) for key in ("acceleration", "friction", "speed_max")), quantity.angle(gait["turn"]))
 
 
 def _strides(table):
-    strides = []
-    for i, data in enumerate(table.rows("steps")):
-        step = Table(data, f"{table.at('steps')}[{i}]", {"keys", "frames"})
-        bits = 0
-        keys = step.need("keys")
-        if not isinstance(keys, list):
-            raise ToolError(f"{step.at('keys')}: expected a list like [\"forward\", \"left\"]")
-        for name in keys:
-            step_key = Table({"key": name}, step.at("keys"), {"key"})
-            bits |= image.KEYS[step_key.choice("key", None, list(image.KEYS))]
-        strides.append((bits, step.whole("frames", 1, 1, 65535)))
-    return strides
+    return [(functools.reduce(operator.or_, (image.KEYS[name] for name in step["keys"]), 0), step["frames"]) for step in table["steps"]]
 
 
-def _start(table):
-    start = table.table("start", {"position", "yaw", "pitch", "roll"})
-    position = start.position("position") if "position" in start else (Fraction(0),) * 3
-    return (*(quantity.q16(c) for c in position),
-            *(quantity.angle(start.degrees(key)) for key in ("yaw", "pitch", "roll")))
+def _start(start):
+    return (*map(quantity.q16, start["position"]), *(quantity.angle(start[key]) for key in ("yaw", "pitch", "roll")))
 
 
 def _orbit(table, frames):
-    orbit = table.table("orbit", {"centre", "radius", "height", "frames", "start", "turns"})
-    centre = orbit.position("centre") if "centre" in orbit else (Fraction(0),) * 3
-    radius = orbit.number("radius", None, Fraction(1, 256), 16382, "world units")
-    height = orbit.number("height", 0, -16382, 16382, "world units")
-    count = frames or orbit.whole("frames", 60, 1, FRAMES_MAX)
+    orbit = table["orbit"]
+    count = frames or orbit["frames"]
     _check_poses(count, table.at("orbit"))
-    poses = walk.orbit(centre, radius, height, count, orbit.degrees("start"),
-                       orbit.number("turns", 1, -100, 100))
+    poses = walk.orbit(orbit["centre"], orbit["radius"], orbit["height"], count, orbit["start"], orbit["turns"])
     for i, pose in enumerate(poses):
         if any(abs(c) > image.COORDINATE_MAX for c in pose[:3]):
             raise ToolError(f"{table.at('orbit')}: frame {i} leaves -8191..8191")
@@ -181,9 +131,9 @@ def _orbit(table, frames):
 
 def _shortened(strides, frames):
     result, left = [], frames
-    for keys, count in strides:
+    for held, count in strides:
         if left:
-            result.append((keys, min(count, left)))
+            result.append((held, min(count, left)))
             left -= result[-1][1]
     return result
 
@@ -192,30 +142,28 @@ def _path(top, frames):
     """(kind, entries, start, gait); no more than frames of them where asked. Without a path there are no entries: see
     path.about."""
     if "path" not in top:
-        return image.POSES, [], (0,) * 6, _gait(Table({}, top.at("path"), set()))
-    table = top.table("path", {"keys", "steps", "orbit", "start", "gait", "interpolation"})
+        return image.POSES, [], (0,) * 6, _gait(Table({}, top.at("path"), keys.GAIT))
+    table = top["path"]
     style = table.only_one("keys", "steps", "orbit")
-    gait = _gait(table)
+    gait = _gait(table.table("gait"))
     if style != "keys" and "interpolation" in table:
         raise ToolError(f"{table.at('interpolation')}: belongs to keys")
     if style == "steps":
         strides = _strides(table)
         total, kind, entries, start = sum(n for _, n in strides), image.STRIDES, strides, \
-            _start(table)
+            _start(table.table("start"))
     else:
         if "start" in table:
             raise ToolError(f"{table.at('start')}: belongs to steps; {style} say where they begin")
         if style == "keys":
-            keys = [_key(data, f"{table.at('keys')}[{i}]")
-                    for i, data in enumerate(table.rows("keys"))]
-            smooth = table.choice("interpolation", "smooth", ["smooth", "linear"]) == "smooth"
-            _check_poses(sum(key.frames for key in keys), table.at("keys"))
-            entries = walk.poses(keys, smooth, f"{table.where}: key")
+            stops = [_key(key) for key in table["keys"]]
+            _check_poses(sum(key.frames for key in stops), table.at("keys"))
+            entries = walk.poses(stops, table["interpolation"] == "smooth", f"{table.where}: key")
         else:
             entries = _orbit(table, frames)
         total, kind, start = len(entries), image.POSES, entries[0]
-    if total > FRAMES_MAX:
-        raise ToolError(f"{table.where}: {total:,} frames are more than {FRAMES_MAX:,}")
+    if total > keys.FRAMES_MAX:
+        raise ToolError(f"{table.where}: {total:,} frames are more than {keys.FRAMES_MAX:,}")
     if frames and frames > total:
         raise ToolError(f"{table.where}: {frames} frames are asked for, and the path has {total}")
     if frames:
@@ -225,54 +173,35 @@ def _path(top, frames):
 
 def _beams(top):
     """The beams of a scene, and what becomes of a colour in one: a function, or None."""
+    glow = top.table("glow")
+    strength, tint = float(glow["strength"]), glow["colour"]
     if "beams" not in top:
         return [], None
-    rows = top.rows("beams")
-    if len(rows) > image_beam.BEAMS_MAX:
-        raise ToolError(f"{top.at('beams')}: {len(rows)} beams are more than "
-                        f"{image_beam.BEAMS_MAX}")
     beams = []
-    for i, data in enumerate(rows):
-        beam = Table(data, f"{top.at('beams')}[{i}]", {"window", "position", "direction"})
-        corners = beam.rows("window")
-        if not 3 <= len(corners) < image_beam.PLANES_MAX:
-            raise ToolError(f"{beam.at('window')}: {len(corners)} corners are outside "
-                            f"3..{image_beam.PLANES_MAX - 1}")
-        window = [tuple(quantity.q16(c) for c in quantity.position(corner, beam.at("window")))
-                  for corner in corners]
+    for beam in top["beams"]:
+        window = [tuple(map(quantity.q16, corner)) for corner in beam.need("window")]
         if beam.only_one("position", "direction") == "position":
             kind = image_beam.POINT
-            source = tuple(quantity.q16(c) for c in beam.position("position"))
+            source = tuple(map(quantity.q16, beam["position"]))
         else:
             kind = image_beam.DIRECTION
-            way = quantity.vector(beam.need("direction"), beam.at("direction"))
+            way = beam["direction"]
             whole = math.lcm(*(c.denominator for c in way))
             if not any(way):
                 raise ToolError(f"{beam.at('direction')}: [0, 0, 0] is no direction")
             source = image_beam.unit([int(c * whole) for c in way])
         beams.append(image_beam.through_window(kind, source, window, beam.where))
-    glow = top.table("glow", {"strength", "colour"})
-    strength = float(glow.number("strength", Fraction(3, 2), 0, 16))
-    tint = palette.parse(glow.data.get("colour", "#fff0c8"), glow.at("colour"))
     return beams, lambda colour: palette.lit(colour, strength, tint)
 
 
 def _reserved(top):
     """The colours of the palette entries that no face gets; those without a colour of their own are black."""
-    table = top.table("palette", _PALETTE_KEYS)
-    given = table.rows("colours") if "colours" in table else []
-    if len(given) >= palette.ENTRIES:
-        raise ToolError(f"{table.at('colours')}: {len(given)} colours are more than {palette.ENTRIES - 1}")
-    count = table.whole("reserve", len(given), 0, palette.ENTRIES - 1)
+    table = top.table("palette")
+    given = table["colours"]
+    count = table.get("reserve", len(given))
     if len(given) > count:
         raise ToolError(f"{table.at('colours')}: {len(given)} colours are more than reserve = {count}")
-    colours = [palette.parse(colour, f"{table.at('colours')}[{i}]") for i, colour in enumerate(given)]
-    return colours + [(0, 0, 0)] * (count - len(colours))
-
-
-def _blend(top):
-    """Sixteenths that a blended colour shows of itself."""
-    return top.table("palette", _PALETTE_KEYS).whole("blend", 8, 1, 16)
+    return [*given, *[(0, 0, 0)] * (count - len(given))]
 
 
 def _texel_colours(instances):
@@ -363,7 +292,7 @@ RAMP = 16           # levels of light at run time, where the tool's own cannot b
 def _lit_at_run_time(data, where):
     """(the scene with light at run time, what to say of it). where: the object whose textures need it."""
     light = dict(data.get("light", {}))
-    gone = [f"light.{key}" for key in toml_light.BAKED if light.pop(key, None) is not None]
+    gone = [f"light.{key}" for key in keys.BAKED if light.pop(key, None) is not None]
     note = f"{where}: its textured faces look in more than {toml_texture.DIRECTIONS_MAX} directions: light.levels = {RAMP} is " \
         "taken, so the scene's light is made at run time"
     return {**data, "light": {**light, "levels": RAMP}}, note + (f", without {' and '.join(gone)}" if gone else "")
@@ -376,7 +305,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
     names = toml_texture.by_path(data)
     if not names:
         return _compile_lit(data, name, folder, frames, progress, screen, files)
-    toml_texture.check_by_path(Table(data, name, TOP_KEYS), names)
+    toml_texture.check_by_path(Table(data, name, keys.TOP), names)
     scene, _ = _compile_lit(data, name, folder, frames, progress, screen, files)
     data, more = toml_texture.sizes_of_path(data, scene, names)
     scene, notes = _compile_lit(data, name, folder, frames, progress, screen, files)
@@ -398,12 +327,12 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
     width and height instead of the scene's, seen with the same field of view.
     files: a toml_model.Files with what was read already. progress: a job.Report."""
     progress = progress or Quiet()
-    top = Table(data, name, TOP_KEYS)
+    top = Table(data, name, keys.TOP)
     lens = _lens(top)
     if screen:
         lens = _on_screen(lens, screen)
     notes = []
-    background = palette.parse(data.get("background", "#101820"), top.at("background"))
+    background = top["background"]
     kind, entries, start, gait = _path(top, frames)
     beams, lit = _beams(top)
     reserved = _reserved(top)
@@ -412,7 +341,7 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
     objects = Objects(name, files, light, notes, progress, toml_texture.read(top, pictures),
                       toml_billboard.read(top, pictures))
     instances = []
-    for number, item in enumerate(top.rows("objects")):
+    for number, item in enumerate(top["objects"]):
         progress(f"{name}: object {number}")
         instances += objects.instances(item, number)
     progress.stage(f"{name}: the palette and the models")
@@ -428,9 +357,9 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
     scene = SceneImage(*lens[:-1], 0, colours, models, placed, kind, entries, start, gait)
     scene.centre = lens[-1]
     _target(top, scene)
-    scene.layers = _layers(top)
+    scene.layers = top["tree"]
     scene.beams, scene.placements, scene.motions, scene.surfaces = beams, placements, motions, records.result(
-        colours, _blend(top), light.image.ramp if isinstance(light, toml_light.RunTime) else [], in_beam)
+        colours, top.table("palette")["blend"], light.image.ramp if isinstance(light, toml_light.RunTime) else [], in_beam)
     scene.billboards = toml_billboard.result(boards, indices)
     scene.lit = in_beam
     scene.light = light.image if isinstance(light, toml_light.RunTime) else None

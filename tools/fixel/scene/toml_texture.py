@@ -5,34 +5,27 @@ from fractions import Fraction
 import functools
 
 from fixel.image import image_surface
-from fixel.model import quantity
 from fixel.scene import corner_normals, surfaces, texture, texture_size, toml_images
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted, shortened
 from fixel.scene.surfaces import Look, Paint
-from fixel.scene.toml_table import Table
 
-# place key: a key of [[textures]], or of how an object is textured
-KEYS = {"texture", "textures", "mapping", "texels_per_unit", "tiles", "texel_offset", "division", "opacity", "blend", "lit",
-        "smooth", "vertex_colours", *toml_images.KEYS}
-_ROW_KEYS = {"name", "file", "pattern", "size", "colours", "most_colours", "bits", "wrap", "levels"}
 BY_PATH = "path"        # a size
-TEXTURES_MAX = 256      # of a scene file
-TEXELS_MAX = 16384      # a world unit
 DIRECTIONS_MAX = 16     # in which the textured faces of an object look, if the tool's light changes their colours
 _LEVEL_COLOURS = 32     # of a texture of 8 bits with levels, where its own are not more
 
 
-def _side(value, where):
-    if isinstance(value, bool) or not isinstance(value, int) or not texture.is_side(value):
-        raise ToolError(f"{where}: {quoted(value)} is not a power of two from 1 to {texture.SIDE_MAX}")
-    return value
+def _size(row, is_sides, expected):
+    """The size of a texture's row; None where it is not said."""
+    if row["size"] is not None and isinstance(row["size"], tuple) != is_sides:
+        raise ToolError(f"{row.at('size')}: expected {expected}, found {quoted(row.data['size'])}")
+    return row["size"]
 
 
 def _file_side(row):
     """The most texels of a side of a file's picture. "path" was made a number (sizes_of_path) or is the most."""
-    value = row.data.get("size", BY_PATH)
-    return texture.SIDE_MAX if value == BY_PATH else _side(value, row.at("size"))
+    value = _size(row, False, f'a number, or "{BY_PATH}"')
+    return texture.SIDE_MAX if value in (None, BY_PATH) else value
 
 
 def by_path(data):
@@ -44,7 +37,7 @@ def by_path(data):
 
 def check_by_path(top, names):
     """Refuses a size by the path for a texture whose texels an object counts."""
-    for number, item in enumerate(top.rows("objects") if names else ()):
+    for number, item in enumerate(top["objects"] if names else ()):
         own = item if isinstance(item, dict) else {}
         used = [own["texture"]] if "texture" in own else own.get("textures", [])
         found = next((name for name in names if isinstance(used, list) and name in used), None)
@@ -67,22 +60,7 @@ def sizes_of_path(data, scene, names):
 
 
 def _pattern(row, pictures):
-    name = row.choice("pattern", None, list(texture.PATTERNS))
-    size = row.rows("size") if "size" in row else [32, 32]
-    if len(size) != 2:
-        raise ToolError(f"{row.at('size')}: expected [width, height]")
-    width, height = (_side(side, f"{row.at('size')}[{i}]") for i, side in enumerate(size))
-    return pictures.pattern(row, name, width, height)
-
-
-# place pixel-format: which textures have texels of the format
-def _most(row, bits):
-    """How many colours a file's picture may have."""
-    if bits != 16:
-        return row.whole("most_colours", 15 if bits == 4 else 32, 1, texture.COLOURS_MAX)
-    if "most_colours" in row:
-        raise ToolError(f"{row.at('most_colours')}: belongs to 4 and 8 bits; texels of RGB565 keep every colour")
-    return texture.EVERY_COLOUR
+    return pictures.pattern(row, row["pattern"], *(_size(row, True, "[width, height]") or (32, 32)))
 
 
 def _on_floors(top):
@@ -93,33 +71,30 @@ def _on_floors(top):
     return {name for names in lists if isinstance(names, list) for name in names if isinstance(name, str)}
 
 
-def _paint(data, where, pictures, on_floors):
+def _paint(row, pictures, on_floors):
     """(name, Paint) of an entry of textures. on_floors: the names of those that have levels if nothing is said."""
-    row = Table(data, where, _ROW_KEYS)
-    name, bits = row.text("name"), toml_images.texel_bits(row)
+    name, bits = row["name"], row["bits"]
     if row.only_one("file", "pattern") == "file":
-        if "colours" in row:
-            raise ToolError(f"{row.at('colours')}: belongs to a pattern; a file has its own")
-        picture = pictures.file(row, _most(row, bits), side=_file_side(row))
+        row.refuse(("colours",), "belongs to a pattern; a file has its own")
+        picture = pictures.file(row, toml_images.most_colours(row, "most_colours", texture.COLOURS_MAX), side=_file_side(row))
     else:
-        if "most_colours" in row:
-            raise ToolError(f"{row.at('most_colours')}: belongs to a file; a pattern has its own colours")
+        row.refuse(("most_colours",), "belongs to a file; a pattern has its own colours")
         picture = _pattern(row, pictures)
-    levels = row.whole("levels", image_surface.LEVELS_MAX if name in on_floors else 1, 1, image_surface.LEVELS_MAX)
+    levels = row.get("levels", image_surface.LEVELS_MAX if name in on_floors else 1)
     if levels > 1:
         most = {4: 16 - picture.has_clear, 8: max(len(picture.colours), _LEVEL_COLOURS), 16: texture.EVERY_COLOUR}[bits]
         picture = pictures.levels(picture, levels, most, 2 if bits == 4 else 1)
     if bits == 4 and (len(picture.colours) + picture.has_clear > 16 or picture.width < 2):
         raise ToolError(f"{row.where}: {len(picture.colours)} colours and a width of {picture.width}; a texture of 4 bits has "
                         "at most 16 colours, one of which is what is not drawn, and is at least 2 wide")
-    clamp = row.choice("wrap", "repeat", ["repeat", "clamp"]) == "clamp"
-    return name, Paint(picture, bits, clamp, name, name if row.data.get("size") == BY_PATH else "")
+    clamp = row["wrap"] == "clamp"
+    return name, Paint(picture, bits, clamp, name, name if row["size"] == BY_PATH else "")
 
 
 def read(top, pictures):
     """The textures of a scene by name. pictures: the scene's texture.Pictures."""
     on_floors = _on_floors(top)
-    return top.named("textures", "texture", TEXTURES_MAX, lambda data, where: _paint(data, where, pictures, on_floors))
+    return top.named("textures", "texture", lambda row: _paint(row, pictures, on_floors))
 
 
 class ManyDirections(Exception):
@@ -146,28 +121,24 @@ class Wish:
     def __init__(self, table, known, baked, mesh_of, known_images):
         if "texture" in table and "textures" in table:
             raise ToolError(f"{table.where}: both texture and textures are given; keep one")
-        names = [table.text("texture")] if "texture" in table else table.rows("textures") if "textures" in table else []
+        names = (table["texture"],) if "texture" in table else table.rows("textures")
         self.images = images = toml_images.read(table, mesh_of, known_images)
         self.paints = images.paints if images else tuple(self._known(name, table, known) for name in names) or (None,)
-        self.division = self._division(table)
-        self.opacities = images.opacities if images else (table.whole("opacity", 16, 1, 16),)
-        self.mixes = self._mixing(table)
+        self.division = surfaces.DIVISIONS[table["division"]] if "division" in table else 0     # where nothing is said
+        self.opacities = images.opacities if images else (table["opacity"],)
+        self.mixes = {False: 0, True: image_surface.BLENDED, "add": image_surface.ADDED}[table["blend"]]
         self.smooth, self.crease = self._smoothness(table)
-        self.by_normals = table.data.get("smooth") == "file"
-        self.lit = table.switch("lit", not baked and table.switch("shade", True) and 
-                               (self.smooth or self.paints != (None,) or table.data.get("vertex_colours") is True))
+        self.by_normals = table["smooth"] == "file"
+        self.lit = table.get("lit", not baked and table["shade"] and
+                             (self.smooth or self.paints != (None,) or table["vertex_colours"] is True))
         self._check_light(table, baked)
         self.per_unit, self.tiles = self._scale(table)
         self.own = {}
         self.corner_colours = self._corner_colours(table, mesh_of)
         self.by_file = images is not None or self._goes_by_file(table)
-        offset = table.data.get("texel_offset", [0, 0])
-        if not isinstance(offset, list) or len(offset) != 2:
-            raise ToolError(f"{table.at('texel_offset')}: expected [u, v] in texels")
-        self.offset = tuple(quantity.fraction(c, table.at("texel_offset")) for c in offset)
-        for key in ("mapping", "texels_per_unit", "tiles", "texel_offset", "division"):
-            if key in table and self.paints == (None,):
-                raise ToolError(f"{table.at(key)}: means nothing without a texture")
+        self.offset = table["texel_offset"]
+        if self.paints == (None,):
+            table.refuse(("mapping", "texels_per_unit", "tiles", "texel_offset", "division"), "means nothing without a texture")
 
     def _check_light(self, table, baked):
         if baked and (self.lit or self.smooth):
@@ -175,19 +146,15 @@ class Wish:
                             "[light] levels for light at run time")
         if self.smooth and not self.lit:
             raise ToolError(f"{table.at('smooth')}: means nothing for what is not lit")
-        if not table.switch("shade", True) and self.lit:
+        if not table["shade"] and self.lit:
             raise ToolError(f"{table.at('lit')}: shade = false says that light changes no colour")
 
     @staticmethod
     def _corner_colours(table, mesh_of):
         """The surface.Surfaces whose faces have colours at their corners; None unless the object asks for them."""
-        if table.data.get("vertex_colours") == "none":
-            if "solid" in table:
-                raise ToolError(f'{table.at("vertex_colours")}: "none" means nothing for a solid, which has none')
-            return None
-        if not isinstance(table.data.get("vertex_colours", False), bool):
-            raise ToolError(f'{table.at("vertex_colours")}: expected true, false or "none", found {quoted(table.data["vertex_colours"])}')
-        if not table.switch("vertex_colours", False):
+        if table["vertex_colours"] == "none" and "solid" in table:
+            raise ToolError(f'{table.at("vertex_colours")}: "none" means nothing for a solid, which has none')
+        if table["vertex_colours"] is not True:
             return None
         for key in ("solid", "colour", "colours", "colour_index", "texture", "textures"):
             if key in table:
@@ -200,63 +167,35 @@ class Wish:
     @staticmethod
     def _smoothness(table):
         """(whether the object is smooth, the degrees of corner_normals.smooth_normals)."""
-        value = table.data.get("smooth", False)
+        value = table["smooth"]
         if value == "file":
             if "solid" in table:
                 raise ToolError(f'{table.at("smooth")}: "file" means nothing for a solid')
             return True, corner_normals.BY_SHAPE
-        if isinstance(value, bool):
-            return value, corner_normals.ALL
-        degrees = quantity.in_range(quantity.degrees(value, table.at("smooth")), 1, 180, table.at("smooth"), "degrees")
-        return True, degrees
+        return (value, corner_normals.ALL) if isinstance(value, bool) else (True, value)
 
     @staticmethod
     def _known(name, table, known):
         if name == "":
             return None
-        if not isinstance(name, str) or name not in known:
+        if name not in known:
             there = shortened(", ".join(sorted(known))) or "none"
             raise ToolError(f"{table.where}: there is no texture {quoted(name)}; the scene's textures: {there}")
         return known[name]
 
     @staticmethod
-    def _mixing(table):
-        """The flag of how colours mix with those beneath; 0 where they do not."""
-        if table.data.get("blend") == "add":
-            return image_surface.ADDED
-        if isinstance(table.data.get("blend", False), bool):
-            return image_surface.BLENDED if table.switch("blend", False) else 0
-        raise ToolError(f"{table.at('blend')}: expected true, false or \"add\", found {quoted(table.data['blend'])}")
-
-    @staticmethod
-    def _division(table):
-        """How often the texture coordinates are divided; 0 where nothing is said."""
-        value = table.data.get("division", 0)
-        known = isinstance(value, (int, str)) and not isinstance(value, bool) and value in surfaces.DIVISIONS
-        if "division" in table and not known:
-            raise ToolError(f"{table.at('division')}: 16, 8, 1 or \"affine\", found {quoted(value)}")
-        return surfaces.DIVISIONS[value] if known else 0
-
-    @staticmethod
     def _goes_by_file(table):
         """Whether the texture coordinates are those of the model's file."""
-        by_file = table.choice("mapping", "box", ["box", "file"]) == "file"
-        for key in ("texels_per_unit", "tiles"):
-            if by_file and key in table:
-                raise ToolError(f"{table.at(key)}: belongs to mapping = \"box\"; a file has its own coordinates")
+        by_file = table["mapping"] == "file"
+        if by_file:
+            table.refuse(("texels_per_unit", "tiles"), 'belongs to mapping = "box"; a file has its own coordinates')
         return by_file
 
     @staticmethod
     def _scale(table):
         if "texels_per_unit" in table and "tiles" in table:
             raise ToolError(f"{table.where}: both texels_per_unit and tiles are given; keep one")
-        if "texels_per_unit" in table:
-            return table.number("texels_per_unit", None, Fraction(1, 1024), TEXELS_MAX, "texels"), None
-        tiles = table.data.get("tiles", [1, 1])
-        if not isinstance(tiles, list) or len(tiles) != 2:
-            raise ToolError(f"{table.at('tiles')}: expected [across, down]")
-        return None, tuple(quantity.in_range(quantity.fraction(c, table.at("tiles")), Fraction(1, 256), 1024,
-                                             table.at("tiles")) for c in tiles)
+        return (table["texels_per_unit"], None) if "texels_per_unit" in table else (None, table["tiles"])
 
     @functools.cached_property
     def key(self):
