@@ -197,20 +197,18 @@ class Outlines:
 
 
 def _labels(cells):
-    """For each cell that a rectangle covers the number of the group of touching cells that it is in."""
+    """For each cell that a rectangle covers the number of the group of touching cells that it is in. Row by row: a run of
+    covered cells joins the groups that it touches in the row above."""
     covered, labels, count = np.zeros((_CELLS, _CELLS), dtype=bool), np.zeros((_CELLS, _CELLS), dtype=int), 0
     for (left, right), (top, bottom) in cells:
         covered[top:bottom, left:right] = True
-    for row, column in zip(*np.nonzero(covered)):
-        if labels[row, column]:
-            continue
-        count, waiting = count + 1, [(row, column)]
-        while waiting:
-            y, x = waiting.pop()
-            near = slice(max(y - 1, 0), y + 2), slice(max(x - 1, 0), x + 2)
-            new = np.argwhere(covered[near] & (labels[near] == 0)) + (near[0].start, near[1].start)
-            labels[near][covered[near]] = count
-            waiting += map(tuple, new.tolist())
+    rows, edges = np.nonzero(np.diff(covered, axis=1, prepend=False, append=False))
+    for row, left, right in zip(rows[::2].tolist(), edges[::2].tolist(), edges[1::2].tolist()):
+        above = set(labels[row - 1, max(left - 1, 0):right + 1].tolist()) if row else ()
+        count += 1
+        labels[row, left:right] = count
+        for other in filter(None, above):
+            labels[labels == other] = count
     return labels
 
 
