@@ -30,7 +30,7 @@ static uint32_t *const list = NULL;
 #endif
 #define DRAWS(target) \
     { \
-        &target, FXL_SURFACES_OF(target), NULL \
+        &target, FXL_SURFACES_OF(target), FXL_SPRITES_OF(target) \
     }
 
 static fxl_draw_entry order[ORDER_ENTRIES];

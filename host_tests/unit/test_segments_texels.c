@@ -4,6 +4,7 @@
 
 /* place sampling: definition: texels of lit surfaces, segments, divided pixels, RGB565 */
 #include "paint/texel_place.h"
+#include "paint/texture_level.h"
 #include "segment_unit.h"
 
 void setUp(void)
@@ -223,23 +224,28 @@ void test_which_pixels_an_opacity_draws(void)
     }
 }
 
-/* Pixels x0 <= x < x1 that are not the kernel's. A blend table of no colours leaves pixels as they
- * are, and has each painted as any pixel is. */
-static void paint_any(uint8_t *pixels, const uint8_t *blend, int32_t x0, int32_t x1)
+/* Pixels x0 <= x < x1 that are not the kernel's. A beam that leaves colours as they are has each
+ * painted as any pixel is. */
+static void paint_any(uint8_t *pixels, const uint8_t *in_beam, int32_t x0, int32_t x1)
 {
     memset(pixels, SEGMENT_UNTOUCHED, SEGMENT_COLUMNS);
-    segment.paint.blend = blend;
+    segment.paint.in_beam = in_beam;
+    segment.paint.is_replaced = in_beam != NULL || segment.paint.blend != NULL;
     segment.row.segments = NULL;
     segment.row.pixels = pixels;
     fxl_paint_pixels(&segment.paint, &segment.row, x0, x1);
-    segment.paint.blend = NULL;
+    segment.paint.in_beam = NULL;
 }
 
 /* Loops for what most faces have paint what the loop for any pixel paints, wherever they begin. */
 void test_simple_pixels_are_as_any_pixel(void)
 {
-    static const uint8_t no_blend[1];
+    static uint8_t same[256], blend[6 * 256];
     uint32_t holes = 0, painted = 0;
+    for (uint32_t i = 0; i < sizeof blend; i++) {
+        same[i % 256] = (uint8_t)i;
+        blend[i] = (uint8_t)(segment_any() % SEGMENT_UNTOUCHED);
+    }
     for (uint32_t i = 0; i < SEGMENT_TEXELS; i++) {
         segment.texels[i] = (uint8_t)(segment_any() % 8u);
     }
@@ -257,6 +263,9 @@ void test_simple_pixels_are_as_any_pixel(void)
         segment.paint.level.key = (uint8_t)(segment_any() % 8u);
         segment.paint.division = (uint8_t)(n % 5 == 0 ? FXL_DIVIDE_8 : FXL_DIVIDE_16);
         segment.paint.colour = 3;
+        segment.paint.blend = n & 16u ? blend : NULL;
+        segment.paint.blend_first = (uint8_t)(n % 4);
+        segment.paint.blend_count = 3 + n % 3;
         if (n & 4u) {
             segment.paint.level.texels = n & 8u ? segment.texels : NULL;
             segment.paint.ramp = segment.ramp;
@@ -271,7 +280,7 @@ void test_simple_pixels_are_as_any_pixel(void)
                                         ((int)(segment_any() % 900u) - 100) / 4000);
         }
         paint_any(segment.pixels, NULL, x0, x1);
-        paint_any(segment.part, no_blend, x0, x1);
+        paint_any(segment.part, same, x0, x1);
         TEST_ASSERT_EQUAL_MEMORY(segment.part, segment.pixels, SEGMENT_COLUMNS);
         paint_any(segment.pixels, NULL, 0, SEGMENT_COLUMNS);
         TEST_ASSERT_EQUAL_MEMORY(segment.part + x0, segment.pixels + x0, (size_t)(x1 - x0));
@@ -281,4 +290,95 @@ void test_simple_pixels_are_as_any_pixel(void)
         }
     }
     TEST_ASSERT_TRUE(holes > 1000 && painted > 10000);
+}
+
+/* --- mixed pixels of RGB565 ------------------------------------------------------------------- */
+
+static uint16_t mixed_texels[SEGMENT_TEXELS], mixed_palette[256];
+
+/* Any face of one of the kinds that pixels of RGB565 have, and segments of any length. */
+static void choose_mixed_face(uint32_t n)
+{
+    static uint8_t colours[16];
+    segment_choose_face();
+    segment_choose_size(1 + segment_any() % 5u, segment_any() % 6u);
+    segment.row.y = (int32_t)(n % 5);
+    segment.paint.opacity = (uint8_t)(n % 7 == 0 ? 1 + n % 15 : 16);
+    segment.paint.division = (uint8_t)(n % 3);
+    segment.gradients.weight_min[0] = segment_any() >> 1 >> segment_any() % 5u;
+    segment.gradients.weight_min[1] = segment.gradients.weight_min[0] / 4;
+    segment.paint.level.flags =
+        (uint8_t)((n % 2 ? FXL_TEXTURE_KEYED : 0) | (n % 11 == 0 ? FXL_TEXTURE_CLAMP : 0) |
+                  (n % 3 == 0 ? FXL_LEVEL_565 : 0));
+    segment.paint.level.colours = n % 3 == 1 ? colours : NULL;
+    segment.paint.level.texels = n % 3 == 0 ? (const uint8_t *)mixed_texels : segment.texels;
+    segment.paint.level.key = (uint8_t)(n % 16);
+    for (uint32_t i = 0; i < 16; i++) {
+        colours[i] = (uint8_t)i;
+    }
+    segment.paint.of_565.palette = mixed_palette;
+    segment.paint.of_565.key = mixed_texels[n % 8];
+    segment.paint.of_565.part_of_level = n % 13 == 0 ? 65536u / 2 : 0;
+    segment.paint.is_evenly_lit = n % 13 == 0;
+    segment.paint.levels_less_1 = 2;
+    segment.paint.light = (uint16_t)(segment_any() % 512u + 128u);
+}
+
+static uint16_t mixed(uint32_t above, uint32_t beneath)
+{
+    static const uint32_t drops[3] = {11, 5, 0}, most[3] = {31, 63, 31};
+    const fxl_paint_565 *of = &segment.paint.of_565;
+    uint32_t all = 0;
+    for (uint32_t i = 0; i < 3; i++) {
+        const uint32_t a = above >> drops[i] & most[i], b = beneath >> drops[i] & most[i];
+        const uint32_t sum =
+            of->sixteenths == 0 ? a + b : (a * of->sixteenths + b * (16u - of->sixteenths)) / 16u;
+        all |= (sum > most[i] ? most[i] : sum) << drops[i];
+    }
+    return (uint16_t)all;
+}
+
+static void paint_mixed(uint16_t *pixels, uint32_t sixteenths, bool adds, int32_t x0, int32_t x1)
+{
+    segment.paint.of_565.sixteenths = (uint8_t)sixteenths;
+    segment.paint.of_565.adds = adds;
+    segment.row.segments = NULL;
+    segment.row.pixels = (uint8_t *)pixels;
+    fxl_paint_pixels_565(&segment.paint, &segment.row, x0, x1);
+}
+
+/* What is blended or added has the texels and the holes that it has without that, over whatever is
+ * beneath: a pixel that is the same over two backgrounds is drawn. */
+/* rgb565 2.2, 2.3, surfaces 2.2, 4.1 */
+void test_mixed_texels_are_opaque_ones_that_are_mixed(void)
+{
+    static uint16_t dark[SEGMENT_COLUMNS], bright[SEGMENT_COLUMNS], beneath[SEGMENT_COLUMNS],
+        seen[SEGMENT_COLUMNS];
+    uint32_t holes = 0, drawn = 0;
+    for (uint32_t i = 0; i < SEGMENT_TEXELS; i++) {
+        mixed_texels[i] = (uint16_t)(segment_any() % 8u * 0x1F35u);
+        segment.texels[i] = (uint8_t)segment_any();
+        mixed_palette[i % 256] = (uint16_t)segment_any();
+    }
+    for (uint32_t n = 0; n < 1000; n++) {
+        const int32_t x0 = (int32_t)(segment_any() % SEGMENT_COLUMNS);
+        const int32_t x1 = x0 + 1 + (int32_t)(segment_any() % (uint32_t)(SEGMENT_COLUMNS - x0));
+        choose_mixed_face(n);
+        for (int32_t x = 0; x < SEGMENT_COLUMNS; x++) {
+            dark[x] = 0;
+            bright[x] = 0xFFFFu;
+            seen[x] = beneath[x] = (uint16_t)segment_any();
+        }
+        paint_mixed(dark, 0, false, x0, x1);
+        paint_mixed(bright, 0, false, x0, x1);
+        paint_mixed(seen, n % 2 ? 1 + n % 16 : 0, n % 2 == 0, x0, x1);
+        for (int32_t x = 0; x < SEGMENT_COLUMNS; x++) {
+            const bool is_drawn = dark[x] == bright[x];
+            const uint16_t expected = is_drawn ? mixed(dark[x], beneath[x]) : beneath[x];
+            TEST_ASSERT_EQUAL_HEX16(expected, seen[x]);
+            holes += !is_drawn && x >= x0 && x < x1;
+            drawn += is_drawn;
+        }
+    }
+    TEST_ASSERT_TRUE(holes > 1000 && drawn > 10000);
 }

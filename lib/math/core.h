@@ -10,6 +10,15 @@
 #include "contract.h"
 #include "family.h"
 
+/* Hides from the compiler what it knows of a word, on cores where it makes worse code of it: three
+ * instructions for a mask that is at hand in a register, or a product of 64 by 64 bits for one of
+ * 32 by 32 whose signs it knows. */
+#if FXL_CORE_ARMV7M
+#define FXL_HIDE(word) __asm__("" : "+r"(word))
+#else
+#define FXL_HIDE(word) (void)(word)
+#endif
+
 #if !FXL_CORE_ARMV6M
 
 static inline uint64_t fxl_multiply_u32(uint32_t a, uint32_t b)
@@ -19,6 +28,8 @@ static inline uint64_t fxl_multiply_u32(uint32_t a, uint32_t b)
 
 static inline int64_t fxl_multiply_s32(int32_t a, int32_t b)
 {
+    FXL_HIDE(a);
+    FXL_HIDE(b);
     return (int64_t)a * b;
 }
 
@@ -50,7 +61,7 @@ static inline int64_t fxl_multiply_s64_u16(int64_t a, uint32_t b)
 /* floor(numerator / denominator); *rest becomes the remainder. Requires denominator > 0. */
 static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *remainder)
     FXL_REQUIRES(denominator > 0 && FXL_OBJECT(remainder)) FXL_ASSIGNS(*remainder)
-    FXL_EQUATES(*remainder < denominator && *remainder <= numerator && FXL_RESULT <= numerator)
+        FXL_EQUATES(*remainder < denominator && *remainder <= numerator && FXL_RESULT <= numerator)
 {
     uint32_t quotient = numerator / denominator;
     *remainder = numerator - quotient * denominator;
@@ -246,8 +257,8 @@ static inline unsigned fxl_leading_zeros(uint32_t value)
 
 /* floor(a * b / 2^64), from four products of 32 bits. Each middle sum is at
  * most (2^32 - 1)^2 + 2 (2^32 - 1) = 2^64 - 1. */
-static inline uint64_t fxl_multiply_high(uint64_t a, uint64_t b)
-    FXL_REQUIRES(1) FXL_ASSIGNS() FXL_EQUATES(FXL_RESULT <= a && FXL_RESULT <= b)
+static inline uint64_t fxl_multiply_high(uint64_t a, uint64_t b) FXL_REQUIRES(1) FXL_ASSIGNS()
+    FXL_EQUATES(FXL_RESULT <= a && FXL_RESULT <= b)
 {
     uint32_t a_high = (uint32_t)(a >> 32), a_low = (uint32_t)a;
     uint32_t b_high = (uint32_t)(b >> 32), b_low = (uint32_t)b;

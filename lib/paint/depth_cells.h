@@ -8,6 +8,8 @@
 
 #include "fixel/types.h"
 
+#include "../math/family.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -54,16 +56,39 @@ static inline void fxl_depth_keep(void *cells, int32_t x, uint32_t code, bool wi
     }
 }
 
+static inline void fxl_depth_go_on(fxl_depth_line *line, int32_t *x, uint32_t count)
+{
+    line->code += count * line->step;
+    *x += (int32_t)count;
+}
+
+/* Whether the pixels of four columns from x on are visible. */
+static inline bool fxl_depth_four_pass(const void *cells, int32_t x, const fxl_depth_line *line,
+                                       fxl_depth_rule rule)
+{
+    const uint32_t code = line->code, step = line->step;
+    return fxl_depth_passes(cells, x, code, rule) &&
+           fxl_depth_passes(cells, x + 1, code + step, rule) &&
+           fxl_depth_passes(cells, x + 2, code + 2 * step, rule) &&
+           fxl_depth_passes(cells, x + 3, code + 3 * step, rule);
+}
+
 /* The first column, from x on and below end, whose pixel is hidden; end if there is none. The
- * pixels before it are visible, and kept where `keeps`. *line goes along. */
+ * pixels before it are visible, and kept where `keeps`. *line goes along. A pixel that is nearer
+ * than its cell is visible by either rule. */
 static inline int32_t fxl_depth_visible_end(void *cells, int32_t x, int32_t end,
                                             fxl_depth_line *line, bool keeps, fxl_depth_rule rule)
 {
-    if (keeps && !rule.wide && !rule.or_equal) {
-        const uint32_t count = fxl_depth_keep_visible((uint16_t *)cells + x, (uint32_t)(end - x),
-                                                      line->code, line->step);
-        line->code += count * line->step;
-        return x + (int32_t)count;
+    if (keeps && !rule.wide) {
+        fxl_depth_go_on(line, &x,
+                        fxl_depth_keep_visible((uint16_t *)cells + x, (uint32_t)(end - x),
+                                               line->code, line->step));
+        if (!rule.or_equal) {
+            return x;
+        }
+    }
+    while (!FXL_IS_COMPACT && !keeps && end - x >= 4 && fxl_depth_four_pass(cells, x, line, rule)) {
+        fxl_depth_go_on(line, &x, 4);
     }
     for (; x < end && fxl_depth_passes(cells, x, line->code, rule); x++) {
         if (keeps) {
@@ -74,15 +99,26 @@ static inline int32_t fxl_depth_visible_end(void *cells, int32_t x, int32_t end,
     return x;
 }
 
-/* The first column, from x on and below end, whose pixel is visible; end if there is none. */
+/* Whether the codes of so many pixels, from 1 on, are below the largest code; their sums do not come
+ * round, so those between both ends are if these are. */
+static inline bool fxl_depth_codes_have_next(const fxl_depth_line *line, uint32_t count)
+{
+    const uint32_t last = line->code + (count - 1u) * line->step;
+    return (line->code > last ? line->code : last) < 0xFFFF0000u;
+}
+
+/* The first column, from x on and below end, whose pixel is visible; end if there is none. A pixel
+ * is as near as its cell, or nearer, if the next code is nearer than its cell. */
 static inline int32_t fxl_depth_hidden_end(const void *cells, int32_t x, int32_t end,
                                            fxl_depth_line *line, fxl_depth_rule rule)
 {
-    if (!rule.wide && !rule.or_equal) {
-        const uint32_t count = fxl_depth_skip_hidden((const uint16_t *)cells + x,
-                                                     (uint32_t)(end - x), line->code, line->step);
-        line->code += count * line->step;
-        return x + (int32_t)count;
+    const uint32_t count = (uint32_t)(end - x);
+    if (!rule.wide && (!rule.or_equal || (count != 0 && fxl_depth_codes_have_next(line, count)))) {
+        fxl_depth_go_on(line, &x,
+                        fxl_depth_skip_hidden((const uint16_t *)cells + x, count,
+                                              line->code + (rule.or_equal ? 65536u : 0),
+                                              line->step));
+        return x;
     }
     for (; x < end && !fxl_depth_passes(cells, x, line->code, rule); x++) {
         line->code += line->step;

@@ -49,31 +49,19 @@ static inline uint32_t hold(int32_t channel, int32_t most)
 }
 
 /* place stipple: what a pixel does of a face with colours at its corners */
-static inline bool is_opaque(const fxl_paint *paint)
-{
-    return paint->opacity == 16 && paint->of_565.sixteenths == 0 && !paint->of_565.adds;
-}
-
-/* The colour of any channels with FRACTION bits, over the one beneath. Not inline: few faces have
+/* The colour of any channels with FRACTION bits. Not inline: few faces have
  * such pixels, and it takes many bytes. */
 /* rgb565 2.4 */
 static __attribute__((noinline)) void show(const fxl_paint *paint, const fxl_paint_row *row,
                                            int32_t x, const int32_t channels[3])
 {
-    const fxl_paint_565 *of = &paint->of_565;
     uint16_t *pixel = (uint16_t *)(void *)row->pixels + x;
     if (fxl_is_stippled_away(paint->opacity, x, row->y)) {
         return;
     }
-    uint16_t colour = (uint16_t)(hold(channels[0], (32 << FRACTION) - 1) << 11 |
-                                 hold(channels[1], (64 << FRACTION) - 1) << 5 |
-                                 hold(channels[2], (32 << FRACTION) - 1));
-    if (of->sixteenths != 0) {
-        colour = fxl_blend_565(colour, *pixel, of->sixteenths);
-    } else if (of->adds) {
-        colour = fxl_add_565(colour, *pixel);
-    }
-    *pixel = colour;
+    *pixel = (uint16_t)(hold(channels[0], (32 << FRACTION) - 1) << 11 |
+                        hold(channels[1], (64 << FRACTION) - 1) << 5 |
+                        hold(channels[2], (32 << FRACTION) - 1));
 }
 
 /* A pixel that is divided by itself: its channels in 16.16. */
@@ -101,7 +89,7 @@ static void paint_run(const fxl_paint *paint, const fxl_paint_row *row, int32_t 
                       const colour_run *run)
 {
     uint16_t *pixels = (uint16_t *)(void *)row->pixels;
-    if (is_opaque(paint) && is_within(run, x1 - x0)) {
+    if (paint->opacity == 16 && is_within(run, x1 - x0)) {
         const fxl_colour_words words = words_of(run);
         fxl_paint_colour_run(&words, pixels + x0, (uint32_t)(x1 - x0));
         return;
@@ -197,7 +185,7 @@ static __attribute__((noinline)) void paint_words(const fxl_paint *paint, const 
     const int32_t column = (int32_t)upper(attributes[0].at);
     fxl_colour_words words;
     find_word_steps(attributes, &words);
-    if (is_opaque(paint)) {
+    if (paint->opacity == 16) {
         uint16_t *pixels = (uint16_t *)(void *)row->pixels;
         do {
             const int32_t next = words_at(attributes, &at, x0 - column, false, &words);
@@ -227,7 +215,7 @@ bool fxl_paint_colour_polygon(const fxl_paint *paint, const fxl_screen_point *po
     const fxl_trapezoid *trapezoid;
     fxl_colour_words words;
     fxl_paint_row far; /* what paint_words reads of it */
-    if (!fxl_has_colour_words(paint->gradients) || !is_opaque(paint)) {
+    if (!fxl_has_colour_words(paint->gradients) || paint->opacity < 16 || fxl_is_mixed_565(paint)) {
         return false;
     }
     const int32_t column = (int32_t)upper(attributes[0].at);

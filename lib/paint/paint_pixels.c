@@ -50,11 +50,17 @@ static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row,
 
 /* --- neighbouring pixels -------------------------------------------------------------------- */
 
-/* Opaque texels of 8 bits, repeated: with or without a key, a table, light. Any pixel may be a byte
- * of the tables to the compiler, so the loop has copies of all that it needs. */
-static inline void paint_repeated(const fxl_paint *paint, const linear_pixels *of, uint8_t *pixel,
-                                  const uint8_t *end, bool lit)
+/* Texels of 8 bits, repeated, in no beam: with or without a key, a table, light, or without light a
+ * blend. Any pixel may be a byte of the tables to the compiler, so the loop has copies of all that
+ * it needs. */
+/* SPEC 9.6, surfaces 4.3 */
+static inline __attribute__((always_inline)) void paint_repeated(const fxl_paint *paint,
+                                                                 const linear_pixels *of,
+                                                                 uint8_t *pixel, const uint8_t *end,
+                                                                 bool lit, bool blends)
 {
+    const uint8_t *blend = paint->blend;
+    const uint32_t blend_first = paint->blend_first, blend_count = paint->blend_count;
     const fxl_texture_level *level = &paint->level;
     const uint8_t *texels = level->texels, *ramp = paint->ramp, *table = paint->table;
     const uint32_t key = level->flags & FXL_TEXTURE_KEYED ? level->key : 256u;
@@ -73,6 +79,10 @@ static inline void paint_repeated(const fxl_paint *paint, const linear_pixels *o
             }
             if (lit) {
                 colour = ramp[256u * fxl_limited((int32_t)light >> 16, last_level) + colour];
+            }
+            const uint32_t number = (uint8_t)(colour - blend_first);
+            if (blends && number < blend_count) {
+                colour = blend[256u * number + *pixel];
             }
             *pixel = (uint8_t)colour;
         }
@@ -113,16 +123,18 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
         paint_lights(paint, row, x0, x1, &run);
         return;
     }
-    if (!FXL_IS_COMPACT && paint->opacity == 16 && !paint->is_replaced) {
-        if (paint->level.texels != NULL && paint->level.colours == NULL &&
-            (paint->level.flags & FXL_TEXTURE_CLAMP) == 0) {
-            if (paint->ramp != NULL) {
-                paint_repeated(paint, of, pixel, end, true);
-            } else {
-                paint_repeated(paint, of, pixel, end, false);
-            }
-            return;
+    if (!FXL_IS_COMPACT && paint->opacity == 16 && paint->in_beam == NULL &&
+        paint->level.texels != NULL && paint->level.colours == NULL &&
+        (paint->level.flags & FXL_TEXTURE_CLAMP) == 0 &&
+        (paint->ramp == NULL || paint->blend == NULL)) {
+        if (paint->ramp != NULL) {
+            paint_repeated(paint, of, pixel, end, true, false);
+        } else if (paint->blend != NULL) {
+            paint_repeated(paint, of, pixel, end, false, true);
+        } else {
+            paint_repeated(paint, of, pixel, end, false, false);
         }
+        return;
     }
     paint_each_linear(paint, row, x0, x1, of);
 }

@@ -38,7 +38,7 @@ static inline uint32_t part_of_light(const fxl_paint *paint, int32_t light)
 }
 
 /* place stipple: what a pixel does, in RGB565 */
-/* A pixel whose attributes are known. */
+/* A pixel whose attributes are known. What blends or adds comes after it: paint_mixed. */
 /* surfaces 4.1 */
 static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,
                                const int32_t values[FXL_ATTRIBUTES])
@@ -57,11 +57,6 @@ static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row,
         const uint32_t part = part_of_light(
             paint, paint->is_evenly_lit ? paint->light << 8 : values[paint->gradients->count - 1]);
         colour = fxl_mix_565(colour, of->dark, part);
-    }
-    if (of->sixteenths != 0) {
-        colour = fxl_blend_565(colour, *pixel, of->sixteenths);
-    } else if (of->adds) {
-        colour = fxl_add_565(colour, *pixel);
     }
     *pixel = colour;
 }
@@ -158,26 +153,25 @@ static void mix_evenly(const fxl_paint *paint, uint16_t *pixel, const uint16_t *
 static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
                          const linear_pixels *linear)
 {
-    const fxl_paint_565 *of = &paint->of_565;
     if (paint->has_light_rows) {
         const fxl_light_run run = {linear->values[0] << 8, linear->steps[0] << 8};
         paint_lights(paint, row, x0, x1, &run);
         return;
     }
-    if (FXL_IS_COMPACT || paint->opacity < 16 || of->sixteenths != 0 || of->adds ||
-        paint->level.flags != FXL_LEVEL_565) {
+    if (FXL_IS_COMPACT || paint->opacity < 16 || paint->level.flags != FXL_LEVEL_565) {
         paint_each_linear(paint, row, x0, x1, linear);
         return;
     }
     uint16_t *pixels = (uint16_t *)(void *)row->pixels;
-    if (of->part_of_level != 0) {
+    if (paint->of_565.part_of_level != 0) {
         paint_repeated(paint, linear, pixels + x0, pixels + x1, true);
     } else {
         paint_repeated(paint, linear, pixels + x0, pixels + x1, false);
     }
 }
 
-void fxl_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+/* Opaque pixels. */
+static void paint_opaque(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     divided_column at;
     uint32_t least[3];
@@ -208,5 +202,249 @@ void fxl_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int3
             paint_sixteen(paint, row, least, x0, end, &at);
         }
         x0 = end;
+    }
+}
+
+/* Mixes colours into a row, as a surface blends or adds. */
+/* rgb565 2.2, 2.3 */
+static inline void mix_row(const fxl_paint_565 *of, const uint16_t *colours, uint16_t *pixels,
+                           uint32_t count)
+{
+    if (of->sixteenths == 0) {
+        for (uint32_t i = 0; i < count; i++) {
+            pixels[i] = fxl_add_565(colours[i], pixels[i]);
+        }
+        return;
+    }
+    const uint32_t sixteenths = of->sixteenths;
+    for (uint32_t i = 0; i < count; i++) {
+        pixels[i] = fxl_blend_565(colours[i], pixels[i], sixteenths);
+    }
+}
+
+/* --- what is mixed -------------------------------------------------------------------------- */
+
+#define MIXED 64 /* columns that are mixed at once */
+#define LINES 16 /* at once */
+
+/* Neighbouring texels. */
+typedef struct {
+    uint32_t u, v, u_step, v_step, count;
+} texel_line;
+
+/* The numbers of 64 bits of a column. A segment may end beyond what gradients are bounded for: then
+ * they wrap. */
+typedef struct {
+    int64_t weight, u, v;
+} column_numbers;
+
+static inline int64_t sum(int64_t a, int64_t b)
+{
+    return (int64_t)((uint64_t)a + (uint64_t)b);
+}
+
+static inline int64_t shifted_left(int64_t value, uint32_t bits)
+{
+    return (int64_t)((uint64_t)value << bits);
+}
+
+/* Numbers so many columns on: below 2^16. */
+static inline column_numbers after(const column_numbers *at, const column_numbers *step,
+                                   uint32_t columns)
+{
+    const column_numbers next = {sum(at->weight, fxl_multiply_s64_u16(step->weight, columns)),
+                                 sum(at->u, fxl_multiply_s64_u16(step->u, columns)),
+                                 sum(at->v, fxl_multiply_s64_u16(step->v, columns))};
+    return next;
+}
+
+/* The log of the segments of the 16 columns that begin with a weight. */
+static inline uint32_t log_of(const fxl_paint *paint, int64_t weight)
+{
+    const fxl_gradients *gradients = paint->gradients;
+    const uint32_t left = upper_weight(weight);
+    const uint32_t right = upper_weight(sum(weight, shifted_left(gradients->weight.along, 4)));
+    uint32_t least[3];
+    if (paint->division == FXL_DIVIDE_16 && left >= gradients->weight_min[0] &&
+        right >= gradients->weight_min[0]) {
+        return 4;
+    }
+    fxl_find_least_weights(gradients, paint->division, least);
+    return fxl_segment_log(least, left, right);
+}
+
+/* fxl_attribute_of, whose drop is `drop` less the leading zeros of the weight. */
+static inline int32_t divided(int64_t value, const fxl_reciprocal *reciprocal, int32_t drop)
+{
+    const int64_t product = fxl_multiply_s32((int32_t)(value >> 32), reciprocal->value);
+    const int32_t right = drop - (int32_t)reciprocal->zeros - 32; /* of the upper word */
+    return right >= 0 ? (int32_t)(product >> 32) >> (right > 31 ? 31 : right)
+                      : (int32_t)(uint32_t)(product >> (right < -32 ? 0 : right + 32));
+}
+
+static inline void divide(const column_numbers *at, int32_t u_drop, int32_t v_drop, int32_t *u,
+                          int32_t *v)
+{
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of(upper_weight(at->weight));
+    *u = divided(at->u, &reciprocal, u_drop);
+    *v = divided(at->v, &reciprocal, v_drop);
+}
+
+/* What numbers change in 2^log columns. */
+static inline void find_step(const column_numbers *along, uint32_t log, column_numbers *step)
+{
+    step->weight = shifted_left(along->weight, log);
+    step->u = shifted_left(along->u, log);
+    step->v = shifted_left(along->v, log);
+}
+
+/* The lines of texels of the pixels x0 <= x < x1: paint_segment's, and a pixel that is divided by
+ * itself is one. Returns the column before which they end. */
+/* surfaces 2.2 */
+static uint32_t find_lines(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0,
+                           uint32_t x1, texel_line *lines, uint32_t *count)
+{
+    const fxl_gradients *gradients = paint->gradients;
+    const fxl_gradient *attributes = gradients->attributes;
+    const int32_t u_drop = 62 - gradients->shifts[FXL_ATTRIBUTE_U];
+    const int32_t v_drop = 62 - gradients->shifts[FXL_ATTRIBUTE_V];
+    const column_numbers first = {row->weight, row->attributes[FXL_ATTRIBUTE_U],
+                                  row->attributes[FXL_ATTRIBUTE_V]};
+    const column_numbers along = {gradients->weight.along, attributes[FXL_ATTRIBUTE_U].along,
+                                  attributes[FXL_ATTRIBUTE_V].along};
+    column_numbers at = after(&first, &along, x0 & ~15u), step = {0, 0, 0};
+    uint32_t log = log_of(paint, at.weight), found = 0;
+    uint32_t column = (x0 >> log) << log;
+    if ((column & 15u) != 0) {
+        at = after(&first, &along, column);
+    }
+    find_step(&along, log, &step);
+    int32_t u0, v0, u1, v1;
+    divide(&at, u_drop, v_drop, &u0, &v0);
+    while (x0 != x1 && found != LINES) {
+        const uint32_t skipped = x0 - column;
+        texel_line *line = &lines[found++];
+        column += 1u << log;
+        at.weight = sum(at.weight, step.weight);
+        at.u = sum(at.u, step.u);
+        at.v = sum(at.v, step.v);
+        divide(&at, u_drop, v_drop, &u1, &v1);
+        line->u_step = (uint32_t)((int32_t)((uint32_t)u1 - (uint32_t)u0) >> log);
+        line->v_step = (uint32_t)((int32_t)((uint32_t)v1 - (uint32_t)v0) >> log);
+        line->u = (uint32_t)u0 + skipped * line->u_step;
+        line->v = (uint32_t)v0 + skipped * line->v_step;
+        line->count = (column < x1 ? column : x1) - x0;
+        x0 += line->count;
+        u0 = u1;
+        v0 = v1;
+        if ((column & 15u) == 0 && x0 != x1) {
+            const uint32_t next = log_of(paint, at.weight);
+            if (next != log) {
+                log = next;
+                find_step(&along, log, &step);
+            }
+        }
+    }
+    *count = found;
+    return x0;
+}
+
+/* The colours of texels of 16, of 8 or of 4 bits, repeated, that are not the key. The compiler cannot
+ * tell them from what the loop reads, so it has copies. */
+static inline __attribute__((always_inline)) void show_lines(const fxl_paint *paint,
+                                                             const texel_line *line,
+                                                             const texel_line *last,
+                                                             uint16_t *colour, uint32_t bits)
+{
+    const fxl_texture_level level = paint->level;
+    const uint16_t *palette = paint->of_565.palette;
+    const uint16_t *wide = (const uint16_t *)(const void *)level.texels;
+    const uint32_t key = (level.flags & FXL_TEXTURE_KEYED) == 0 ? UINT32_MAX
+                         : bits == 16                           ? paint->of_565.key
+                                                                : level.key;
+    const uint32_t columns = level.columns_less_1, rows = level.rows_less_1 << level.log_width;
+    const uint32_t row_drop = 16u - level.log_width; /* log_width is at most 8 */
+    for (; line != last; line++) {
+        const uint16_t *end = colour + line->count;
+        const uint32_t u_step = line->u_step, v_step = line->v_step;
+        uint32_t u = line->u, v = line->v;
+        do {
+            const uint32_t place = (v >> row_drop & rows) + (u >> 16 & columns);
+            const uint32_t texel = bits == 16  ? wide[place]
+                                   : bits == 8 ? level.texels[place]
+                                               : fxl_texel_index(&level, place);
+            if (texel != key) {
+                *colour = (uint16_t)(bits == 16 ? texel : palette[texel]);
+            }
+            u += u_step;
+            v += v_step;
+        } while (++colour != end);
+    }
+}
+
+/* Whether neighbouring texels are shown by lines. */
+static inline bool has_lines(const fxl_paint *paint)
+{
+    const uint32_t others = FXL_TEXTURE_CLAMP | FXL_LEVEL_IN_BEAM;
+    return !FXL_IS_COMPACT && paint->opacity == 16 && paint->level.texels != NULL &&
+           (paint->level.flags & others) == 0 && paint->of_565.part_of_level == 0;
+}
+
+static inline void show_texels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
+                               int32_t x1, uint16_t *colours)
+{
+    texel_line lines[LINES];
+    uint32_t count;
+    while (x0 < x1) {
+        const int32_t end =
+            (int32_t)find_lines(paint, row, (uint32_t)x0, (uint32_t)x1, lines, &count);
+        if ((paint->level.flags & FXL_LEVEL_565) != 0) {
+            show_lines(paint, lines, lines + count, colours, 16);
+        } else if (paint->level.colours == NULL) {
+            show_lines(paint, lines, lines + count, colours, 8);
+        } else {
+            show_lines(paint, lines, lines + count, colours, 4);
+        }
+        colours += end - x0;
+        x0 = end;
+    }
+}
+
+/* Pixels that are blended with what is beneath, or added to it: opaque ones, which are then mixed
+ * into the row. A pixel that is not drawn stays as it is beneath: blended with itself a colour is
+ * the same, and so is one to which 0 is added. Not inline: what it has would be on the stack of
+ * others. */
+/* surfaces 4.1 */
+static __attribute__((noinline)) void paint_mixed(const fxl_paint *paint, const fxl_paint_row *row,
+                                                  int32_t x0, int32_t x1)
+{
+    const fxl_paint_565 *of = &paint->of_565;
+    const bool has_holes = paint->opacity < 16 || (paint->level.flags & FXL_TEXTURE_KEYED) != 0;
+    uint16_t colours[MIXED];
+    while (x0 < x1) {
+        const int32_t end = smaller(x0 + MIXED, x1);
+        uint16_t *pixels = (uint16_t *)(void *)row->pixels + x0;
+        const uint32_t count = (uint32_t)(end - x0);
+        for (uint32_t i = 0; has_holes && i < count; i++) {
+            colours[i] = of->adds ? 0 : pixels[i];
+        }
+        if (has_lines(paint)) {
+            show_texels(paint, row, x0, end, colours);
+        } else {
+            fxl_paint_row drawn = *row;
+            drawn.pixels = (uint8_t *)((uintptr_t)colours - 2u * (uint32_t)x0);
+            paint_opaque(paint, &drawn, x0, end);
+        }
+        mix_row(of, colours, pixels, count);
+        x0 = end;
+    }
+}
+
+void fxl_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+{
+    if (fxl_is_mixed_565(paint)) {
+        paint_mixed(paint, row, x0, x1);
+    } else {
+        paint_opaque(paint, row, x0, x1);
     }
 }

@@ -5,6 +5,8 @@
 
 #include <stdint.h>
 
+#include "../math/core.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -20,7 +22,9 @@ extern "C" {
 #define FXL_SPREAD_565 0x07E0F81Fu
 static inline uint32_t fxl_spread_565(uint32_t colour)
 {
-    return (colour | colour << 16) & FXL_SPREAD_565;
+    uint32_t channels = FXL_SPREAD_565;
+    FXL_HIDE(channels);
+    return (colour | colour << 16) & channels;
 }
 
 /* place stipple: a blend: how two colours of RGB565 are mixed */
@@ -36,19 +40,21 @@ static inline uint16_t fxl_blend_565(uint32_t colour, uint32_t beneath, uint32_t
     return (uint16_t)(mixed | mixed >> 16);
 }
 
-/* One channel of a + b, or the largest value. Both are of 16 bits, so the sum is below 2^17. */
-/* rgb565 2.3 */
-static inline uint32_t fxl_add_channel_565(uint32_t a, uint32_t b, uint32_t channel)
-{
-    const uint32_t sum = (a & channel) + (b & channel);
-    return sum > channel ? channel : sum & channel;
-}
+/* The lowest bits above the channels of a spread colour: where the sum of two carries. */
+#define FXL_CARRIES_565 0x08010020u
 
+/* The sum of each channel, or its largest value. A sum of channels of 5 or 6 bits has one bit more,
+ * for which there is room. A carry less a 32nd of it are the 5 bits below it, and its 64th is the
+ * 6th one, of green; of the others it is masked. */
+/* rgb565 2.3 */
 static inline uint16_t fxl_add_565(uint32_t a, uint32_t b)
 {
-    return (uint16_t)(fxl_add_channel_565(a, b, FXL_RED_565) |
-                      fxl_add_channel_565(a, b, FXL_GREEN_565) |
-                      fxl_add_channel_565(a, b, FXL_BLUE_565));
+    const uint32_t sum = fxl_spread_565(a) + fxl_spread_565(b), carries = sum & FXL_CARRIES_565;
+    const uint32_t full = (carries - (carries >> 5)) | carries >> 6;
+    uint32_t channels = FXL_SPREAD_565;
+    FXL_HIDE(channels);
+    const uint32_t mixed = (sum | full) & channels;
+    return (uint16_t)(mixed | mixed >> 16);
 }
 
 /* One channel of dark + (colour - dark) * part / 256, rounded to nearest, halves upward. Channels

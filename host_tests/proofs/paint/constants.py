@@ -104,3 +104,14 @@ def spread():
     """The channels of RGB565, and where a word has them: green in the upper half, the others in the lower."""
     red, green, blue = 31 << 11, 63 << 5, 31
     return [red, green, blue, green << 16 | red | blue]
+
+
+# [[row]]
+# id = "carries of RGB565"
+# function = "lib/paint/rgb565_colour.h:fxl_add_565"
+# property = "they are the bits above the channels of a word"
+# checks = 1
+# text = ["#define FXL_CARRIES_565 {}u"]
+def carries():
+    """The bits above green in the upper half, and above red and blue in the lower one."""
+    return [1 << (16 + 11) | 1 << 16 | 1 << 5]

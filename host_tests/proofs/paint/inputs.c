@@ -151,27 +151,6 @@ void enumerate_blend(void)
 }
 
 /* [[row]]
- * id = "every sum of colours"
- * function = "lib/paint/rgb565_colour.h:fxl_add_channel_565"
- * property = "it is the sum, or the channel's largest level, for every two levels"
- * checks = 6144
- * every = true
- */
-/* It masks both colours by the channel, so these are all its inputs. */
-void enumerate_add_channel(void)
-{
-    for (uint32_t i = 0; i < 3; i++) {
-        const uint32_t channel = channels[i], unit = lowest(channel);
-        for (uint32_t a = 0; a <= channel; a += unit) {
-            for (uint32_t b = 0; b <= channel; b += unit) {
-                const uint32_t wanted = a + b < channel ? a + b : channel;
-                TRY(a, fxl_add_channel_565(a, b, channel) == wanted);
-            }
-        }
-    }
-}
-
-/* [[row]]
  * id = "every mixture"
  * function = "lib/paint/rgb565_colour.h:fxl_mix_channel_565"
  * property = "it is the mean by 256ths, rounded to nearest, for every two levels and every part"
