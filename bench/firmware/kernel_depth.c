@@ -75,7 +75,7 @@ static bool prepare(workload *of, bool has_surfaces)
 bool kernel_depth_prepare(void)
 {
     size_wall(40 * 65536);
-    wall.mapped.texels[0].v = wall.mapped.texels[2].u = 640 * 65536;
+    wall.mapped_corners[0].texel.v = wall.mapped_corners[2].texel.u = 640 * 65536;
     for (uint32_t i = 0; i < sizeof wall.texels; i++) {
         wall.texels[i] = (uint8_t)i;
     }

@@ -1,4 +1,4 @@
-/* A crate of planks that turns by a lamp: 51 lines. show is yours: it takes a frame of 320 x 240 entries of palette. */
+/* A crate of planks that turns by a lamp: 54 lines. show is yours: it takes a frame of 320 x 240 entries of palette. */
 #include <fixel.h>
 #include <fixel/orientation.h>
 #include <fixel/surfaces.h>
@@ -11,6 +11,7 @@ static const fxl_texture texture = {.texels = planks[0], .log_width = 5, .log_he
 static const fxl_surface wood = {.texture = 1, .flags = FXL_SURFACE_LIT, .opacity = 16};
 static const uint16_t face_map[6] = {1, 2, 3, 4, 5, 6};
 static fxl_mapped_face faces[6];
+static fxl_corner corners[18]; /* three of each face */
 static fxl_direction normals[6]; /* of each face one, at all of its corners */
 static fxl_renderer renderer;
 static fxl_surfaces surfaces;
@@ -19,7 +20,8 @@ static fxl_light light;
 static uint64_t memory[CUBE_MEMORY];
 int main(void)
 {
-    const fxl_surface_set set = {&texture, &wood, faces, face_map, normals, 1, 1, 6, 6, NULL, 0, 0};
+    static const fxl_texel texels[3] = {{0, 0}, {FXL_UNITS(32), 0}, {FXL_UNITS(32), FXL_UNITS(32)}};
+    const fxl_surface_set set = {&texture, &wood, faces, face_map, corners, normals, 1, 1, 6, 18, 6, NULL, 0, 0};
     const fxl_light_settings lamp = {.ambient = FXL_Q2_30_ONE / 4, .point_count = 1, .ramp = ramp, .levels = 16,
         .points = {{{FXL_UNITS(-2), FXL_UNITS(3), FXL_UNITS(-4)}, FXL_UNITS(9), FXL_Q2_30_ONE}}};
     const fxl_config config = fxl_config_default(320, 240);
@@ -36,9 +38,10 @@ int main(void)
         planks[y][x] = (uint8_t)(rim ? 12 + (x + y) % 3 : y % 8 == 3 ? 1 : 6 + (x * 5 + y * 23) % 7 % 4);
     }
     for (uint16_t i = 0; i < 6; i++) {
-        const uint16_t *corners = &scene.indices[scene.faces[i].first_index];
-        faces[i] = (fxl_mapped_face){.vertices = {corners[0], corners[1], corners[2]}, .normals = {i, i, i},
-            .texels = {{0, 0}, {FXL_UNITS(32), 0}, {FXL_UNITS(32), FXL_UNITS(32)}}};
+        for (uint16_t k = 0; k < 3; k++) {
+            corners[3 * i + k] = (fxl_corner){texels[k], scene.indices[scene.faces[i].first_index + k], i};
+            faces[i].corners[k] = (uint16_t)(3 * i + k);
+        }
         normals[i] = scene.faces[i].normal;
     }
     if (fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory) || fxl_attach_lit(&renderer, &lit) ||

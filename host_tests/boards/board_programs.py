@@ -53,7 +53,7 @@ def tiny_scene(folder):
     return path
 
 
-def scene_bytes(size=400, version=8):
+def scene_bytes(size=400, version=9):
     """Bytes that the flash tool takes for a scene image; no loader would."""
     body = struct.pack("<4sHHI", b"FXLS", version, 0, size)
     rest = bytes((7 * i) & 255 for i in range(size - 16))

@@ -207,7 +207,7 @@ def test_a_program_that_reaches_into_the_scene(elf, scene, image, tmp_path):
     (lambda data: data[:-4], "says that it has 400"),
     (lambda data: data + bytes(4), "says that it has 400"),
     (lambda data: data[:300] + bytes([data[300] ^ 4]) + data[301:], "checksum does not match"),
-    (lambda data: scene_bytes(version=7), "version 7; this tool knows version 8: build it again"),
+    (lambda data: scene_bytes(version=8), "version 8; this tool knows version 9: build it again"),
     (lambda data: scene_bytes(3584 * 1024 + 4), "does not fit"),
 ])
 def test_a_scene_that_is_not_one(elf, scene, image, spoil, words):

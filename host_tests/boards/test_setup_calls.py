@@ -44,8 +44,10 @@ static uint64_t memory[4096], clip_memory[256], second_memory[1024], pump_memory
 static uint8_t ramp[FXL_LIGHT_RAMP_BYTES(2)], lit_colours[256], colours[256], frame[240][320];
 static const fxl_surface wood = {.opacity = 16};
 static const uint16_t face_map[6], model_map[1];
-static const fxl_mapped_face mapped = {.vertices = {0, 1, 2}};
-static const fxl_surface_set set = {.surfaces = &wood, .faces = &mapped, .face_map = face_map, .surface_count = 1, .face_count = 1};
+static const fxl_mapped_face mapped = {.corners = {0, 1, 2}};
+static const fxl_corner corners[] = {{{0, 0}, 0, 0}, {{0, 0}, 1, 0}, {{0, 0}, 2, 0}};
+static const fxl_surface_set set = {.surfaces = &wood, .faces = &mapped, .face_map = face_map, .corners = corners,
+    .surface_count = 1, .face_count = 1, .corner_count = 3};
 static const fxl_billboard_set boards = {.model_map = model_map};
 static const fxl_beam beam = {.plane_count = 1};
 static const fxl_light_settings day = {.ambient = FXL_Q2_30_ONE, .ramp = ramp, .levels = 2};

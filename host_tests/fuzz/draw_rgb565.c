@@ -18,7 +18,7 @@ typedef struct {
     fxl_texture textures[TEXTURES];
     fxl_surface surfaces[SURFACES];
     uint16_t *texels[TEXTURES];
-    fxl_mapped_face *faces;
+    fxl_corner *corners;
     fxl_surface_set set;
 } set_565;
 
@@ -46,23 +46,26 @@ static size_t texel_count(const fxl_texture *texture)
  * coordinates. */
 static void make_colours(set_565 *made, const fxl_surface_set *from)
 {
-    const size_t bytes = from->face_count * sizeof *made->faces;
-    made->faces = draw_memory(bytes);
-    memcpy(made->faces, from->faces, bytes);
-    made->set.faces = made->faces;
+    const size_t bytes = from->corner_count * sizeof *made->corners;
+    made->corners = draw_memory(bytes);
+    memcpy(made->corners, from->corners, bytes);
+    made->set.corners = made->corners;
     for (uint32_t i = 0; i < SURFACES; i++) {
         if (made->surfaces[i].texture == 0) {
             made->surfaces[i].flags = (uint8_t)(made->surfaces[i].flags | FXL_SURFACE_COLOURS);
         }
     }
     for (uint32_t i = 0; i < from->face_count; i++) {
-        fxl_mapped_face *face = &made->faces[i];
+        const fxl_mapped_face *face = &from->faces[i];
         /* The check looks at the records that faces have alone. */
         const bool has_colours =
             face->surface < SURFACES && made->surfaces[face->surface].flags & FXL_SURFACE_COLOURS;
         for (int k = 0; has_colours && k < 3; k++) {
-            face->texels[k].u &= 0xFFFFFF;
-            face->texels[k].v = 0;
+            const uint32_t at = made->surfaces[face->surface].first_corner + face->corners[k];
+            if (at < from->corner_count) {
+                made->corners[at].texel.u &= 0xFFFFFF;
+                made->corners[at].texel.v = 0;
+            }
         }
     }
 }
@@ -153,7 +156,7 @@ static void fill(const fxl_band *band, uint16_t colour)
 
 /* Bands of so many rows, by another workspace if there is one, in rows with guards between them. */
 static void draw_guarded(fxl_renderer *renderer, fxl_workspace *workspace, uint16_t *pixels,
-                       uint32_t step)
+                         uint32_t step)
 {
     const fxl_lens *lens = &renderer->frame.view.lens;
     const uint16_t stride = (uint16_t)(lens->width + 1);
@@ -249,6 +252,6 @@ void draw_rgb565(fxl_renderer *renderer, draw_parts *parts, const fxl_surface_se
     for (uint32_t i = 0; i < TEXTURES; i++) {
         free(made.texels[i]);
     }
-    free(made.faces);
+    free(made.corners);
     free(palette);
 }

@@ -12,7 +12,8 @@ enum {
     PIXELS = 2048,
     TEXTURES = 3,
     SURFACES = 4,
-    NORMALS = 4
+    NORMALS = 4,
+    FIRST_CORNERS = 4 /* from one of these on surfaces count */
 };
 
 /* Surfaces whose texels, and what is beside them, end where they should. */
@@ -20,6 +21,7 @@ typedef struct {
     fxl_texture textures[TEXTURES];
     fxl_surface surfaces[SURFACES];
     fxl_mapped_face faces[MADE_FACES];
+    fxl_corner corners[FIRST_CORNERS + 3 * MADE_FACES];
     fxl_direction normals[NORMALS];
     uint16_t face_map[MADE_FACES];
     uint8_t colours[16];
@@ -93,6 +95,7 @@ static void make_surface(fxl_surface *surface, fuzz_input *in)
     surface->flags = spoilt(in, fuzz_below(in, 4));
     surface->opacity = spoilt(in, fuzz_below(in, 2) ? 16 : fuzz_below(in, 17));
     surface->reserved[0] = spoilt(in, 0);
+    surface->first_corner = fuzz_below(in, FIRST_CORNERS);
 }
 
 static fxl_q16_16 any_texel(fuzz_input *in)
@@ -109,21 +112,24 @@ static uint16_t spoilt_vertex(fuzz_input *in, uint32_t number, const fxl_model *
 }
 
 /* Three corners of the face that follow each other. */
-static void make_face(fxl_mapped_face *mapped, const fxl_scene *scene, const fxl_model *model,
-                      const fxl_face *face, fuzz_input *in)
+static void make_face(made_surfaces *made, uint32_t number, const fxl_scene *scene,
+                      const fxl_model *model, fuzz_input *in)
 {
+    const fxl_face *face = &scene->faces[number];
     const uint32_t first = face->count < 3 ? 0 : fuzz_below(in, face->count - 2u);
-    const uint16_t *corners = &scene->indices[face->first_index + first];
-    memset(mapped, 0, sizeof *mapped);
+    const uint16_t *vertices = &scene->indices[face->first_index + first];
+    fxl_mapped_face *mapped = &made->faces[number];
     mapped->surface = spoilt(in, fuzz_below(in, SURFACES));
-    mapped->vertices[0] = corners[0];
-    mapped->vertices[1] = spoilt_vertex(in, corners[1], model);
-    mapped->vertices[2] = spoilt_vertex(in, corners[2], model);
-    mapped->reserved = spoilt(in, 0);
-    for (int i = 0; i < 3; i++) {
-        mapped->texels[i].u = any_texel(in);
-        mapped->texels[i].v = any_texel(in);
-        mapped->normals[i] = spoilt(in, fuzz_below(in, NORMALS));
+    for (uint32_t i = 0; i < 3; i++) {
+        const uint32_t own = FIRST_CORNERS + 3 * number + i;
+        const uint32_t at = fuzz_below(in, 64) ? own : (uint32_t)fuzz_bits(in, 1);
+        fxl_corner *corner = &made->corners[own];
+        mapped->corners[i] =
+            (uint16_t)(at - made->surfaces[mapped->surface % SURFACES].first_corner);
+        corner->vertex = i == 0 ? vertices[0] : spoilt_vertex(in, vertices[i], model);
+        corner->texel.u = any_texel(in);
+        corner->texel.v = any_texel(in);
+        corner->normal = spoilt(in, fuzz_below(in, NORMALS));
     }
 }
 
@@ -151,7 +157,7 @@ static void make_surfaces(made_surfaces *made, const fxl_scene *scene, fuzz_inpu
     for (uint32_t m = 0; m < scene->model_count; m++) { /* the models take the faces in turn */
         const fxl_model *model = &scene->models[m];
         for (uint32_t i = model->first_face; i < model->first_face + model->face_count; i++) {
-            make_face(&made->faces[i], scene, model, &scene->faces[i], in);
+            make_face(made, i, scene, model, in);
             made->face_map[i] = (uint16_t)(fuzz_below(in, 4) ? i + 1 : spoilt(in, 0));
         }
     }
@@ -161,10 +167,12 @@ static void make_surfaces(made_surfaces *made, const fxl_scene *scene, fuzz_inpu
                                   .surfaces = made->surfaces,
                                   .faces = made->faces,
                                   .face_map = made->face_map,
+                                  .corners = made->corners,
                                   .normals = made->normals,
                                   .texture_count = TEXTURES,
                                   .surface_count = SURFACES,
                                   .face_count = scene->face_count,
+                                  .corner_count = FIRST_CORNERS + 3 * scene->face_count,
                                   .normal_count = NORMALS,
                                   .blend = fuzz_below(in, 32) ? made->blend : NULL,
                                   .blend_first = first,
@@ -285,7 +293,9 @@ static void draw_light_alone(fxl_renderer *renderer, draw_parts *parts, made_sur
     const uint32_t size = FXL_DEPTH_BYTES(lens->width, lens->height, 16u);
     uint8_t *cells = draw_memory(size);
     for (uint32_t i = 0; i < made->set.surface_count; i++) {
-        made->surfaces[i] = (fxl_surface){.flags = FXL_SURFACE_LIT, .opacity = 16};
+        made->surfaces[i] = (fxl_surface){.flags = FXL_SURFACE_LIT,
+                                          .opacity = 16,
+                                          .first_corner = made->surfaces[i].first_corner};
     }
     if (fxl_surfaces_check(&made->set, renderer->scene, 8, NULL) != FXL_OK) {
         free(cells);
@@ -317,7 +327,8 @@ static void draw_made(const fxl_scene *scene, made_surfaces *made, fuzz_input *i
     static draw_parts parts;
     const fxl_clipper *clipper = clippers[fuzz_below(in, 4)];
     const fxl_lens lens = fuzz_lens(in, PIXELS);
-    void *order = draw_memory(scene->draw_list_needed * sizeof(fxl_draw_entry)), *room = draw_memory(clipper->workspace_size);
+    void *order = draw_memory(scene->draw_list_needed * sizeof(fxl_draw_entry)),
+         *room = draw_memory(clipper->workspace_size);
     const fxl_memory memory = {.draw_list = order, .draw_list_capacity = scene->draw_list_needed};
     fxl_renderer renderer;
     fxl_scene_fault fault = {NULL, 0};

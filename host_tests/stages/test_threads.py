@@ -26,11 +26,12 @@ static const fxl_instance instances[] = {{{0, 0, 0}, 0, 0, 0}, {{0, 0, 0}, 1, 1,
 static fxl_scene scene = {.vertices = vertices, .indices = indices, .faces = faces, .models = models, .instances = instances,
                           .vertex_count = 8, .index_count = 10, .face_count = 3, .model_count = 2, .instance_count = 2};
 static const fxl_surface surface = {.opacity = 16, .flags = FXL_SURFACE_LIT};
-static const fxl_mapped_face mapped = {.vertices = {0, 1, 2}, .texels = {{0, 0}, {0, 65536}, {65536, 65536}}};
+static const fxl_mapped_face mapped = {.corners = {0, 1, 2}};
+static const fxl_corner corners[] = {{{0, 0}, 0, 0}, {{0, 65536}, 1, 0}, {{65536, 65536}, 2, 0}};
 static const uint16_t face_map[] = {0, 0, 1};
 static const fxl_direction normals[] = {{0, 0, -FXL_Q2_30_ONE}};
-static const fxl_surface_set set = {.surfaces = &surface, .faces = &mapped, .face_map = face_map, .normals = normals,
-                                    .surface_count = 1, .face_count = 1, .normal_count = 1};
+static const fxl_surface_set set = {.surfaces = &surface, .faces = &mapped, .face_map = face_map, .corners = corners, .normals = normals,
+                                    .surface_count = 1, .face_count = 1, .corner_count = 3, .normal_count = 1};
 static fxl_renderer renderer;
 static fxl_workspace second;
 static uint64_t memory[2000], room[2000], beam_room[2000], depth[FXL_DEPTH_BYTES(W, H, 32) / 8];

@@ -129,10 +129,11 @@ int main(int argc, char **argv)
     if (fxl_surfaces_open(&image, textures, 64, &set_of_image, NULL) != FXL_OK) { return 12; }
     if (fxl_surfaces_check(ours, scene, image.pixel_bits, NULL) != FXL_OK) { return 13; }
     if (ours->texture_count != theirs->texture_count || ours->surface_count != theirs->surface_count ||
-        ours->face_count != theirs->face_count || ours->normal_count != theirs->normal_count ||
+        ours->face_count != theirs->face_count || ours->normal_count != theirs->normal_count || ours->corner_count != theirs->corner_count ||
         ours->blend_first != theirs->blend_first || ours->blend_count != theirs->blend_count) { return 14; }
     compare("surfaces", ours->surfaces, theirs->surfaces, ours->surface_count * sizeof *ours->surfaces);
     compare("mapped faces", ours->faces, theirs->faces, ours->face_count * sizeof *ours->faces);
+    compare("corners", ours->corners, theirs->corners, ours->corner_count * sizeof *ours->corners);
     compare("face map", ours->face_map, theirs->face_map, scene->face_count * sizeof *ours->face_map);
     if (ours->blend_count > 0) { compare("blend", ours->blend, theirs->blend, 256 * ours->blend_count); }
     for (uint32_t i = 0; i < ours->texture_count; i++) {

@@ -62,7 +62,7 @@ def test_round_trip_of_poses_and_strides():
 
 def test_header_is_laid_out_as_the_chapter_says():
     blob = image.pack(scene())
-    assert struct.unpack_from("<HHI", blob, 4) == (8, 7, len(blob))
+    assert struct.unpack_from("<HHI", blob, 4) == (9, 7, len(blob))
     assert struct.unpack_from("<I", blob, 12)[0] == zlib.crc32(blob[16:])
     assert struct.unpack_from("<HHIiii", blob, 16) == (320, 240, 1 << 30, 65536, 64 << 16, 4)
     assert [table(blob, i)[1] for i in range(7)] == [256, 4, 4, 1, 1, 2, 2]
@@ -95,7 +95,7 @@ def test_damaged_images_are_refused_with_the_status():
     refused(b"FXLD" + blob[4:], "magic")
     refused(patched(blob, 4, b"\1\0"), "version")
     refused(patched(blob, 4, b"\7\0"), "version")
-    refused(patched(blob, 4, b"\11\0"), "version")
+    refused(patched(blob, 4, b"\10\0"), "version")
     refused(patched(blob, 6, b"\0\4"), "size")
     refused(patched(blob, 8, struct.pack("<I", image.IMAGE_MAX + 4)), "size")
     refused(patched(blob, 84, b"\1"), "reserved")
@@ -301,7 +301,7 @@ def test_a_billboard_reaches_as_far_as_its_model_and_no_farther(monkeypatch):
 
 def surfaces(**changes):
     """The tables of an image with a texture of 2 x 2 texels and one surface, which no face has."""
-    return {**dict(zip(image_surface.TABLES, ([(0, 0, 1, 1, BITS_8, 0, 0, 1, 0)], b"abcd", [(1, 0, 0, 16, 0, 0, 0)], [], [0], [], []))),
+    return {**dict(zip(image_surface.TABLES, ([(0, 0, 1, 1, BITS_8, 0, 0, 1, 0)], b"abcd", [(1, 0, 0, 16, 0, 0, 0, 0)], [], [0], [], [], []))),
             **changes}
 
 
@@ -338,7 +338,7 @@ def test_texels_of_rgb565_are_for_an_image_of_rgb565():
 
 def test_colours_are_added_in_an_image_of_rgb565():
     def looks(flags, bits):
-        return image_surface.read, surfaces(surfaces=[(0, 0, flags, 16, 0, 0, 0)]), 0, MODELS, bits
+        return image_surface.read, surfaces(surfaces=[(0, 0, flags, 16, 0, 0, 0, 0)]), 0, MODELS, bits
 
     added, blended = image_surface.ADDED, image_surface.BLENDED
     for flags in (added, added | image_surface.LIT, blended):   # which needs no table
@@ -362,7 +362,7 @@ def test_a_blend_table_ends_with_the_palette():
 
 def test_a_blended_surface_shows_up_to_all_of_its_own_colour():
     def looks(flags, sixteenths, *reserved):
-        return surfaces(surfaces=[(0, 0, flags, 16, sixteenths, *reserved)], **{"blend table": [bytes(256)]})
+        return surfaces(surfaces=[(0, 0, flags, 16, sixteenths, *reserved, 0)], **{"blend table": [bytes(256)]})
 
     for sixteenths in (0, 1, 16):
         assert image_surface.read(looks(image_surface.BLENDED, sixteenths, 0, 0), 0, MODELS).surfaces[0].sixteenths == sixteenths
@@ -371,8 +371,9 @@ def test_a_blended_surface_shows_up_to_all_of_its_own_colour():
     refuses("reserved", image_surface.read, looks(image_surface.BLENDED, 1, 0, 1), 0, MODELS)
 
 
-def mapped(*vertices, surface=0, coordinates=(0, 0, 1, 0, 1, 1), reserved=0):
-    return surfaces(**{"mapped faces": [(surface, *vertices, 0, 0, 0, reserved, *coordinates)], "face map": [1]})
+def mapped(*vertices, surface=0, coordinates=(0, 0, 1, 0, 1, 1), corners=(0, 1, 2)):
+    table = [(*coordinates[2 * i:2 * i + 2], vertex, 0) for i, vertex in enumerate(vertices)]
+    return surfaces(**{"mapped faces": [(surface, *corners)], "mapped corners": table, "face map": [1]})
 
 
 def test_a_face_has_a_mapping_of_three_vertices_that_are_on_no_line():
@@ -380,10 +381,34 @@ def test_a_face_has_a_mapping_of_three_vertices_that_are_on_no_line():
     image_surface.read(mapped(0, 1, 2, coordinates=(most, -most, 0, 0, 0, 0)), 0, MODELS)
     assert MODELS[0].faces[0].mapped.texels[0] == (most, -most) and MODELS[0].faces[0].mapped.vertices == (0, 1, 2)
     for status, found in (("degenerate", mapped(0, 2, 3)), ("index", mapped(0, 1, 4)), ("degenerate", mapped(1, 1, 2)),
-                          ("index", mapped(0, 1, 2, surface=1)), ("reserved", mapped(0, 1, 2, reserved=1)),
+                          ("index", mapped(0, 1, 2, surface=1)), ("index", mapped(0, 1, 2, corners=(0, 1, 3))),
                           ("range", mapped(0, 1, 2, coordinates=(most + 1, 0, 0, 0, 0, 0))),
                           ("index", {**mapped(0, 1, 2), "face map": [2]})):
         refuses(status, image_surface.read, found, 0, MODELS)
+
+
+def test_a_surface_counts_corners_from_its_first():
+    found = mapped(0, 0, 1, 2, coordinates=(0, 0) + (0, 0, 1, 0, 1, 1))
+    found["surfaces"] = [(0, 0, 0, 16, 0, 0, 0, 1)]
+    image_surface.read(found, 0, MODELS)
+    assert MODELS[0].faces[0].mapped.vertices == (0, 1, 2)
+    for first in (2, 4):
+        refuses("index", image_surface.read, {**found, "surfaces": [(0, 0, 0, 16, 0, 0, 0, first)]}, 0, MODELS)
+    refuses("index", image_surface.read, {**found, "surfaces": [(0, 0, 0, 16, 0, 0, 0, 5)]}, 0, MODELS)
+
+
+def test_faces_share_corners_up_to_65536_a_surface():
+    """Of the faces of a strip each shares two corners with the one before. Where a surface has as many as its faces can count, one
+    like it goes on, and the faces are read as they were."""
+    count = image_surface.CORNERS_OF_SURFACE
+    strip = [image_surface.Mapped(0, (i, i + 1, i + 2), ((i, 0), (i + 1, 0), (i + 2, 0))) for i in range(count)]
+    look = image_surface.Surface(opacity=7)
+    placed, faces, corners = image_surface.share_corners(strip[:-2], [look])
+    assert (placed, len(corners)) == ([(look, 0)], count) and faces[-1] == (0, (count - 3, count - 2, count - 1))
+    placed, faces, corners = image_surface.share_corners(strip, [look])
+    assert placed == [(look, 0), (look, count)] and len(corners) == count + 4 and faces[-2:] == [(1, (0, 1, 2)), (1, (1, 2, 3))]
+    for one, (surface, numbers) in zip(strip, faces):
+        assert tuple(corners[placed[surface][1] + number][1] for number in numbers) == one.vertices
 
 
 @pytest.mark.parametrize("way, is_line", [((1, 0, 0), True), ((0, 1, 0), True), ((0, 0, 1), True), ((1, 2, -3), True),

@@ -48,9 +48,12 @@ depth_scene *depth_scene_make(void)
     made->texture =
         (fxl_texture){.texels = made->texels, .log_width = 3, .log_height = 3, .levels = 1};
     made->surface = (fxl_surface){.texture = 1, .opacity = 16};
-    made->mapped = (fxl_mapped_face){.vertices = {0, 1, 2},
-                                     .texels = {{0, 8 * 65536}, {0, 0}, {48 * 65536, 0}}};
-    made->set = quad_surface_set(&made->texture, &made->surface, &made->mapped, made->face_map);
+    made->mapped = (fxl_mapped_face){.corners = {0, 1, 2}};
+    made->mapped_corners[0] = (fxl_corner){{0, 8 * 65536}, 0, 0};
+    made->mapped_corners[1] = (fxl_corner){{0, 0}, 1, 0};
+    made->mapped_corners[2] = (fxl_corner){{48 * 65536, 0}, 2, 0};
+    made->set = quad_surface_set(&made->texture, &made->surface, &made->mapped,
+                                 made->mapped_corners, made->face_map);
     made->config = mapped_quad_floor_config(DEPTH_SCENE_WIDTH, DEPTH_SCENE_HEIGHT);
     made->config.background = DEPTH_SCENE_BACKGROUND;
     return made;

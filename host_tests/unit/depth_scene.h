@@ -21,6 +21,7 @@ typedef struct {
     fxl_texture texture;
     fxl_surface surface;
     fxl_mapped_face mapped;
+    fxl_corner mapped_corners[3];
     uint16_t face_map[DEPTH_SCENE_QUADS]; /* all 0: no face has the texture */
     fxl_surface_set set;
     fxl_renderer renderer;

@@ -36,16 +36,33 @@ static inline fxl_scene quad_tables_scene(const quad_tables *tables, uint16_t qu
 static inline fxl_surface_set quad_surface_set(const fxl_texture *texture,
                                                const fxl_surface *surface,
                                                const fxl_mapped_face *mapped,
-                                               const uint16_t *face_map)
+                                               const fxl_corner *corners, const uint16_t *face_map)
 {
     const fxl_surface_set set = {.textures = texture,
                                  .surfaces = surface,
                                  .faces = mapped,
                                  .face_map = face_map,
+                                 .corners = corners,
                                  .texture_count = 1,
                                  .surface_count = 1,
-                                 .face_count = 1};
+                                 .face_count = 1,
+                                 .corner_count = 3};
     return set;
+}
+
+/* A face with the given three vertices; its texture is so long on each side. The corners have these
+ * numbers, from the first one on. */
+static inline void quad_map_face(fxl_mapped_face *mapped, fxl_corner corners[3], uint32_t first,
+                                 const uint16_t *vertices, fxl_q16_16 side)
+{
+    const fxl_texel texels[3] = {{0, side}, {0, 0}, {side, 0}};
+    mapped->surface = 0;
+    for (uint32_t i = 0; i < 3; i++) {
+        mapped->corners[i] = (uint16_t)(first + i);
+        corners[i].texel = texels[i];
+        corners[i].vertex = vertices[i];
+        corners[i].normal = 0;
+    }
 }
 
 /* A scene of one quadrilateral at the origin, with a texture of 64 x 64. */
@@ -60,6 +77,7 @@ typedef struct {
     fxl_texture texture;
     fxl_surface surface;
     fxl_mapped_face mapped;
+    fxl_corner mapped_corners[3];
     uint16_t face_map;
     fxl_surface_set set;
 } mapped_quad;
@@ -73,7 +91,7 @@ static inline void mapped_quad_make(mapped_quad *quad, fxl_direction normal, fxl
         quad->indices[i] = i;
     }
     for (uint8_t i = 0; i < 3; i++) {
-        quad->mapped.vertices[i] = i;
+        quad->mapped.corners[i] = quad->mapped_corners[i].vertex = i;
     }
     quad->face = (fxl_face){normal, 0, 4, 200, 0};
     quad->model =
@@ -83,7 +101,8 @@ static inline void mapped_quad_make(mapped_quad *quad, fxl_direction normal, fxl
         (fxl_texture){.texels = quad->texels, .log_width = 6, .log_height = 6, .levels = 1};
     quad->surface = (fxl_surface){.texture = 1, .opacity = 16};
     quad->face_map = 1;
-    quad->set = quad_surface_set(&quad->texture, &quad->surface, &quad->mapped, &quad->face_map);
+    quad->set = quad_surface_set(&quad->texture, &quad->surface, &quad->mapped,
+                                 quad->mapped_corners, &quad->face_map);
 }
 
 /* The floor of workload W4: 16 x 20 units, half a unit below the eye, which runs behind it. Texels
@@ -96,7 +115,8 @@ static inline void mapped_quad_make_floor(mapped_quad *quad)
             (fxl_point){(is_right ? 8 : -8) * 65536, -32768, (i < 2 ? 16 : -4) * 65536};
     }
     for (uint32_t i = 0; i < 3; i++) {
-        quad->mapped.texels[i] = (fxl_texel){(i > 0 ? 512 : 0) * 65536, (i < 2 ? 640 : 0) * 65536};
+        quad->mapped_corners[i].texel =
+            (fxl_texel){(i > 0 ? 512 : 0) * 65536, (i < 2 ? 640 : 0) * 65536};
     }
     for (uint32_t i = 0; i < sizeof quad->texels; i++) {
         quad->texels[i] = (uint8_t)(1 + (i >> 10 & 3) * 4 + (i >> 4 & 3));

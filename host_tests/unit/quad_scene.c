@@ -53,21 +53,20 @@ static void make_pose(quad_scene *quad)
 static void make_surface(quad_scene *quad)
 {
     quad->surface = (fxl_surface){.opacity = 16};
-    quad->mapped = (fxl_mapped_face){.vertices = {0, 1, 2}};
-    if (unit_between(0, 1)) {
-        quad->mapped.vertices[1] = 2;
-        quad->mapped.vertices[2] = 3;
-    }
-    for (uint32_t i = 0; i < 3; i++) {
-        quad->mapped.texels[i] =
+    quad->mapped = (fxl_mapped_face){.corners = {0, 1, 2}};
+    const uint16_t skipped = unit_between(0, 1) ? 1 : 0;
+    for (uint16_t i = 0; i < 3; i++) {
+        quad->mapped_corners[i].vertex = (uint16_t)(i > 0 ? i + skipped : 0);
+        quad->mapped_corners[i].texel =
             (fxl_texel){unit_between(-Q16(100), Q16(100)), unit_between(-Q16(100), Q16(100))};
-        quad->mapped.normals[i] = (uint16_t)unit_between(0, 3);
+        quad->mapped_corners[i].normal = (uint16_t)unit_between(0, 3);
     }
     for (uint32_t i = 0; i < 4; i++) {
         quad->normals[i] = unit_between(0, 3) ? quad->face.normal : unit_direction();
     }
     quad->face_map = 1;
-    quad->set = quad_surface_set(&quad->texture, &quad->surface, &quad->mapped, &quad->face_map);
+    quad->set = quad_surface_set(&quad->texture, &quad->surface, &quad->mapped,
+                                 quad->mapped_corners, &quad->face_map);
     quad->set.texture_count = 0;
     quad->set.normals = quad->normals;
     quad->set.normal_count = 4;
@@ -111,8 +110,9 @@ void quad_begin(quad_scene *quad)
     const double scale = quad->placement.scale / 65536.0;
     for (uint32_t i = 0; i < 3; i++) {
         quad->corners[i] = turned(
-            quad, exact_point(&quad->vertices[quad->mapped.vertices[i]], 1.0 / 65536), scale);
-        quad->lit[i] = turned(quad, exact_direction(&quad->normals[quad->mapped.normals[i]]), 1);
+            quad, exact_point(&quad->vertices[quad->mapped_corners[i].vertex], 1.0 / 65536), scale);
+        quad->lit[i] =
+            turned(quad, exact_direction(&quad->normals[quad->mapped_corners[i].normal]), 1);
     }
     for (uint32_t i = 0; i < 4; i++) {
         quad->outline[i] = turned(quad, exact_point(&quad->vertices[i], 1.0 / 65536), scale);
@@ -200,7 +200,8 @@ bool quad_affine_value(const quad_scene *quad, int x, int y, const double a[3], 
 
 double quad_texels(const quad_scene *quad)
 {
-    const fxl_texel *t = quad->mapped.texels;
+    const fxl_texel t[3] = {quad->mapped_corners[0].texel, quad->mapped_corners[1].texel,
+                            quad->mapped_corners[2].texel};
     const double texel = 1.0 / 65536;
     const double area = fabs(((double)t[1].u - t[0].u) * ((double)t[2].v - t[0].v) -
                              ((double)t[2].u - t[0].u) * ((double)t[1].v - t[0].v)) *

@@ -25,6 +25,7 @@ typedef struct {
     fxl_texture texture;
     fxl_surface surface;
     fxl_mapped_face mapped;
+    fxl_corner mapped_corners[3];
     fxl_direction normals[4];
     uint16_t face_map;
     fxl_surface_set set;

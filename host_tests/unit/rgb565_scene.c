@@ -71,9 +71,11 @@ void walls_make(void)
     walls.surface[0] = (fxl_surface){.texture = 1, .opacity = 16};
     walls.surface[1] = (fxl_surface){.opacity = 16};
     for (uint16_t i = 0; i < 2; i++) {
-        walls.mapped[i] = (fxl_mapped_face){.surface = i,
-                                            .vertices = {0, 1, 2},
-                                            .texels = {{0, 0}, {Q16(40), 0}, {Q16(40), Q16(24)}}};
+        walls.surface[i].first_corner = 3u * i;
+        walls.mapped[i] = (fxl_mapped_face){.surface = i, .corners = {0, 1, 2}};
+        walls.mapped_corners[i][0] = (fxl_corner){{0, 0}, 0, 0};
+        walls.mapped_corners[i][1] = (fxl_corner){{Q16(40), 0}, 1, 0};
+        walls.mapped_corners[i][2] = (fxl_corner){{Q16(40), Q16(24)}, 2, 0};
     }
     walls.face_map[0] = 1;
     walls.face_map[1] = walls.face_map[2] = 0;
@@ -81,10 +83,12 @@ void walls_make(void)
                                   .surfaces = walls.surface,
                                   .faces = walls.mapped,
                                   .face_map = walls.face_map,
+                                  .corners = walls.mapped_corners[0],
                                   .normals = normals,
                                   .texture_count = 1,
                                   .surface_count = 2,
                                   .face_count = 2,
+                                  .corner_count = 6,
                                   .normal_count = 2};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&walls.scene, NULL));
     walls_start(&fxl_palette);

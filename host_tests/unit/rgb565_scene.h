@@ -20,6 +20,7 @@ typedef struct {
     fxl_texture texture;
     fxl_surface surface[2];
     fxl_mapped_face mapped[2];
+    fxl_corner mapped_corners[2][3];
     uint16_t face_map[3];
     fxl_surface_set set;
     fxl_scene scene;

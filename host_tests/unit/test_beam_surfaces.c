@@ -214,8 +214,8 @@ void test_a_hole_stays_a_hole(void)
 {
     walls.texture.flags = FXL_TEXTURE_KEYED | FXL_TEXTURE_CLAMP;
     walls.texture.key = TEXEL + 3;
-    walls.mapped[0].texels[1].u = walls.mapped[0].texels[2].u = Q16(16);
-    walls.mapped[0].texels[2].v = Q16(12);
+    walls.mapped_corners[0][1].texel.u = walls.mapped_corners[0][2].texel.u = Q16(16);
+    walls.mapped_corners[0][2].texel.v = Q16(12);
     check_each_target(true, TEXEL, TEXELS);
 }
 
@@ -363,7 +363,9 @@ void test_texels_of_16_bits_are_refused(void)
 void test_colours_at_corners_are_refused(void)
 {
     walls.surface[0] = (fxl_surface){.flags = FXL_SURFACE_COLOURS, .opacity = 16};
-    memset(walls.mapped[0].texels, 0, sizeof walls.mapped[0].texels);
+    for (int i = 0; i < 3; i++) {
+        walls.mapped_corners[0][i].texel = (fxl_texel){0, 0};
+    }
     expect_refused_in_rgb565("colours at corners");
 }
 

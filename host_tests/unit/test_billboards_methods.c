@@ -29,6 +29,7 @@ static uint16_t model_map[2];
 static fxl_billboard_set set;
 static fxl_surface surface;
 static fxl_mapped_face mapped;
+static const fxl_corner corners[3] = {{{0, 0}, 0, 0}, {{0, 0}, 1, 0}, {{0, 0}, 2, 0}};
 static uint16_t face_map[7];
 static uint8_t blend[FXL_BLEND_TABLE_BYTES(8)];
 static fxl_surface_set surface_set;
@@ -66,13 +67,15 @@ void setUp(void)
                                                           &placements[0].orientation));
     tiny_board(&set, &board, model_map, &sprite, texels, SPRITE_WIDTH, SPRITE_HEIGHT);
     surface = (fxl_surface){.opacity = 16};
-    mapped = (fxl_mapped_face){.vertices = {0, 1, 2}};
+    mapped = (fxl_mapped_face){.corners = {0, 1, 2}};
     memset(face_map, 0, sizeof face_map);
     surface_set = (fxl_surface_set){.surfaces = &surface,
                                     .faces = &mapped,
                                     .face_map = face_map,
+                                    .corners = corners,
                                     .surface_count = 1,
-                                    .face_count = 1};
+                                    .face_count = 1,
+                                    .corner_count = 3};
 }
 
 static void start(uint32_t words)

@@ -43,7 +43,7 @@ static quad_scene *make(bool is_triangle, uint8_t flags, uint8_t division)
     if (is_triangle) {
         quad->face.count = 3;
         for (uint16_t i = 0; i < 3; i++) {
-            quad->mapped.vertices[i] = i;
+            quad->mapped_corners[i].vertex = i;
             quad->corners[i] = exact_point(&quad->vertices[i], 1.0 / 65536);
         }
     }
@@ -52,7 +52,7 @@ static quad_scene *make(bool is_triangle, uint8_t flags, uint8_t division)
             const int channel = unit_between(-60, 315);
             corners[i][k] = channel < 0 ? 0 : channel > 255 ? 255 : channel;
         }
-        quad->mapped.texels[i] =
+        quad->mapped_corners[i].texel =
             (fxl_texel){FXL_CORNER_COLOUR(corners[i][0], corners[i][1], corners[i][2]), 0};
     }
     return quad;
@@ -279,7 +279,8 @@ void test_one_colour_at_all_corners(void)
         quad_scene *quad = make(unit_between(0, 1) != 0, 0, (uint8_t)unit_between(0, 3));
         const int *c = corners[0];
         const uint16_t colour = (uint16_t)(c[0] >> 3 << 11 | c[1] >> 2 << 5 | c[2] >> 3);
-        quad->mapped.texels[1] = quad->mapped.texels[2] = quad->mapped.texels[0];
+        quad->mapped_corners[1].texel = quad->mapped_corners[2].texel =
+            quad->mapped_corners[0].texel;
         begin(quad, &fxl_rgb565, FXL_SURFACES_OF(fxl_rgb565));
         draw(quad, frame);
         for (int p = 0; p < QUAD_WIDTH * QUAD_HEIGHT; p++) {
@@ -306,7 +307,7 @@ void test_light_at_the_corners(void)
         for (int k = 0; k < 3; k++) {
             parts[k] =
                 exact_brightness(&settings, &quad->renderer.frame.view.camera, quad->corners[k],
-                                 exact_direction(&quad->normals[quad->mapped.normals[k]]));
+                                 exact_direction(&quad->normals[quad->mapped_corners[k].normal]));
         }
         check_frame(quad, parts, settings.dark, 0.34);
     }
@@ -393,15 +394,15 @@ void test_what_the_check_refuses(void)
     quad_scene *quad = make(false, 0, FXL_DIVIDE_16);
     TEST_ASSERT_EQUAL(FXL_OK, status_of(quad, 16));
     TEST_ASSERT_EQUAL(FXL_E_RESERVED, status_of(quad, 8));
-    quad->mapped.texels[2].u = 0xFFFFFF;
+    quad->mapped_corners[2].texel.u = 0xFFFFFF;
     TEST_ASSERT_EQUAL(FXL_OK, status_of(quad, 16));
-    quad->mapped.texels[2].u = 0x1000000;
+    quad->mapped_corners[2].texel.u = 0x1000000;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, status_of(quad, 16));
-    quad->mapped.texels[2].u = -1;
+    quad->mapped_corners[2].texel.u = -1;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, status_of(quad, 16));
-    quad->mapped.texels[2] = (fxl_texel){0, 1};
+    quad->mapped_corners[2].texel = (fxl_texel){0, 1};
     TEST_ASSERT_EQUAL(FXL_E_RANGE, status_of(quad, 16));
-    quad->mapped.texels[2] = (fxl_texel){0, 0};
+    quad->mapped_corners[2].texel = (fxl_texel){0, 0};
     static const uint8_t texel[1];
     quad->texture = (fxl_texture){.texels = texel, .levels = 1};
     quad->set.texture_count = 1;

@@ -239,11 +239,12 @@ void test_texels_of_16_bits_on_a_palette(void)
 {
     static const uint16_t texels[1], face_map[64];
     static const fxl_mapped_face faces[1];
+    static const fxl_corner corners[1];
     const fxl_texture texture = {.texels = (const uint8_t *)texels,
                                  .format = FXL_TEXTURE_565, .levels = 1};
     const fxl_surface surface = {.texture = 1, .opacity = 16};
     const fxl_surface_set set = {.textures = &texture, .surfaces = &surface, .faces = faces,
-                                 .face_map = face_map, .texture_count = 1, .surface_count = 1};
+                                 .face_map = face_map, .corners = corners, .texture_count = 1, .surface_count = 1};
     static fxl_surfaces surfaces;
     refuse(fxl_surfaces_reasons, FXL_E_ORDER,
            fxl_attach_surfaces(&renderer, &surfaces, &set, FXL_SURFACES_OF(fxl_rgb565)),

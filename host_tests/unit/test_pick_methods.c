@@ -39,16 +39,19 @@ static const fxl_texture texture = {.texels = texels,
                                     .key = KEY,
                                     .levels = 1};
 static const fxl_surface surface = {.texture = 1, .division = FXL_DIVIDE_1, .opacity = 16};
-static const fxl_mapped_face mapped = {.vertices = {0, 2, 6},
-                                       .texels = {{0, 0}, {0, Q16(8)}, {Q16(8), Q16(8)}}};
+static const fxl_mapped_face mapped = {.corners = {0, 1, 2}};
+static const fxl_corner corners[3] = {
+    {{0, 0}, 0, 0}, {{0, Q16(8)}, 2, 0}, {{Q16(8), Q16(8)}, 6, 0}};
 static const uint16_t face_map[12] = {0, 0, 0, 0, 1};
 static const fxl_surface_set surface_set = {.textures = &texture,
                                             .surfaces = &surface,
                                             .faces = &mapped,
                                             .face_map = face_map,
+                                            .corners = corners,
                                             .texture_count = 1,
                                             .surface_count = 1,
-                                            .face_count = 1};
+                                            .face_count = 1,
+                                            .corner_count = 3};
 
 void setUp(void)
 {

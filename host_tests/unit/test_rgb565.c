@@ -71,7 +71,7 @@ void test_opacity_changes_no_colour(void)
         .levels = 9,
         .points = {{{Q16(-2), Q16(1), Q16(4)}, Q16(7), FXL_Q2_30_ONE}}};
     walls.surface[0].flags = FXL_SURFACE_LIT;
-    walls.mapped[0].normals[1] = 1; /* so light goes beyond the ramp at both ends */
+    walls.mapped_corners[0][1].normal = 1; /* so light goes beyond the ramp at both ends */
     for (uint32_t lit = 0; lit < 2; lit++) {
         uint32_t drawn = 0, other = 0;
         walls.surface[0].opacity = 16;
@@ -100,8 +100,8 @@ void test_opacity_changes_no_colour(void)
 void test_the_second_level_is_found(void)
 {
     walls_make_texture(FXL_TEXTURE_8);
-    walls.mapped[0].texels[1].u = walls.mapped[0].texels[2].u = Q16(200);
-    walls.mapped[0].texels[2].v = Q16(120);
+    walls.mapped_corners[0][1].texel.u = walls.mapped_corners[0][2].texel.u = Q16(200);
+    walls.mapped_corners[0][2].texel.v = Q16(120);
     memset(walls.texels, 9, 256);
     check_against_palette();
 }

@@ -263,7 +263,7 @@ void test_light_beyond_the_corners_is_held(void)
     const fxl_light_settings settings = {
         .direction = {0, 0, FXL_Q2_30_ONE}, .strength = FXL_Q2_30_ONE, .ramp = ramp, .levels = 2};
     uint32_t full = 0;
-    walls.mapped[1].normals[1] = 1;
+    walls.mapped_corners[1][1].normal = 1;
     draw_white_wall(&settings);
     for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
         full += is_wall(walls.pixels[i]) && walls.pixels[i] == walls.palette[21];

@@ -31,8 +31,8 @@ static void make_wall(uint8_t division, uint32_t with)
         walls.texture.key_565 = with & INDICES ? 0 : walls.texels_565[7];
     }
     for (int k = 0; k < 3; k++) {
-        walls.mapped[0].texels[k].u += unit_between(-Q16(30), Q16(30));
-        walls.mapped[0].texels[k].v += unit_between(-Q16(30), Q16(30));
+        walls.mapped_corners[0][k].texel.u += unit_between(-Q16(30), Q16(30));
+        walls.mapped_corners[0][k].texel.v += unit_between(-Q16(30), Q16(30));
     }
     walls.surface[0].division = division;
     walls.surface[0].opacity = (uint8_t)(with & STIPPLE ? unit_between(1, 15) : 16);
@@ -41,7 +41,7 @@ static void make_wall(uint8_t division, uint32_t with)
                                        : with & ADD ? FXL_SURFACE_ADD
                                                     : 0);
     walls.face_map[1] = 2;
-    walls.mapped[0].normals[1] = 1;
+    walls.mapped_corners[0][1].normal = 1;
 }
 
 static uint32_t hash_of(uint8_t division, uint32_t with)

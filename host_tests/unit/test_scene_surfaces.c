@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Surfaces in a scene image: seven sections. */
+/* Surfaces in a scene image: eight sections. */
 #include "expect_scene.h"
 #include "fixel/surfaces.h"
 
@@ -8,7 +8,8 @@ enum {
     AT_TEXELS = AT_TEXTURES + SECTION_BYTES,
     AT_SURFACES = AT_TEXELS + SECTION_BYTES,
     AT_MAPPED = AT_SURFACES + SECTION_BYTES,
-    AT_MAP = AT_MAPPED + SECTION_BYTES,
+    AT_MAPPED_CORNERS = AT_MAPPED + SECTION_BYTES,
+    AT_MAP = AT_MAPPED_CORNERS + SECTION_BYTES,
     AT_NORMALS = AT_MAP + SECTION_BYTES,
     AT_BLEND = AT_NORMALS + SECTION_BYTES,
     TEXTURES = 2,
@@ -35,9 +36,10 @@ static tiny_image *make(void)
     static const fxl_surface surfaces[2] = {
         {.texture = 1, .opacity = 16, .flags = FXL_SURFACE_BLEND},
         {.texture = 2, .division = FXL_DIVIDE_1, .opacity = 7, .flags = FXL_SURFACE_LIT}};
-    static const fxl_mapped_face faces[2] = {
-        {.vertices = {1, 3, 0}, .texels = {{0, 0}, {Q16(4), 0}, {0, Q16(-2)}}},
-        {.surface = 1, .vertices = {6, 7, 5}, .texels = {{1, 2}, {3, 4}, {5, 6}}}};
+    static const fxl_mapped_face faces[2] = {{.corners = {0, 1, 2}},
+                                             {.surface = 1, .corners = {3, 4, 5}}};
+    static const fxl_corner corners[6] = {{{0, 0}, 1, 0}, {{Q16(4), 0}, 3, 0}, {{0, Q16(-2)}, 0, 0},
+                                          {{1, 2}, 6, 0}, {{3, 4}, 7, 0},      {{5, 6}, 5, 0}};
     static const uint16_t map[FACES] = {1, 2};
     static const fxl_direction normal = {0, FXL_Q2_30_ONE, 0};
     uint8_t texels[TEXELS];
@@ -50,6 +52,7 @@ static tiny_image *make(void)
     tiny_set_section(image, SECTION_TEXELS, texels, TEXELS, 1);
     tiny_set_section(image, SECTION_SURFACES, surfaces, 2, sizeof surfaces[0]);
     tiny_set_section(image, SECTION_MAPPED_FACES, faces, 2, sizeof faces[0]);
+    tiny_set_section(image, SECTION_CORNERS, corners, 6, sizeof corners[0]);
     tiny_set_section(image, SECTION_FACE_MAP, map, FACES, sizeof map[0]);
     tiny_set_section(image, SECTION_NORMALS_OF_CORNERS, &normal, 1, sizeof normal);
     tiny_set_section(image, SECTION_BLEND_TABLE, blend, 2, sizeof blend[0]);
@@ -118,7 +121,9 @@ void test_surfaces_are_used_in_place(void)
     TEST_ASSERT_EQUAL_UINT32(2, set.surface_count);
     TEST_ASSERT_EQUAL_UINT8(7, set.surfaces[1].opacity);
     TEST_ASSERT_EQUAL_UINT32(2, set.face_count);
-    TEST_ASSERT_EQUAL_INT32(Q16(-2), set.faces[0].texels[2].v);
+    TEST_ASSERT_EQUAL_UINT16(5, set.faces[1].corners[2]);
+    TEST_ASSERT_EQUAL_UINT32(6, set.corner_count);
+    TEST_ASSERT_EQUAL_INT32(Q16(-2), set.corners[2].texel.v);
     TEST_ASSERT_EQUAL_UINT16(2, set.face_map[1]);
     TEST_ASSERT_EQUAL_UINT32(1, set.normal_count);
     TEST_ASSERT_EQUAL_INT32(FXL_Q2_30_ONE, set.normals[0].y);
@@ -202,11 +207,12 @@ void test_tables_of_surfaces_are_checked(void)
     expect_opening(FXL_E_RESERVED, image);
 }
 
-/* One section of surfaces asks for three of them. */
+/* One section of surfaces asks for four of them. */
 void test_sections_of_surfaces_go_together(void)
 {
-    static const uint16_t needed[] = {SECTION_SURFACES, SECTION_MAPPED_FACES, SECTION_FACE_MAP};
-    for (int i = 0; i < 3; i++) {
+    static const uint16_t needed[] = {SECTION_SURFACES, SECTION_MAPPED_FACES, SECTION_CORNERS,
+                                      SECTION_FACE_MAP};
+    for (int i = 0; i < 4; i++) {
         tiny_image *image = make();
         tiny_set_section(image, needed[i], NULL, 0, 0);
         expect_opening(FXL_E_COUNT, image);
@@ -214,16 +220,14 @@ void test_sections_of_surfaces_go_together(void)
     for (uint16_t kind = SECTION_TEXTURES; kind <= SECTION_BLEND_TABLE; kind++) {
         static const uint32_t bytes[64];
         tiny_image *image = tiny_image_make(false);
-        const uint32_t size = kind == SECTION_BLEND_TABLE    ? 256
-                              : kind == SECTION_MAPPED_FACES ? 40
-                                                             : 48;
+        const uint32_t size = kind == SECTION_BLEND_TABLE ? 256 : 48;
         tiny_set_section(image, kind, bytes, 1, size);
         if (size == 48) { /* whole entries of any of the others */
-            tiny_put32(tiny_at(image, AT_MORE + 4), kind == SECTION_TEXTURES   ? 3
-                                                    : kind == SECTION_TEXELS   ? 48
-                                                    : kind == SECTION_SURFACES ? 6
-                                                    : kind == SECTION_FACE_MAP ? 24
-                                                                               : 4);
+            tiny_put32(tiny_at(image, AT_MORE + 4), kind == SECTION_TEXTURES       ? 3
+                                                    : kind == SECTION_TEXELS       ? 48
+                                                    : kind == SECTION_MAPPED_FACES ? 6
+                                                    : kind == SECTION_FACE_MAP     ? 24
+                                                                                   : 4);
         }
         expect_opening(FXL_E_COUNT, image);
     }
@@ -301,13 +305,13 @@ void test_an_image_that_asks_for_rgb565_may_add_colours(void)
     for (uint8_t target = 0; target <= 4; target += 4) {
         tiny_image *image = make();
         *tiny_at(image, AT_TARGET) = target;
-        tiny_entry(image, AT_SURFACES, 0, 8)[3] = FXL_SURFACE_ADD;
+        tiny_entry(image, AT_SURFACES, 0, sizeof(fxl_surface))[3] = FXL_SURFACE_ADD;
         expect_surfaces(target == 4 ? FXL_OK : FXL_E_RESERVED, target == 4 ? "nothing" : "surface",
                         image);
     }
     tiny_image *image = make();
     *tiny_at(image, AT_TARGET) = 4;
-    tiny_entry(image, AT_SURFACES, 0, 8)[3] = FXL_SURFACE_ADD | FXL_SURFACE_BLEND;
+    tiny_entry(image, AT_SURFACES, 0, sizeof(fxl_surface))[3] = FXL_SURFACE_ADD | FXL_SURFACE_BLEND;
     expect_surfaces(FXL_E_RESERVED, "surface", image);
     image = make();
     *tiny_at(image, AT_TARGET) = 4;
@@ -319,10 +323,13 @@ void test_an_image_that_asks_for_rgb565_may_add_colours(void)
 void test_the_rest_is_checked(void)
 {
     tiny_image *image = make();
-    tiny_entry(image, AT_SURFACES, 0, 8)[4] = 17;
+    tiny_entry(image, AT_SURFACES, 0, sizeof(fxl_surface))[4] = 17;
     expect_surfaces(FXL_E_RANGE, "surface", image);
     image = make();
-    tiny_put16(tiny_entry(image, AT_MAPPED, 1, 40) + 10, 1);
+    tiny_put16(tiny_entry(image, AT_MAPPED, 1, sizeof(fxl_mapped_face)) + 6, 6);
+    expect_surfaces(FXL_E_INDEX, "mapped face", image);
+    image = make();
+    tiny_put16(tiny_entry(image, AT_MAPPED_CORNERS, 4, sizeof(fxl_corner)) + 10, 1);
     expect_surfaces(FXL_E_INDEX, "mapped face", image);
     image = make();
     tiny_put16(tiny_entry(image, AT_MAP, 2, 2), 3);

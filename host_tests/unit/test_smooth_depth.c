@@ -28,7 +28,8 @@ static const fxl_model model = {
 static const fxl_instance instance = {{0, 0, 0}, 0, 0, 0};
 static const fxl_direction normals[] = {
     {0, 0, -FXL_Q2_30_ONE}, {0, FXL_Q2_30_ONE, 0}, {FXL_Q2_30_ONE, 0, 0}};
-static const fxl_mapped_face mapped = {.vertices = {0, 1, 2}, .normals = {0, 1, 2}};
+static const fxl_mapped_face mapped = {.corners = {0, 1, 2}};
+static const fxl_corner mapped_corners[3] = {{{0, 0}, 0, 0}, {{0, 0}, 1, 1}, {{0, 0}, 2, 2}};
 
 /* The ramp is the blend table too: what is blended hides what is beneath. */
 static uint8_t ramp[FXL_LIGHT_RAMP_BYTES(LEVELS)], lit[256];
@@ -71,9 +72,11 @@ static void draw(const fxl_surface *surface, const fxl_beam *beam, uint8_t *fram
     const fxl_surface_set set = {.surfaces = surface,
                                  .faces = &mapped,
                                  .face_map = face_map,
+                                 .corners = mapped_corners,
                                  .normals = normals,
                                  .surface_count = 1,
                                  .face_count = 1,
+                                 .corner_count = 3,
                                  .normal_count = 3,
                                  .blend = ramp,
                                  .blend_count = LEVELS};

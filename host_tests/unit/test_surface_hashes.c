@@ -51,8 +51,8 @@ static void make_texture(quad_scene *quad, uint32_t number)
     quad->set.texture_count = 1;
     quad->surface.texture = 1;
     for (int k = 0; k < 3; k++) { /* from a texel for many pixels to many texels a pixel */
-        quad->mapped.texels[k].u = quad->mapped.texels[k].u >> number % 7;
-        quad->mapped.texels[k].v = quad->mapped.texels[k].v >> number % 5;
+        quad->mapped_corners[k].texel.u = quad->mapped_corners[k].texel.u >> number % 7;
+        quad->mapped_corners[k].texel.v = quad->mapped_corners[k].texel.v >> number % 5;
     }
 }
 

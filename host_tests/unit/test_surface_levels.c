@@ -53,8 +53,8 @@ static void check_levels(const quad_scene *quad, bool of_4_bits, int level)
     const double scale_v = ldexp(1, log_of(1, level, 0) - 1);
     double u[3], v[3], weight;
     for (int k = 0; k < 3; k++) {
-        u[k] = quad->mapped.texels[k].u / 65536.0;
-        v[k] = quad->mapped.texels[k].v / 65536.0;
+        u[k] = quad->mapped_corners[k].texel.u / 65536.0;
+        v[k] = quad->mapped_corners[k].texel.v / 65536.0;
     }
     for (int p = 0; p < QUAD_WIDTH * QUAD_HEIGHT; p++) {
         const double at_u = quad_value(quad, p % QUAD_WIDTH, p / QUAD_WIDTH, u, &weight);
@@ -87,8 +87,8 @@ void test_a_face_takes_the_level_of_its_nearest_vertex(void)
         quad->surface.texture = 1;
         quad->surface.division = FXL_DIVIDE_1;
         for (int k = 0; k < 3; k++) {
-            quad->mapped.texels[k].u = quad->mapped.texels[k].u * 8 >> i % 10;
-            quad->mapped.texels[k].v = quad->mapped.texels[k].v * 8 >> i % 10;
+            quad->mapped_corners[k].texel.u = quad->mapped_corners[k].texel.u * 8 >> i % 10;
+            quad->mapped_corners[k].texel.v = quad->mapped_corners[k].texel.v * 8 >> i % 10;
         }
         quad_begin(quad);
         quad_draw(quad);
@@ -208,8 +208,8 @@ void test_an_affine_face_is_linear_on_the_screen(void)
         quad->surface.texture = 1;
         quad->surface.division = FXL_AFFINE;
         for (int k = 0; k < 3; k++) {
-            quad->mapped.texels[k].u /= 8;
-            u[k] = quad->mapped.texels[k].u / 65536.0;
+            quad->mapped_corners[k].texel.u /= 8;
+            u[k] = quad->mapped_corners[k].texel.u / 65536.0;
         }
         quad_begin(quad);
         quad_draw(quad);

@@ -143,8 +143,8 @@ void test_light_goes_over_textures(void)
         quad->surface.flags = FXL_SURFACE_LIT;
         quad->surface.division = FXL_DIVIDE_1;
         for (int k = 0; k < 3; k++) {
-            u[k] = quad->mapped.texels[k].u / 65536.0;
-            v[k] = quad->mapped.texels[k].v / 65536.0;
+            u[k] = quad->mapped_corners[k].texel.u / 65536.0;
+            v[k] = quad->mapped_corners[k].texel.v / 65536.0;
         }
         quad_begin(quad);
         quad_light(quad, &light, &of);

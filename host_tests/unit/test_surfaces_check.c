@@ -82,12 +82,14 @@ void test_null_pointers(void)
     REFUSES(quad.set.textures, NULL, FXL_E_ARGUMENT, "surfaces");
     REFUSES(quad.set.surfaces, NULL, FXL_E_ARGUMENT, "surfaces");
     REFUSES(quad.set.faces, NULL, FXL_E_ARGUMENT, "surfaces");
+    REFUSES(quad.set.corners, NULL, FXL_E_ARGUMENT, "surfaces");
     REFUSES(quad.set.normals, NULL, FXL_E_ARGUMENT, "surfaces");
     const uintptr_t odd = (uintptr_t)&quad + 1;
     REFUSES(quad.set.face_map, (const uint16_t *)odd, FXL_E_ALIGNMENT, "surfaces");
     REFUSES(quad.set.textures, (const fxl_texture *)odd, FXL_E_ALIGNMENT, "surfaces");
     REFUSES(quad.set.surfaces, (const fxl_surface *)odd, FXL_E_ALIGNMENT, "surfaces");
     REFUSES(quad.set.faces, (const fxl_mapped_face *)odd, FXL_E_ALIGNMENT, "surfaces");
+    REFUSES(quad.set.corners, (const fxl_corner *)odd, FXL_E_ALIGNMENT, "surfaces");
     REFUSES(quad.set.normals, (const fxl_direction *)odd, FXL_E_ALIGNMENT, "surfaces");
     /* A table of no entries may be absent. */
     quad.surface.texture = 0;
@@ -102,7 +104,9 @@ void test_counts(void)
     REFUSES(quad.set.texture_count, FXL_TEXTURES_MAX + 1, FXL_E_COUNT, "surfaces");
     REFUSES(quad.set.surface_count, FXL_SURFACES_MAX + 1, FXL_E_COUNT, "surfaces");
     REFUSES(quad.set.face_count, FXL_MAPPED_FACES_MAX + 1, FXL_E_COUNT, "surfaces");
+    REFUSES(quad.set.corner_count, FXL_SCENE_CORNERS_MAX + 1, FXL_E_COUNT, "surfaces");
     REFUSES(quad.set.normal_count, UINT16_MAX + 1u, FXL_E_COUNT, "surfaces");
+    TAKES(quad.set.corner_count, FXL_SCENE_CORNERS_MAX); /* only those that faces name are read */
     REFUSES(quad.set.blend_first, 256, FXL_E_COUNT, "surfaces");
     REFUSES(quad.set.blend_count, 257, FXL_E_COUNT, "surfaces");
     TAKES(quad.set.face_count, FXL_MAPPED_FACES_MAX); /* only those that the map names are read */
@@ -200,35 +204,54 @@ void test_surfaces(void)
 void test_mapped_faces(void)
 {
     REFUSES(quad.face_map, 2, FXL_E_INDEX, "face");
-    REFUSES(quad.mapped.reserved, 1, FXL_E_RESERVED, "mapped face");
     REFUSES(quad.mapped.surface, 1, FXL_E_INDEX, "mapped face");
+    REFUSES(quad.set.corner_count, 2, FXL_E_INDEX, "mapped face");
     for (int i = 0; i < 3; i++) {
-        TAKES(quad.mapped.vertices[i], 3);
-        REFUSES(quad.mapped.vertices[i], 4, FXL_E_INDEX, "mapped face");
-        REFUSES(quad.mapped.vertices[i], UINT16_MAX, FXL_E_INDEX, "mapped face");
-        REFUSES(quad.mapped.vertices[i], (uint16_t)((i + 1) % 3), FXL_E_DEGENERATE, "mapped face");
-        TAKES(quad.mapped.normals[i], 2); /* not lit: not read */
-        TAKES(quad.mapped.texels[i].u, FXL_TEXEL_MAX);
-        TAKES(quad.mapped.texels[i].v, FXL_TEXEL_MAX);
-        TAKES(quad.mapped.texels[i].u, -FXL_TEXEL_MAX);
-        TAKES(quad.mapped.texels[i].v, -FXL_TEXEL_MAX);
-        REFUSES(quad.mapped.texels[i].u, FXL_TEXEL_MAX + 1, FXL_E_RANGE, "mapped face");
-        REFUSES(quad.mapped.texels[i].v, FXL_TEXEL_MAX + 1, FXL_E_RANGE, "mapped face");
-        REFUSES(quad.mapped.texels[i].u, -FXL_TEXEL_MAX - 1, FXL_E_RANGE, "mapped face");
-        REFUSES(quad.mapped.texels[i].v, -FXL_TEXEL_MAX - 1, FXL_E_RANGE, "mapped face");
+        REFUSES(quad.mapped.corners[i], 3, FXL_E_INDEX, "mapped face");
+        REFUSES(quad.mapped.corners[i], UINT16_MAX, FXL_E_INDEX, "mapped face");
+        TAKES(quad.mapped_corners[i].vertex, 3);
+        REFUSES(quad.mapped_corners[i].vertex, 4, FXL_E_INDEX, "mapped face");
+        REFUSES(quad.mapped_corners[i].vertex, UINT16_MAX, FXL_E_INDEX, "mapped face");
+        REFUSES(quad.mapped_corners[i].vertex, (uint16_t)((i + 1) % 3), FXL_E_DEGENERATE,
+                "mapped face");
+        TAKES(quad.mapped_corners[i].normal, 2); /* not lit: not read */
+        TAKES(quad.mapped_corners[i].texel.u, FXL_TEXEL_MAX);
+        TAKES(quad.mapped_corners[i].texel.v, FXL_TEXEL_MAX);
+        TAKES(quad.mapped_corners[i].texel.u, -FXL_TEXEL_MAX);
+        TAKES(quad.mapped_corners[i].texel.v, -FXL_TEXEL_MAX);
+        REFUSES(quad.mapped_corners[i].texel.u, FXL_TEXEL_MAX + 1, FXL_E_RANGE, "mapped face");
+        REFUSES(quad.mapped_corners[i].texel.v, FXL_TEXEL_MAX + 1, FXL_E_RANGE, "mapped face");
+        REFUSES(quad.mapped_corners[i].texel.u, -FXL_TEXEL_MAX - 1, FXL_E_RANGE, "mapped face");
+        REFUSES(quad.mapped_corners[i].texel.v, -FXL_TEXEL_MAX - 1, FXL_E_RANGE, "mapped face");
     }
     quad.surface.flags = FXL_SURFACE_LIT;
     for (int i = 0; i < 3; i++) {
-        TAKES(quad.mapped.normals[i], 1);
-        REFUSES(quad.mapped.normals[i], 2, FXL_E_INDEX, "mapped face");
+        TAKES(quad.mapped_corners[i].normal, 1);
+        REFUSES(quad.mapped_corners[i].normal, 2, FXL_E_INDEX, "mapped face");
     }
+}
+
+/* A surface counts from a corner of its own, which may be as far as the end of the table. */
+/* surfaces 1.4 */
+void test_first_corners(void)
+{
+    static fxl_corner five[5];
+    memcpy(five + 2, quad.mapped_corners, sizeof quad.mapped_corners);
+    quad.set.corners = five;
+    quad.set.corner_count = 5;
+    refuses(FXL_E_DEGENERATE, "mapped face", 0);
+    TAKES(quad.surface.first_corner, 2);
+    REFUSES(quad.surface.first_corner, 3, FXL_E_INDEX, "mapped face");
+    REFUSES(quad.surface.first_corner, 5, FXL_E_INDEX, "mapped face");
+    REFUSES(quad.surface.first_corner, 6, FXL_E_INDEX, "surface");
+    REFUSES(quad.surface.first_corner, UINT32_MAX, FXL_E_INDEX, "surface");
 }
 
 /* A face that has no surface is not looked at. */
 void test_a_face_without_a_surface(void)
 {
-    quad.mapped.reserved = 1;
-    refuses(FXL_E_RESERVED, "mapped face", 0);
+    quad.mapped.surface = 1;
+    refuses(FXL_E_INDEX, "mapped face", 0);
     quad.face_map = 0;
     takes();
 }

@@ -3,6 +3,7 @@
  * and a face that is cut shows the texels of the whole face. */
 #include "bsp_scene.h"
 #include "frame_bands.h"
+#include "mapped_quad.h"
 #include "tiny_frames.h"
 
 enum {
@@ -218,6 +219,7 @@ static uint8_t texture_texels[6][16 * 16], ramp[FXL_LIGHT_RAMP_BYTES(LEVELS)];
 static fxl_texture textures[6];
 static fxl_surface surface[6];
 static fxl_mapped_face mapped[6];
+static fxl_corner mapped_corners[6][3];
 static fxl_direction normals[1];
 static uint16_t face_map[13];
 static fxl_surface_set surface_set;
@@ -239,9 +241,8 @@ static void map_faces(bool is_lit)
             .texels = texture_texels[f], .log_width = 4, .log_height = 4, .levels = 1};
         surface[f] = (fxl_surface){
             .texture = (uint16_t)(f + 1), .opacity = 16, .flags = is_lit ? FXL_SURFACE_LIT : 0};
-        mapped[f] = (fxl_mapped_face){.surface = (uint16_t)f,
-                                      .texels = {{0, Q16(16)}, {0, 0}, {Q16(16), 0}}};
-        memcpy(mapped[f].vertices, &made->tiny->corners[4 * f], sizeof mapped[f].vertices);
+        quad_map_face(&mapped[f], mapped_corners[f], 3 * f, &made->tiny->corners[4 * f], Q16(16));
+        mapped[f].surface = (uint16_t)f;
         face_map[f] = (uint16_t)(f + 1);
     }
     normals[0] = (fxl_direction){0, 0, -FXL_Q2_30_ONE};
@@ -249,10 +250,12 @@ static void map_faces(bool is_lit)
                                     .surfaces = surface,
                                     .faces = mapped,
                                     .face_map = face_map,
+                                    .corners = mapped_corners[0],
                                     .normals = normals,
                                     .texture_count = 6,
                                     .surface_count = 6,
                                     .face_count = 6,
+                                    .corner_count = 18,
                                     .normal_count = 1};
     for (uint32_t i = 0; i < sizeof ramp; i++) {
         ramp[i] = (uint8_t)((i & 0xF8u) | ((i + i / 256 * 3) & 7u));

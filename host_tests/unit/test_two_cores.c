@@ -3,6 +3,7 @@
  * workspace, and drawing in another one writes nothing that the renderer's own reads. */
 #include "bsp_scene.h"
 #include "frame_bands.h"
+#include "mapped_quad.h"
 
 enum {
     WIDTH = 40,
@@ -31,20 +32,22 @@ static fxl_lit_surfaces lit;
 static fxl_beam beam;
 static bsp_scene *made;
 
-static const fxl_texture texture = {
-    .texels = texels, .log_width = 3, .log_height = 3, .levels = 1};
+static const fxl_texture texture = {.texels = texels, .log_width = 3, .log_height = 3, .levels = 1};
 static const fxl_surface surface = {.texture = 1, .opacity = 16, .flags = FXL_SURFACE_LIT};
 static fxl_mapped_face mapped[6]; /* the faces of a cube */
+static fxl_corner mapped_corners[6][3];
 static const fxl_direction normals[1] = {{0, 0, -FXL_Q2_30_ONE}};
 static const uint16_t face_map[12] = {1, 2, 0, 0, 5, 6, 1, 0, 3, 0, 5, 0}; /* of both models */
 static const fxl_surface_set surface_set = {.textures = &texture,
                                             .surfaces = &surface,
                                             .faces = mapped,
                                             .face_map = face_map,
+                                            .corners = mapped_corners[0],
                                             .normals = normals,
                                             .texture_count = 1,
                                             .surface_count = 1,
                                             .face_count = 6,
+                                            .corner_count = 18,
                                             .normal_count = 1};
 void setUp(void)
 {
@@ -57,8 +60,7 @@ void setUp(void)
     made->tiny->instances[0].centre = (fxl_point){Q16(-1), Q16(0.25), Q16(9)};
     made->tiny->instances[2].centre = (fxl_point){Q16(1.25), Q16(-0.5), Q16(9.5)};
     for (uint32_t f = 0; f < 6; f++) {
-        mapped[f] = (fxl_mapped_face){.texels = {{0, Q16(8)}, {0, 0}, {Q16(8), 0}}};
-        memcpy(mapped[f].vertices, &made->tiny->corners[4 * f], sizeof mapped[f].vertices);
+        quad_map_face(&mapped[f], mapped_corners[f], 3 * f, &made->tiny->corners[4 * f], Q16(8));
     }
     for (uint32_t i = 0; i < sizeof texels; i++) {
         texels[i] = (uint8_t)(100 + i % 7);
@@ -75,8 +77,7 @@ void setUp(void)
 static void start(const fxl_order *order, const fxl_target *target, uint32_t set, uint32_t words)
 {
     const bool has_depth = target->depth_bits != 0;
-    const fxl_light_settings lamp = {
-        .ambient = FXL_Q2_30_ONE / 2, .ramp = ramp, .levels = LEVELS};
+    const fxl_light_settings lamp = {.ambient = FXL_Q2_30_ONE / 2, .ramp = ramp, .levels = LEVELS};
     const fxl_beam_set beams = {&beam, 1, brighter};
     fxl_config config = fxl_config_for(WIDTH, HEIGHT, target);
     config.background = BACKGROUND;
@@ -87,14 +88,13 @@ static void start(const fxl_order *order, const fxl_target *target, uint32_t set
     config.depth_size = sizeof cells;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&made->tiny->scene, NULL));
     memset(tree, 0, sizeof tree);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &made->tiny->scene, &config, memory,
-                                                sizeof memory));
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_renderer_init(&renderer, &made->tiny->scene, &config, memory, sizeof memory));
     renderer.frame.display_list.capacity = words;
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_attach_surfaces(&renderer, &surfaces,
-                                          set & SURFACES ? &surface_set : NULL,
-                                          has_depth ? FXL_SURFACES_OF(fxl_palette_depth_16)
-                                                    : FXL_SURFACES_OF(fxl_palette)));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, &surfaces,
+                                                  set & SURFACES ? &surface_set : NULL,
+                                                  has_depth ? FXL_SURFACES_OF(fxl_palette_depth_16)
+                                                            : FXL_SURFACES_OF(fxl_palette)));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, set & LIGHT ? &lamp : NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lit(&renderer, set & LIGHT ? &lit : NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&renderer, set & BEAMS ? &beams : NULL, beam_room,

@@ -267,6 +267,7 @@ static uint16_t face_map[12];
 static fxl_texture texture;
 static fxl_surface surface;
 static fxl_mapped_face mapped;
+static fxl_corner mapped_corners[3];
 static fxl_surface_set surface_set;
 static fxl_surfaces surfaces;
 
@@ -275,17 +276,22 @@ static void attach_surfaces(const tiny_scene *tiny)
 {
     texture = (fxl_texture){.texels = texels, .log_width = 1, .levels = 1};
     surface = (fxl_surface){.texture = 1, .opacity = 16, .division = FXL_DIVIDE_1};
-    mapped = (fxl_mapped_face){.texels = {{0, 0}, {0, Q16(2)}, {Q16(2), Q16(2)}}};
-    memcpy(mapped.vertices, &tiny->corners[tiny->faces[4].first_index], sizeof mapped.vertices);
+    mapped = (fxl_mapped_face){.corners = {0, 1, 2}};
+    const uint16_t *vertices = &tiny->corners[tiny->faces[4].first_index];
+    mapped_corners[0] = (fxl_corner){{0, 0}, vertices[0], 0};
+    mapped_corners[1] = (fxl_corner){{0, Q16(2)}, vertices[1], 0};
+    mapped_corners[2] = (fxl_corner){{Q16(2), Q16(2)}, vertices[2], 0};
     memset(face_map, 0, sizeof face_map);
     face_map[4] = 1;
     surface_set = (fxl_surface_set){.textures = &texture,
                                     .surfaces = &surface,
                                     .faces = &mapped,
                                     .face_map = face_map,
+                                    .corners = mapped_corners,
                                     .texture_count = 1,
                                     .surface_count = 1,
-                                    .face_count = 1};
+                                    .face_count = 1,
+                                    .corner_count = 3};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&world_renderer, &surfaces, &surface_set,
                                                   FXL_SURFACES_OF(fxl_palette)));
 }

@@ -67,7 +67,7 @@ enum {
     AT_KEYS = AT_PATH + SECTION_BYTES,
     AT_MORE = AT_KEYS + SECTION_BYTES, /* of the first section that a test adds */
     TINY_SECTIONS = 8,
-    TINY_WORDS = 640
+    TINY_WORDS = 704
 };
 
 typedef struct {

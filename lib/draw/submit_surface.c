@@ -22,21 +22,21 @@ bool fxl_surfaces_reach(const fxl_shader *shader, const fxl_scene *scene,
 /* surfaces 1.2 */
 static FXL_ONE_COPY uint32_t find_values(const fxl_surfaces *surfaces,
                                          const fxl_model_view *model_view,
-                                         const fxl_mapped_face *mapped,
+                                         const fxl_surface *surface,
+                                         const fxl_corner *const corners[3],
                                          const fxl_traversal *traversal, int32_t (*values)[3])
 {
-    const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
     uint32_t count = 0;
     if (surface->texture != 0) {
         for (uint32_t i = 0; i < 3; i++) {
-            values[FXL_ATTRIBUTE_U][i] = mapped->texels[i].u;
-            values[FXL_ATTRIBUTE_V][i] = mapped->texels[i].v;
+            values[FXL_ATTRIBUTE_U][i] = corners[i]->texel.u;
+            values[FXL_ATTRIBUTE_V][i] = corners[i]->texel.v;
         }
         count = 2;
     }
     if (fxl_surface_is_lit(surfaces, surface)) {
         surfaces->light_code->light_corners(surfaces, traversal->renderer, model_view->instance,
-                                            mapped, values[count]);
+                                            corners, values[count]);
         count++;
     }
     return count;
@@ -94,7 +94,7 @@ static fxl_q18_46 nearest_depth(const fxl_model_view *model_view, const fxl_face
 
 /* The gradients of a small face. Returns the level of its texture. */
 static uint8_t find_small(const fxl_texture *texture, const fxl_model_view *model_view,
-                          const fxl_face *face, const fxl_mapped_face *mapped,
+                          const fxl_face *face, const uint16_t *vertices,
                           const fxl_traversal *traversal, fxl_corner_planes *planes,
                           fxl_gradient_corners *corners, bool is_affine, fxl_gradients *gradients)
 {
@@ -103,7 +103,7 @@ static uint8_t find_small(const fxl_texture *texture, const fxl_model_view *mode
     if (has_levels) {
         density.texels = fxl_texel_area(corners->values);
         fxl_corner_planes_density(planes, is_affine,
-                                  nearest_depth(model_view, face, mapped->vertices, traversal,
+                                  nearest_depth(model_view, face, vertices, traversal,
                                                 planes->corners->depths, !planes->is_triangle),
                                   &density);
     }
@@ -114,7 +114,7 @@ static uint8_t find_small(const fxl_texture *texture, const fxl_model_view *mode
 /* The gradients of any other face. */
 static uint8_t find_large(const fxl_surface *surface, const fxl_texture *texture,
                           const fxl_model_view *model_view, const fxl_face *face,
-                          const fxl_mapped_face *mapped, const fxl_traversal *traversal,
+                          const uint16_t *vertices, const fxl_traversal *traversal,
                           fxl_gradient_corners *corners, fxl_gradients *gradients)
 {
     const fxl_view *view = model_view->view;
@@ -123,11 +123,11 @@ static uint8_t find_large(const fxl_surface *surface, const fxl_texture *texture
     fxl_texel_density density;
     fxl_q18_46 nearest = 0;
     for (uint32_t i = 0; i < 3; i++) {
-        fxl_find_corner(model_view, mapped->vertices[i], traversal, &corners->corners[i]);
+        fxl_find_corner(model_view, vertices[i], traversal, &corners->corners[i]);
     }
     if (has_levels) {
         const fxl_q18_46 z[3] = {p[0].z, p[1].z, p[2].z};
-        nearest = nearest_depth(model_view, face, mapped->vertices, traversal, z, true);
+        nearest = nearest_depth(model_view, face, vertices, traversal, z, true);
     }
     if (surface->division == FXL_AFFINE && fxl_corners_make_affine(corners, view)) {
         nearest = p[0].z; /* of all of the face: it is in the plane of the screen */
@@ -167,9 +167,12 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     fxl_screen_corners on_screen;
     fxl_corner_planes planes;
     fxl_gradient_corners corners;
+    const fxl_corner *of[3];
+    fxl_find_mapped_corners(surfaces->set, mapped, of);
+    const uint16_t vertices[3] = {of[0]->vertex, of[1]->vertex, of[2]->vertex};
     const bool is_projected =
-        fxl_find_screen_corners(model_view, face, mapped->vertices, traversal, &on_screen);
-    corners.count = find_values(surfaces, model_view, mapped, traversal, corners.values);
+        fxl_find_screen_corners(model_view, face, vertices, traversal, &on_screen);
+    corners.count = find_values(surfaces, model_view, surface, of, traversal, corners.values);
     find_even_light(corners.values[FXL_SEGMENT_LIGHT], &corners.count, polygon);
     polygon->surface = mapped->surface;
     polygon->colour = face->material;
@@ -195,7 +198,7 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
              fxl_corner_planes_begin(&on_screen, &view->lens, FXL_COLOURS_SIDE_MAX, &planes));
         const bool is_flat =
             has_planes && surface->division == FXL_AFFINE && are_on_screen(&on_screen, &view->lens);
-        is_found = surfaces->painter->find_colours(surfaces, mapped, has_planes ? &planes : NULL,
+        is_found = surfaces->painter->find_colours(surfaces, of, has_planes ? &planes : NULL,
                                                    is_flat, &corners, &polygon->gradients);
     }
     /* What is divided at each pixel, or has more texels, keeps the exact planes. */
@@ -203,9 +206,9 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
                                   (texture == NULL || has_few_texels(corners.values));
     polygon->level = is_found ? 0
                      : has_small_planes
-                         ? find_small(texture, model_view, face, mapped, traversal, &planes,
+                         ? find_small(texture, model_view, face, vertices, traversal, &planes,
                                       &corners, is_affine, &polygon->gradients)
-                         : find_large(surface, texture, model_view, face, mapped, traversal,
+                         : find_large(surface, texture, model_view, face, vertices, traversal,
                                       &corners, &polygon->gradients);
     if (find_depth != NULL) {
         find_depth(model_view, face, traversal, is_small ? &planes : NULL, &polygon->depth);

@@ -4,7 +4,7 @@
 #include "surface_polygon.h"
 
 /* surfaces 1.4 */
-bool fxl_find_colours(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
+bool fxl_find_colours(const fxl_surfaces *surfaces, const fxl_corner *const mapped[3],
                       const fxl_corner_planes *planes, bool is_affine,
                       fxl_gradient_corners *corners, fxl_gradients *gradients)
 {

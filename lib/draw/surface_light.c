@@ -35,7 +35,7 @@ static void place_corner(const fxl_scene *scene, const fxl_instance *instance, u
 __attribute__((noinline))
 /* SPEC 9.7, surfaces 5.1 */
 void fxl_light_any_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
-                           const fxl_instance *instance, const fxl_mapped_face *mapped,
+                           const fxl_instance *instance, const fxl_corner *const corners[3],
                            int32_t values[3])
 {
     const fxl_light_settings *settings = &surfaces->light->settings;
@@ -45,18 +45,18 @@ void fxl_light_any_corners(const fxl_surfaces *surfaces, const fxl_renderer *ren
     const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
     const bool has_places = settings->point_count != 0 || settings->fog_far != 0;
     if (turned == NULL && !has_places) {
-        fxl_light_corners_of(settings, normals, mapped->normals, values);
+        fxl_light_corners_of(settings, normals, corners, values);
         return;
     }
     fxl_lit_place place = {{0, 0, 0}, {0, 0, 0}};
     for (uint32_t i = 0; i < 3; i++) {
-        place.normal = normals[mapped->normals[i]];
+        place.normal = normals[corners[i]->normal];
         if (turned != NULL) {
             const fxl_face corner = {.normal = place.normal};
             place.normal = turned->normal(scene, number, &corner);
         }
         if (has_places) {
-            place_corner(scene, instance, number, turned, mapped->vertices[i], &place.middle);
+            place_corner(scene, instance, number, turned, corners[i]->vertex, &place.middle);
         }
         values[i] = fxl_light_corner_level(
             fxl_light_brightness(settings, &renderer->frame.view.camera, &place),
@@ -66,16 +66,16 @@ void fxl_light_any_corners(const fxl_surfaces *surfaces, const fxl_renderer *ren
 
 /* A scene in which no corner needs a place or is turned is told at once. */
 static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
-                          const fxl_instance *instance, const fxl_mapped_face *mapped,
+                          const fxl_instance *instance, const fxl_corner *const corners[3],
                           int32_t values[3])
 {
     const fxl_light_settings *settings = &surfaces->light->settings;
     if (!FXL_IS_COMPACT && renderer->scene->placements == NULL && settings->point_count == 0 &&
         settings->fog_far == 0) {
-        fxl_light_corners_of(settings, surfaces->set->normals, mapped->normals, values);
+        fxl_light_corners_of(settings, surfaces->set->normals, corners, values);
         return;
     }
-    fxl_light_any_corners(surfaces, renderer, instance, mapped, values);
+    fxl_light_any_corners(surfaces, renderer, instance, corners, values);
 }
 
 static const fxl_surface_light_code code = {light_corners};

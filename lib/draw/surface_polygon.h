@@ -25,14 +25,14 @@ typedef struct fxl_surface_light_code {
     /* The light at the three vertices of a mapped face: levels of the ramp in 16.16, and a half, so
      * that rounding them down gives the nearest. From 32768 to levels - 1/2. */
     void (*light_corners)(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
-                          const fxl_instance *instance, const fxl_mapped_face *mapped,
+                          const fxl_instance *instance, const fxl_corner *const corners[3],
                           int32_t values[3]);
 } fxl_surface_light_code;
 
 /* light_corners of any scene. Not static: the compiler would change its arguments, so that it is
  * called on top of its caller's stack and not jumped to. */
 void fxl_light_any_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
-                           const fxl_instance *instance, const fxl_mapped_face *mapped,
+                           const fxl_instance *instance, const fxl_corner *const corners[3],
                            int32_t values[3]);
 
 static inline bool fxl_surface_is_lit(const fxl_surfaces *surfaces, const fxl_surface *surface)
@@ -86,7 +86,7 @@ typedef struct {
 
 /* place pixel-format: colours at corners: what a painter of the format links */
 /* fxl_find_colours: what a painter of RGB565 links. */
-typedef bool fxl_colours_finder(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
+typedef bool fxl_colours_finder(const fxl_surfaces *surfaces, const fxl_corner *const mapped[3],
                                 const fxl_corner_planes *planes, bool is_affine,
                                 fxl_gradient_corners *corners, fxl_gradients *gradients);
 
@@ -111,6 +111,17 @@ struct fxl_painter {
                  const fxl_traversal *traversal, fxl_surface_polygon *polygon);
     fxl_colours_finder *find_colours; /* null where no surface has colours at corners */
 };
+
+/* The three corners of a mapped face. */
+static inline void fxl_find_mapped_corners(const fxl_surface_set *set,
+                                           const fxl_mapped_face *mapped,
+                                           const fxl_corner *corners[3])
+{
+    const fxl_corner *first = set->corners + set->surfaces[mapped->surface].first_corner;
+    for (uint32_t i = 0; i < 3; i++) {
+        corners[i] = &first[mapped->corners[i]];
+    }
+}
 
 /* fxl_target_extras.draw_display_list. */
 bool fxl_mixed_draw_list(const fxl_traversal *traversal);

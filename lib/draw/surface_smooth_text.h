@@ -102,14 +102,17 @@ static __attribute__((noinline)) bool draw_smooth_face(const fxl_surfaces *surfa
     const fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
     fxl_surface_polygon polygon;
     fxl_screen_corners corners;
+    const fxl_corner *of[3];
     int32_t light[3];
     if (cut > FXL_CLIP_CUT) {
         return fxl_count_outcome(traversal, (fxl_outcome)1 << cut, 0);
     }
-    if (!fxl_find_screen_corners(model_view, face, mapped->vertices, traversal, &corners)) {
+    fxl_find_mapped_corners(surfaces->set, mapped, of);
+    const uint16_t vertices[3] = {of[0]->vertex, of[1]->vertex, of[2]->vertex};
+    if (!fxl_find_screen_corners(model_view, face, vertices, traversal, &corners)) {
         return false;
     }
-    surfaces->light_code->light_corners(surfaces, renderer, model_view->instance, mapped, light);
+    surfaces->light_code->light_corners(surfaces, renderer, model_view->instance, of, light);
     if (!fxl_find_smooth_planes(&corners, &model_view->view->lens, light, &polygon.gradients,
                                 &polygon.depth)) {
         return false;

@@ -15,10 +15,10 @@ static inline int32_t channel_of(uint32_t colour, uint32_t at, uint32_t shift)
     return (int32_t)((colour >> at & 255u) << shift) + (1 << (shift - 1u));
 }
 
-void fxl_corner_colours(const fxl_mapped_face *mapped, int32_t (*values)[3])
+void fxl_corner_colours(const fxl_corner *const corners[3], int32_t (*values)[3])
 {
     for (uint32_t i = 0; i < 3; i++) {
-        const uint32_t colour = (uint32_t)mapped->texels[i].u;
+        const uint32_t colour = (uint32_t)corners[i]->texel.u;
         values[0][i] = channel_of(colour, 16, RED_AND_BLUE_SHIFT);
         values[1][i] = channel_of(colour, 8, GREEN_SHIFT);
         values[2][i] = channel_of(colour, 0, RED_AND_BLUE_SHIFT);
@@ -178,11 +178,11 @@ static inline channel_words channel_of_colours(const shared_planes *shared,
                         (int32_t)((uint32_t)((colours[2] & mask) - first) << (shift + 3u)));
 }
 
-bool fxl_corner_colours_unlit(const fxl_mapped_face *mapped, const fxl_corner_planes *planes,
+bool fxl_corner_colours_unlit(const fxl_corner *const corners[3], const fxl_corner_planes *planes,
                               bool is_affine, fxl_gradients *gradients)
 {
     const int32_t column = planes->corners->points[0].x >> 16;
-    const int32_t colours[3] = {mapped->texels[0].u, mapped->texels[1].u, mapped->texels[2].u};
+    const int32_t colours[3] = {corners[0]->texel.u, corners[1]->texel.u, corners[2]->texel.u};
     shared_planes shared;
     if (!planes->is_triangle || !(is_affine || is_near(planes)) ||
         !share(planes, column, &shared)) {

@@ -16,9 +16,9 @@
 extern "C" {
 #endif
 
-/* The attributes of a mapped face, whose surface is FXL_SURFACE_COLOURS: from 1/16 to 31 15/16, and
+/* The attributes at the corners of a face whose surface is FXL_SURFACE_COLOURS: from 1/16 to 31 15/16, and
  * green from 1/8 to 63 7/8. */
-void fxl_corner_colours(const fxl_mapped_face *mapped, int32_t (*values)[3]);
+void fxl_corner_colours(const fxl_corner *const corners[3], int32_t (*values)[3]);
 
 /* What light leaves of them. light: at the corners, in 16.16 levels of the settings, and a half.
  * With part = (light - 1/2) / (levels - 1) and the middle of the level that `dark` has, a value
@@ -35,9 +35,9 @@ void fxl_corner_colours_light(const fxl_light_settings *settings, const int32_t 
 bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values)[3],
                                bool is_affine, fxl_gradients *gradients);
 
-/* The same of a mapped face that is not lit, without its values. Also false where weights differ by
+/* The same of a face that is not lit, by its corners, without its values. Also false where weights differ by
  * more than 1/128 of the least one, and not is_affine. */
-bool fxl_corner_colours_unlit(const fxl_mapped_face *mapped, const fxl_corner_planes *planes,
+bool fxl_corner_colours_unlit(const fxl_corner *const corners[3], const fxl_corner_planes *planes,
                               bool is_affine, fxl_gradients *gradients);
 
 /* Such gradients: words of two attributes, each 64 bits from the lower word on. Channels are in

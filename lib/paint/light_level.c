@@ -162,7 +162,7 @@ static inline fxl_q2_30 brightness_of(const fxl_light_settings *settings,
 }
 
 void fxl_light_corners_of(const fxl_light_settings *settings, const fxl_direction *normals,
-                          const uint16_t numbers[3], int32_t values[3])
+                          const fxl_corner *const corners[3], int32_t values[3])
 {
     /* Copies, which the compiler knows that no value changes. */
     const fxl_direction direction = settings->direction;
@@ -170,7 +170,7 @@ void fxl_light_corners_of(const fxl_light_settings *settings, const fxl_directio
     const uint32_t ambient = (uint32_t)settings->ambient, levels_less_1 = settings->levels - 1u;
     for (uint32_t i = 0; i < 3; i++) {
         const uint32_t sum =
-            sum_of(ambient, from_direction(&direction, strength, &normals[numbers[i]]));
+            sum_of(ambient, from_direction(&direction, strength, &normals[corners[i]->normal]));
         values[i] = fxl_light_corner_level((fxl_q2_30)sum, levels_less_1);
     }
 }

@@ -5,6 +5,7 @@
 
 #include "../math/core.h"
 #include "fixel/light.h"
+#include "fixel/surfaces.h"
 
 /* A face in the world. */
 typedef struct {
@@ -19,9 +20,9 @@ fxl_q2_30 fxl_light_brightness(const fxl_light_settings *settings, const fxl_cam
                                const fxl_lit_place *place);
 
 /* The light of three corners, without points and fog, of which `place` would be needed for more
- * than its normal: fxl_light_corner_level of the numbered normals. */
+ * than its normal: fxl_light_corner_level of the normals that the corners number. */
 void fxl_light_corners_of(const fxl_light_settings *settings, const fxl_direction *normals,
-                          const uint16_t numbers[3], int32_t values[3]);
+                          const fxl_corner *const corners[3], int32_t values[3]);
 
 /* A brightness as levels of the ramp in 16.16, and a half. The product is at most 2^30 * 63 * 2^18,
  * and half a unit. Error: half a unit of 1/65536 level, and FXL_LIGHT_ERROR_MAX of the brightness,

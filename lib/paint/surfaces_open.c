@@ -97,10 +97,12 @@ FXL_COLD fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture 
     found.surfaces = from->surfaces;
     found.faces = from->faces;
     found.face_map = from->face_map;
+    found.corners = from->corners;
     found.normals = from->normals;
     found.texture_count = from->texture_count;
     found.surface_count = from->surface_count;
     found.face_count = from->face_count;
+    found.corner_count = from->corner_count;
     found.normal_count = from->normal_count;
     found.blend = from->blend;
     found.blend_first = from->blend_first;
@@ -150,7 +152,7 @@ static FXL_COLD fxl_status check_texture(const fxl_texture *texture, const frame
 static FXL_COLD fxl_status check_surface(const fxl_surface_set *set, const fxl_surface *surface,
                                          const frame_kind *kind)
 {
-    if (surface->texture > set->texture_count) {
+    if (surface->texture > set->texture_count || surface->first_corner > set->corner_count) {
         return FXL_E_INDEX;
     }
     if (surface->opacity < 1 || surface->opacity > 16 || surface->sixteenths > 16) {
@@ -181,20 +183,22 @@ static FXL_ONE_COPY bool on_one_line(const fxl_point *a, const fxl_point *b, con
            fxl_multiply_s32(x1, y2) == fxl_multiply_s32(y1, x2);
 }
 
-static FXL_COLD fxl_status check_texels(const fxl_mapped_face *mapped, bool are_colours)
+/* A corner of a face of a model that has a surface with these flags. */
+/* surfaces 1.4 */
+static FXL_COLD FXL_ONE_COPY fxl_status check_corner(const fxl_surface_set *set,
+                                                     const fxl_model *model, uint32_t flags,
+                                                     const fxl_corner *corner)
 {
-    for (uint32_t i = 0; i < 3; i++) {
-        const fxl_texel *texel = &mapped->texels[i];
-        if (are_colours) {
-            if (((uint32_t)texel->u >> 24 | (uint32_t)texel->v) != 0) {
-                return FXL_E_RANGE;
-            }
-        } else if (texel->u < -FXL_TEXEL_MAX || texel->u > FXL_TEXEL_MAX ||
-                   texel->v < -FXL_TEXEL_MAX || texel->v > FXL_TEXEL_MAX) {
-            return FXL_E_RANGE;
-        }
+    const fxl_texel *texel = &corner->texel;
+    if (corner->vertex >= model->vertex_count ||
+        ((flags & FXL_SURFACE_LIT) && corner->normal >= set->normal_count)) {
+        return FXL_E_INDEX;
     }
-    return FXL_OK;
+    const bool in_range = (flags & FXL_SURFACE_COLOURS)
+                              ? ((uint32_t)texel->u >> 24 | (uint32_t)texel->v) == 0
+                              : texel->u >= -FXL_TEXEL_MAX && texel->u <= FXL_TEXEL_MAX &&
+                                    texel->v >= -FXL_TEXEL_MAX && texel->v <= FXL_TEXEL_MAX;
+    return in_range ? FXL_OK : FXL_E_RANGE;
 }
 
 /* surfaces 1.4 */
@@ -202,26 +206,24 @@ static FXL_COLD FXL_ONE_COPY fxl_status check_face(const fxl_surface_set *set,
                                                    const fxl_scene *scene, const fxl_model *model,
                                                    const fxl_mapped_face *mapped)
 {
-    if (mapped->reserved != 0) {
-        return FXL_E_RESERVED;
-    }
-    const uint16_t *numbers = mapped->vertices;
-    if (mapped->surface >= set->surface_count || numbers[0] >= model->vertex_count ||
-        numbers[1] >= model->vertex_count || numbers[2] >= model->vertex_count) {
+    const fxl_point *vertices = &scene->vertices[model->first_vertex], *points[3];
+    if (mapped->surface >= set->surface_count) {
         return FXL_E_INDEX;
     }
-    if (set->surfaces[mapped->surface].flags & FXL_SURFACE_LIT) {
-        for (uint32_t i = 0; i < 3; i++) {
-            if (mapped->normals[i] >= set->normal_count) {
-                return FXL_E_INDEX;
-            }
+    const fxl_surface *surface = &set->surfaces[mapped->surface];
+    for (uint32_t i = 0; i < 3; i++) {
+        /* The surface was checked: its first corner is at most corner_count. */
+        if (mapped->corners[i] >= set->corner_count - surface->first_corner) {
+            return FXL_E_INDEX;
         }
+        const fxl_corner *corner = &set->corners[surface->first_corner + mapped->corners[i]];
+        const fxl_status status = check_corner(set, model, surface->flags, corner);
+        if (status != FXL_OK) {
+            return status;
+        }
+        points[i] = &vertices[corner->vertex];
     }
-    const fxl_point *vertices = &scene->vertices[model->first_vertex];
-    if (on_one_line(&vertices[numbers[0]], &vertices[numbers[1]], &vertices[numbers[2]])) {
-        return FXL_E_DEGENERATE;
-    }
-    return check_texels(mapped, (set->surfaces[mapped->surface].flags & FXL_SURFACE_COLOURS) != 0);
+    return on_one_line(points[0], points[1], points[2]) ? FXL_E_DEGENERATE : FXL_OK;
 }
 
 static FXL_COLD fxl_status check_faces(const fxl_surface_set *set, const fxl_scene *scene,
@@ -248,8 +250,9 @@ static FXL_COLD fxl_status check_faces(const fxl_surface_set *set, const fxl_sce
 /* Whether every table begins where its records may; a null one does. */
 static bool is_aligned(const fxl_surface_set *set)
 {
-    const uintptr_t words = (uintptr_t)set->faces | (uintptr_t)set->normals;
-    const uintptr_t halves = (uintptr_t)set->surfaces | (uintptr_t)set->face_map;
+    const uintptr_t words =
+        (uintptr_t)set->surfaces | (uintptr_t)set->corners | (uintptr_t)set->normals;
+    const uintptr_t halves = (uintptr_t)set->faces | (uintptr_t)set->face_map;
     return (words & (FXL_WORD - 1)) == 0 && (halves & 1u) == 0 &&
            fxl_is_aligned(set->textures, FXL_POINTER);
 }
@@ -260,15 +263,17 @@ FXL_COLD fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_sce
     const frame_kind *kind = pixel_bits == 16 ? &of_565 : &of_palette;
     if (set == NULL || scene == NULL || set->face_map == NULL ||
         (set->textures == NULL && set->texture_count != 0) || set->surfaces == NULL ||
-        set->faces == NULL || (set->normals == NULL && set->normal_count != 0)) {
+        set->faces == NULL || set->corners == NULL ||
+        (set->normals == NULL && set->normal_count != 0)) {
         return fxl_fault_at(fault, "surfaces", 0, FXL_E_ARGUMENT);
     }
     if (!is_aligned(set)) {
         return fxl_fault_at(fault, "surfaces", 0, FXL_E_ALIGNMENT);
     }
     if (set->texture_count > FXL_TEXTURES_MAX || set->surface_count > FXL_SURFACES_MAX ||
-        set->face_count > FXL_MAPPED_FACES_MAX || set->normal_count > UINT16_MAX ||
-        set->blend_first > 255 || set->blend_count > 256 - set->blend_first) {
+        set->face_count > FXL_MAPPED_FACES_MAX || set->corner_count > FXL_SCENE_CORNERS_MAX ||
+        set->normal_count > UINT16_MAX || set->blend_first > 255 ||
+        set->blend_count > 256 - set->blend_first) {
         return fxl_fault_at(fault, "surfaces", 0, FXL_E_COUNT);
     }
     for (uint32_t i = 0; i < set->texture_count; i++) {

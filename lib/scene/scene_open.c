@@ -139,6 +139,8 @@ static void open_surfaces(const fxl_image_header *head, fxl_scene_surfaces *to)
     to->faces = (const fxl_mapped_face *)first_of(head, SECTION_MAPPED_FACES);
     to->face_count = count_of(head, SECTION_MAPPED_FACES);
     to->face_map = (const uint16_t *)first_of(head, SECTION_FACE_MAP);
+    to->corners = (const fxl_corner *)first_of(head, SECTION_CORNERS);
+    to->corner_count = count_of(head, SECTION_CORNERS);
     to->normals = (const fxl_direction *)first_of(head, SECTION_NORMALS_OF_CORNERS);
     to->normal_count = count_of(head, SECTION_NORMALS_OF_CORNERS);
     to->blend = (const uint8_t *)first_of(head, SECTION_BLEND_TABLE);

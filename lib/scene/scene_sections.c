@@ -142,42 +142,41 @@ static __attribute__((noinline)) uint32_t count_of(const fxl_image_header *head,
     return one != NULL ? one->count : 0;
 }
 
-FXL_STATIC_ASSERT(SECTION_KINDS <= 32, "a bit a kind");
-#define BIT(kind) ((uint32_t)1 << (kind))
-
 /* Which sections there must be, and which go together. */
 /* formats 1.2 */
 static FXL_COLD fxl_status check_presence(const fxl_image_header *head, fxl_scene_fault *fault)
 {
     static const struct {
-        uint8_t some, last;
-        uint32_t needed;
+        uint8_t first, last, needed[4]; /* where one of the kinds first..last is, those must be */
     } sets[] = {
-        {SECTION_BEAMS, SECTION_LIT_COLOURS, BIT(SECTION_BEAMS) | BIT(SECTION_LIT_COLOURS)},
-        {SECTION_MOTIONS, SECTION_KEYS_OF_MOTIONS,
-         BIT(SECTION_PLACEMENTS) | BIT(SECTION_MOTIONS) | BIT(SECTION_KEYS_OF_MOTIONS)},
-        {SECTION_LIGHT, SECTION_RAMP, BIT(SECTION_LIGHT) | BIT(SECTION_RAMP)},
-        {SECTION_TEXTURES, SECTION_BLEND_TABLE,
-         BIT(SECTION_SURFACES) | BIT(SECTION_MAPPED_FACES) | BIT(SECTION_FACE_MAP)},
-        {SECTION_BILLBOARDS, SECTION_SPRITE_PIXELS,
-         BIT(SECTION_BILLBOARDS) | BIT(SECTION_BILLBOARD_MAP) | BIT(SECTION_SPRITE_PIXELS)},
+        {SECTION_BEAMS, SECTION_LIT_COLOURS, {SECTION_BEAMS, SECTION_LIT_COLOURS}},
+        {SECTION_MOTIONS,
+         SECTION_KEYS_OF_MOTIONS,
+         {SECTION_PLACEMENTS, SECTION_MOTIONS, SECTION_KEYS_OF_MOTIONS}},
+        {SECTION_LIGHT, SECTION_RAMP, {SECTION_LIGHT, SECTION_RAMP}},
+        {SECTION_TEXTURES,
+         SECTION_BLEND_TABLE,
+         {SECTION_SURFACES, SECTION_MAPPED_FACES, SECTION_CORNERS, SECTION_FACE_MAP}},
+        {SECTION_BILLBOARDS,
+         SECTION_SPRITE_PIXELS,
+         {SECTION_BILLBOARDS, SECTION_BILLBOARD_MAP, SECTION_SPRITE_PIXELS}},
     };
-    uint32_t present = 0;
-    for (uint32_t kind = 1; kind < SECTION_KINDS; kind++) {
-        present |= count_of(head, kind) != 0 ? BIT(kind) : 0;
-    }
     for (uint32_t kind = SECTION_PALETTE; kind <= SECTION_INSTANCES; kind++) {
-        if ((present & BIT(kind)) == 0) {
+        if (count_of(head, kind) == 0) {
             return missing(kind, fault);
         }
     }
-    if ((present >> SECTION_POSES & 1) == (present >> SECTION_SEGMENTS & 1)) {
+    if ((count_of(head, SECTION_POSES) != 0) == (count_of(head, SECTION_SEGMENTS) != 0)) {
         return missing(SECTION_POSES, fault);
     }
     for (size_t i = 0; i < sizeof sets / sizeof sets[0]; i++) {
-        const bool is_any = (present & (BIT(sets[i].last + 1) - BIT(sets[i].some))) != 0;
-        for (uint32_t kind = 1; is_any && kind < SECTION_KINDS; kind++) {
-            if ((sets[i].needed & ~present & BIT(kind)) != 0) {
+        uint32_t any = 0;
+        for (uint32_t kind = sets[i].first; kind <= sets[i].last; kind++) {
+            any |= count_of(head, kind);
+        }
+        for (size_t k = 0; any != 0 && k < sizeof sets[i].needed; k++) {
+            const uint32_t kind = sets[i].needed[k];
+            if (kind != 0 && count_of(head, kind) == 0) {
                 return missing(kind, fault);
             }
         }

@@ -6,7 +6,7 @@
 
 #include "scene_header.h"
 
-#define IMAGE_VERSION 8u
+#define IMAGE_VERSION 9u
 
 /* The kinds of sections. */
 enum {
@@ -33,14 +33,15 @@ enum {
     SECTION_TEXELS = 21,
     SECTION_SURFACES = 22,
     SECTION_MAPPED_FACES = 23,
-    SECTION_FACE_MAP = 24,
-    SECTION_NORMALS_OF_CORNERS = 25,
-    SECTION_BLEND_TABLE = 26,
-    SECTION_BILLBOARDS = 27,
-    SECTION_BILLBOARD_MAP = 28,
-    SECTION_SPRITE_PIXELS = 29,
-    SECTION_LENS_CENTRE = 30,
-    SECTION_KINDS = 31 /* one more than the greatest */
+    SECTION_CORNERS = 24,
+    SECTION_FACE_MAP = 25,
+    SECTION_NORMALS_OF_CORNERS = 26,
+    SECTION_BLEND_TABLE = 27,
+    SECTION_BILLBOARDS = 28,
+    SECTION_BILLBOARD_MAP = 29,
+    SECTION_SPRITE_PIXELS = 30,
+    SECTION_LENS_CENTRE = 31,
+    SECTION_KINDS = 32 /* one more than the greatest */
 };
 
 /* Of each kind: bytes of an entry, whether a reader that does not know it must refuse the image, the most
@@ -67,8 +68,9 @@ enum {
     {256, 1, FXL_LIGHT_LEVELS_MAX, "ramp"},              \
     {16, 1, FXL_SCENE_TABLE_MAX, "texture table"},       \
     {1, 1, FXL_SCENE_IMAGE_MAX, "texel table"},          \
-    {8, 1, FXL_SCENE_TABLE_MAX, "surface table"},        \
-    {40, 1, FXL_SCENE_TABLE_MAX, "mapped face table"},   \
+    {12, 1, FXL_SCENE_TABLE_MAX, "surface table"},       \
+    {8, 1, FXL_SCENE_TABLE_MAX, "mapped face table"},    \
+    {12, 1, FXL_SCENE_CORNERS_MAX, "corner table"},      \
     {2, 1, FXL_SCENE_FACES_MAX, "face map"},             \
     {12, 1, FXL_SCENE_TABLE_MAX, "corner normal table"}, \
     {256, 1, 256, "blend table"},                        \
@@ -91,6 +93,7 @@ FXL_STATIC_ASSERT(FXL_LIGHT_POINTS_MAX == 4, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(FXL_LIGHT_LEVELS_MAX == 64, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(FXL_SCENE_TABLE_MAX == 65535, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(FXL_SCENE_IMAGE_MAX == 16777216, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(FXL_SCENE_CORNERS_MAX == 196605, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(sizeof(fxl_image_header) == 92, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_image_header, magic) == 0, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_image_header, version) == 4, FXL_AS_DOCUMENTED);

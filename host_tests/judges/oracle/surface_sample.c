@@ -153,10 +153,13 @@ static int draw(surface_sample *sample, fxl_surface_set *set, const fxl_light_se
     static fxl_light lamp;
     static fxl_lit_surfaces lit;
     static const uint16_t face_map[1] = {1};
+    static const fxl_mapped_face mapped = {.corners = {0, 1, 2}};
     fxl_draw_entry order[2];
     const fxl_memory memory = {order, 2, NULL, 0, NULL, 0};
     set->face_map = face_map;
+    set->faces = &mapped;
     set->surface_count = set->face_count = 1;
+    set->corner_count = 3;
     if (fxl_renderer_init_with(&renderer, &sample->scene, &sample->lens, &memory) != FXL_OK ||
         fxl_renderer_choose(&renderer, config) != FXL_OK ||
         fxl_attach_surfaces(&renderer, &surfaces, set, painter) != FXL_OK ||
@@ -170,18 +173,18 @@ static int draw(surface_sample *sample, fxl_surface_set *set, const fxl_light_se
 
 /* Draws the pixel by a surface. Returns -1 if the face does not cover it. light may be null. */
 static int draw_by_surface(surface_sample *sample, const fxl_texture *texture,
-                        const fxl_surface *surface, const fxl_direction normals[3],
-                        const fxl_light_settings *light)
+                           const fxl_surface *surface, const fxl_direction normals[3],
+                           const fxl_light_settings *light)
 {
     const fxl_config config = fxl_config_default(1, 1); /* its target and its order alone */
-    fxl_mapped_face mapped = {.vertices = {0, 1, 2}, .normals = {0, 1, 2}};
-    for (int i = 0; i < 3; i++) {
-        mapped.texels[i] =
-            (fxl_texel){(int32_t)sample->values[i][0], (int32_t)sample->values[i][1]};
+    fxl_corner corners[3];
+    for (uint16_t i = 0; i < 3; i++) {
+        corners[i] =
+            (fxl_corner){{(int32_t)sample->values[i][0], (int32_t)sample->values[i][1]}, i, i};
     }
     fxl_surface_set set = {.textures = texture,
                            .surfaces = surface,
-                           .faces = &mapped,
+                           .corners = corners,
                            .normals = normals,
                            .texture_count = texture ? 1 : 0,
                            .normal_count = normals ? 3 : 0};
@@ -192,12 +195,12 @@ int surface_sample_draw_colours(surface_sample *sample, const uint32_t colours[3
 {
     const fxl_surface surface = {.flags = FXL_SURFACE_COLOURS, .opacity = 16};
     fxl_config config = fxl_config_for(1, 1, &fxl_rgb565);
-    fxl_mapped_face mapped = {.vertices = {0, 1, 2}};
+    fxl_corner corners[3];
     config.palette = palette;
-    for (int i = 0; i < 3; i++) {
-        mapped.texels[i] = (fxl_texel){(int32_t)colours[i], 0};
+    for (uint16_t i = 0; i < 3; i++) {
+        corners[i] = (fxl_corner){{(int32_t)colours[i], 0}, i, 0};
     }
-    fxl_surface_set set = {.surfaces = &surface, .faces = &mapped};
+    fxl_surface_set set = {.surfaces = &surface, .corners = corners};
     return draw(sample, &set, NULL, &config, FXL_SURFACES_OF(fxl_rgb565));
 }
 

@@ -17,7 +17,7 @@ enum {
     ARM_BEAM_LIGHT = 40,    /* what lib/draw/beam_light.c has at the start of its workspace */
     ARM_LIT_PIECES = 28,    /* fxl_lit_pieces */
     ARM_LIT_PIECE = 6,      /* fxl_lit_piece */
-    ARM_SURFACE_SET = 48,   /* fxl_surface_set */
+    ARM_SURFACE_SET = 56,   /* fxl_surface_set */
     ARM_TEXTURE = 16,       /* fxl_texture */
     ARM_BILLBOARD_SET = 12, /* fxl_billboard_set */
     ARM_BILLBOARD = 20,     /* fxl_billboard */

@@ -232,7 +232,7 @@ static void count_slow(const fxl_paint *paint, const fxl_paint_row *row, int32_t
 /* --- colours at corners -------------------------------------------------------------------- */
 
 WRAPPED(bool, fxl_find_colours,
-        (const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
+        (const fxl_surfaces *surfaces, const fxl_corner *const mapped[3],
          const fxl_corner_planes *planes, bool is_affine, fxl_gradient_corners *corners,
          fxl_gradients *gradients))
 {

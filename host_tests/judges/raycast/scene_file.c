@@ -16,8 +16,8 @@ enum {
     MODEL = 28,
     INSTANCE = 16,
     TEXTURE = 16,
-    SURFACE = 8,
-    MAPPED_FACE = 40,
+    SURFACE = 12,
+    MAPPED_FACE = 8,
     OPAQUE = 16
 };
 

@@ -6,13 +6,13 @@
 #include "file.h"
 
 /* Of each kind: bytes of an entry, and the most entries. */
-static const uint32_t bytes_of[KINDS] = {0,   3,   12, 2,  20,  28, 16, 24, 4,   20, 48,
-                                         176, 256, 48, 40, 76,  32, 28, 20, 256, 16, 1,
-                                         8,   40,  2,  12, 256, 32, 2,  1,  8};
+static const uint32_t bytes_of[KINDS] = {0,   3,   12, 2,  20, 28,  16, 24, 4,   20, 48,
+                                         176, 256, 48, 40, 76, 32,  28, 20, 256, 16, 1,
+                                         12,  8,   12, 2,  12, 256, 32, 2,  1,   8};
 static const uint32_t most_of[KINDS] = {
     0,     256,   1000000, 4000000, 1000000, 65535,   65535, 1000000, 1000000, 1000000, 65535,
     4,     1,     65535,   65535,   65535,   1000000, 1,     4,       64,      65535,   1 << 24,
-    65535, 65535, 1000000, 65535,   256,     65535,   65535, 1 << 24, 1};
+    65535, 65535, 196605,  1000000, 65535,   256,     65535, 65535,   1 << 24, 1};
 
 /* Takes the entry of one section, whose bytes may begin at `from`, or later if `gap`. Returns where
  * it ends. */
@@ -59,7 +59,9 @@ static void check_set(const char *path, const uint8_t *bytes, const table *s)
          "more placements than instances");
     need(path, light == (s[KIND_RAMP].count > 0), "light without a ramp");
     need(path, light || !s[KIND_POINT_LIGHTS].count, "point lights without light");
-    need(path, !some_surfaces || (s[KIND_SURFACES].count && s[KIND_MAPPED_FACES].count),
+    need(path,
+         !some_surfaces ||
+             (s[KIND_SURFACES].count && s[KIND_MAPPED_FACES].count && s[KIND_CORNERS].count),
          "a part of the surfaces is missing");
     need(path, !some_surfaces || s[KIND_FACE_MAP].count == s[KIND_FACES].count,
          "the face map has not an entry for each face");
@@ -102,7 +104,7 @@ void sections_read(const char *path, file_block *image, table sections[KINDS])
     const uint8_t *bytes = image->bytes;
     if (image->size < SECTIONS_AT || memcmp(bytes, "FXLS", 4) != 0)
         unusable("%s: not a scene image", path);
-    if (get_u16(bytes + 4) != 8)
+    if (get_u16(bytes + 4) != 9)
         unusable("%s: the scene image is of another version: build it again", path);
     const uint32_t size = get_u32(bytes + 8);
     if (size < SECTIONS_AT || size % 4 != 0 || size > image->size || size > 16u << 20)

@@ -29,13 +29,14 @@ enum {
     KIND_TEXTURES = 20,
     KIND_SURFACES = 22,
     KIND_MAPPED_FACES = 23,
-    KIND_FACE_MAP = 24,
-    KIND_BLEND_TABLE = 26,
-    KIND_BILLBOARDS = 27,
-    KIND_BILLBOARD_MAP = 28,
-    KIND_SPRITE_PIXELS = 29,
-    KIND_LENS_CENTRE = 30,
-    KINDS = 31
+    KIND_CORNERS = 24,
+    KIND_FACE_MAP = 25,
+    KIND_BLEND_TABLE = 27,
+    KIND_BILLBOARDS = 28,
+    KIND_BILLBOARD_MAP = 29,
+    KIND_SPRITE_PIXELS = 30,
+    KIND_LENS_CENTRE = 31,
+    KINDS = 32
 };
 
 /* A section: its first entry, and how many there are. Null and 0: there is none. */

@@ -41,8 +41,9 @@ static const struct {
                               [REF_RAMP] = {256, 64},
                               [REF_TEXTURES] = {16, 65535},
                               [REF_TEXELS] = {1, 16u << 20},
-                              [REF_SURFACES] = {8, 65535},
-                              [REF_MAPPED_FACES] = {40, 65535},
+                              [REF_SURFACES] = {12, 65535},
+                              [REF_MAPPED_FACES] = {8, 65535},
+                              [REF_CORNERS] = {12, 3 * 65535},
                               [REF_FACE_MAP] = {2, 1000000},
                               [REF_CORNER_NORMALS] = {12, 65535},
                               [REF_BLEND_TABLE] = {256, 256},
@@ -144,6 +145,7 @@ static uint32_t count_of(const uint8_t *bytes, int kind)
 static bool set_is_sound(const uint8_t *bytes)
 {
     const bool surfaces = has(bytes, REF_SURFACES) && has(bytes, REF_MAPPED_FACES) &&
+                          has(bytes, REF_CORNERS) &&
                           count_of(bytes, REF_FACE_MAP) == count_of(bytes, REF_FACES);
     const bool billboards = has(bytes, REF_BILLBOARDS) && has(bytes, REF_SPRITE_PIXELS) &&
                             count_of(bytes, REF_BILLBOARD_MAP) == count_of(bytes, REF_MODELS);
@@ -171,7 +173,7 @@ const char *ref_sections_check(const uint8_t *bytes, size_t size)
     if (size < HEADER_BYTES || memcmp(bytes, "FXLS", 4) != 0) {
         return "it is not a scene image (no FXLS at its start)";
     }
-    if (ref_u16(bytes + 4) != 8) {
+    if (ref_u16(bytes + 4) != 9) {
         return "the scene image is of another version: build it again";
     }
     const uint32_t stated = ref_u32(bytes + 8);

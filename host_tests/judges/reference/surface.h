@@ -44,12 +44,13 @@ typedef struct {
     int division, opacity;
     int sixteenths; /* that a blended colour shows of itself in RGB565 */
     bool is_lit, blends, adds, has_colours;
+    uint32_t first_corner; /* from which its faces count theirs */
 } ref_surface;
 
 typedef struct {
     int surface, vertices[3], normals[3]; /* numbers; of vertices within the model */
     double texels[3][2];                  /* u, v */
-    int colours[3][REF_CHANNELS];         /* red, green, blue of 8 bits, where the surface has them */
+    int colours[3][REF_CHANNELS]; /* red, green, blue of 8 bits, where the surface has them */
 } ref_mapped_face;
 
 struct ref_surfaces {
@@ -81,8 +82,9 @@ typedef struct {
     bool is_light_coarse; /* a depth buffer of 16 bits: SPEC.md, section 9.1.1 */
     ref_screen_point points[3];
     double values[REF_VALUES], steps[2][REF_VALUES]; /* at the corner, and what each side adds */
-    double scales[2];            /* texels of the level for one of the texture */
-    const ref_texture_level *other; /* that the library may choose as well (SPEC.md, 9.4); or null */
+    double scales[2]; /* texels of the level for one of the texture */
+    const ref_texture_level
+        *other;                  /* that the library may choose as well (SPEC.md, 9.4); or null */
     double rounding[REF_VALUES]; /* of a billboard: what a value may be off */
     uint8_t own;                 /* the face's own colour */
 } ref_surface_view;

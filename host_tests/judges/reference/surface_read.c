@@ -96,7 +96,7 @@ static bool read_surfaces(const uint8_t *bytes, ref_surfaces *surfaces)
     if (!p || !surfaces->surfaces) {
         return false;
     }
-    for (uint32_t i = 0; i < surfaces->surface_count; i++, p += 8) {
+    for (uint32_t i = 0; i < surfaces->surface_count; i++, p += 12) {
         surfaces->surfaces[i] = (ref_surface){.texture = ref_u16(p),
                                               .division = p[2],
                                               .opacity = p[4],
@@ -104,7 +104,8 @@ static bool read_surfaces(const uint8_t *bytes, ref_surfaces *surfaces)
                                               .is_lit = p[3] & 1,
                                               .blends = p[3] >> 1 & 1,
                                               .adds = p[3] >> 2 & 1,
-                                              .has_colours = p[3] >> 3 & 1};
+                                              .has_colours = p[3] >> 3 & 1,
+                                              .first_corner = ref_u32(p + 8)};
         if (ref_u16(p) > surfaces->texture_count || p[4] < 1 || p[4] > REF_OPAQUE ||
             p[5] > REF_OPAQUE) {
             return false;
@@ -113,28 +114,39 @@ static bool read_surfaces(const uint8_t *bytes, ref_surfaces *surfaces)
     return true;
 }
 
+static void read_corner(const uint8_t *p, ref_mapped_face *face, int k)
+{
+    face->texels[k][0] = ref_i32(p) / REF_ONE;
+    face->texels[k][1] = ref_i32(p + 4) / REF_ONE;
+    face->vertices[k] = ref_u16(p + 8);
+    face->normals[k] = ref_u16(p + 10);
+    for (int channel = 0; channel < REF_CHANNELS; channel++) {
+        face->colours[k][channel] = ref_u32(p) >> (16 - 8 * channel) & 255;
+    }
+}
+
 static bool read_faces(const uint8_t *bytes, ref_surfaces *surfaces)
 {
-    const uint8_t *p;
+    uint32_t corner_count;
+    const uint8_t *p, *corners = ref_section(bytes, REF_CORNERS, &corner_count);
     surfaces->faces =
         ref_table(bytes, REF_MAPPED_FACES, sizeof *surfaces->faces, &p, &surfaces->face_count);
     if (!p || !surfaces->faces) {
         return false;
     }
-    for (uint32_t i = 0; i < surfaces->face_count; i++, p += 40) {
+    for (uint32_t i = 0; i < surfaces->face_count; i++, p += 8) {
         ref_mapped_face *face = &surfaces->faces[i];
         face->surface = ref_u16(p);
-        for (int k = 0; k < 3; k++) {
-            face->vertices[k] = ref_u16(p + 2 + 2 * k);
-            face->normals[k] = ref_u16(p + 8 + 2 * k);
-            face->texels[k][0] = ref_i32(p + 16 + 8 * k) / REF_ONE;
-            face->texels[k][1] = ref_i32(p + 20 + 8 * k) / REF_ONE;
-            for (int channel = 0; channel < REF_CHANNELS; channel++) {
-                face->colours[k][channel] = ref_u32(p + 16 + 8 * k) >> (16 - 8 * channel) & 255;
-            }
-        }
         if ((uint32_t)face->surface >= surfaces->surface_count) {
             return false;
+        }
+        for (int k = 0; k < 3; k++) {
+            const uint64_t number =
+                (uint64_t)surfaces->surfaces[face->surface].first_corner + ref_u16(p + 2 + 2 * k);
+            if (number >= corner_count) {
+                return false;
+            }
+            read_corner(corners + 12 * number, face, k);
         }
     }
     return true;

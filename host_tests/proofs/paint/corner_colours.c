@@ -175,11 +175,12 @@ void prove_set_words(void)
  */
 void prove_corner_colours(void)
 {
-    fxl_mapped_face mapped;
+    fxl_corner any[3];
+    const fxl_corner *const corners[3] = {&any[0], &any[1], &any[2]};
     int32_t values[3][3];
     const uint32_t k = nondet_u32(), i = nondet_u32();
     ASSUME(k < 3 && i < 3);
-    fxl_corner_colours(&mapped, values);
+    fxl_corner_colours(corners, values);
     ASSERT("a channel's level", values[k][i] > 0 && values[k][i] < (k == 1 ? 64 : 32) * 65536);
     PROOF_ENDS();
 }

@@ -5,23 +5,24 @@
 /* [[row]]
  * function = "fxl_light_corners_of"
  * property = "any checked settings and normals: nothing overflows or is out of bounds"
- * checks = 114
+ * checks = 120
  */
 void prove_light_corners_of(void)
 {
     fxl_light_settings settings;
     fxl_direction normals[3];
-    uint16_t numbers[3];
+    fxl_corner any[3];
+    const fxl_corner *const corners[3] = {&any[0], &any[1], &any[2]};
     int32_t values[3];
     ASSUME(settings.levels >= FXL_LIGHT_LEVELS_MIN && settings.levels <= FXL_LIGHT_LEVELS_MAX);
     ASSUME(settings.ambient >= 0 && settings.ambient <= FXL_Q2_30_ONE && settings.strength >= 0 && settings.strength <= FXL_Q2_30_ONE);
     ASSUME(WITHIN(settings.direction.x, FXL_Q2_30_ONE + 4) && WITHIN(settings.direction.y, FXL_Q2_30_ONE + 4) &&
            WITHIN(settings.direction.z, FXL_Q2_30_ONE + 4));
     for (int i = 0; i < 3; i++) {
-        ASSUME(numbers[i] < 3 && WITHIN(normals[i].x, FXL_Q2_30_ONE + 8) && WITHIN(normals[i].y, FXL_Q2_30_ONE + 8) &&
+        ASSUME(any[i].normal < 3 && WITHIN(normals[i].x, FXL_Q2_30_ONE + 8) && WITHIN(normals[i].y, FXL_Q2_30_ONE + 8) &&
                WITHIN(normals[i].z, FXL_Q2_30_ONE + 8));
     }
-    fxl_light_corners_of(&settings, normals, numbers, values);
+    fxl_light_corners_of(&settings, normals, corners, values);
     PROOF_ENDS();
 }
 

@@ -10,6 +10,7 @@ static fxl_scene_texture from[ENTRIES];
 static fxl_texture textures[ENTRIES];
 static fxl_surface surfaces[ENTRIES];
 static fxl_mapped_face mapped[ENTRIES];
+static fxl_corner corners[ENTRIES];
 static fxl_direction normals[ENTRIES];
 static uint16_t face_map[FACES];
 static fxl_scene_image image;
@@ -133,17 +134,19 @@ void prove_check_texture(void)
 
 /* [[row]]
  * function = "check_surface"
- * property = "any surface: one that passes has a texture of the table, an opacity in its range and what it blends with"
- * checks = 108
+ * property = "any surface: one that passes has a texture and a first corner of the tables, an opacity in its range and what it blends with"
+ * checks = 121
  */
 void prove_check_surface(void)
 {
     fxl_surface surface;
     const bool pixels_of_16 = nondet_bool();
     set.texture_count = nondet_u32();
+    set.corner_count = nondet_u32();
     set.blend = nondet_bool() ? texels : NULL;
     const fxl_status status = check_surface(&set, &surface, pixels_of_16 ? &of_565 : &of_palette);
     ASSERT("a texture of the table, or none", status != FXL_OK || surface.texture <= set.texture_count);
+    ASSERT("a first corner that is not behind the table's end", status != FXL_OK || surface.first_corner <= set.corner_count);
     ASSERT("an opacity in its range", status != FXL_OK || (surface.opacity >= 1 && surface.opacity <= 16 && surface.sixteenths <= 16));
     ASSERT("a table where it blends", status != FXL_OK || pixels_of_16 || (surface.flags & FXL_SURFACE_BLEND) == 0 || set.blend != NULL);
     ASSERT("no texture of interpolated colours", status != FXL_OK || surface.texture == 0 || (surface.flags & FXL_SURFACE_COLOURS) == 0);
@@ -163,36 +166,20 @@ void prove_on_one_line(void)
     PROOF_ENDS();
 }
 
-/* [[row]]
- * function = "check_texels"
- * property = "any mapped face: texels that pass are in their range, and colours have 24 bits"
- * checks = 74
- */
-void prove_check_texels(void)
-{
-    fxl_mapped_face face;
-    const bool are_colours = nondet_bool();
-    const uint32_t i = nondet_u32();
-    ASSUME(i < 3);
-    const fxl_status status = check_texels(&face, are_colours);
-    const fxl_texel *texel = &face.texels[i];
-    ASSERT("in their range", status != FXL_OK || are_colours || (WITHIN(texel->u, FXL_TEXEL_MAX) && WITHIN(texel->v, FXL_TEXEL_MAX)));
-    ASSERT("colours of 24 bits", status != FXL_OK || !are_colours || ((uint32_t)texel->u < 1u << 24 && texel->v == 0));
-    PROOF_ENDS();
-}
-
-/* For on_one_line and check_texels. */
+/* For on_one_line and check_corner. */
 bool any_line(const fxl_point *a, const fxl_point *b, const fxl_point *c)
 {
     ASSERT("vertices of a checked model", is_vertex(a) && is_vertex(b) && is_vertex(c));
     return nondet_bool();
 }
 
-fxl_status any_texels(const fxl_mapped_face *face, bool are_colours)
+fxl_status any_corner(const fxl_surface_set *of, const fxl_model *model, uint32_t flags, const fxl_corner *corner)
 {
-    (void)are_colours;
-    ASSERT("of the table", face >= mapped && face < mapped + ENTRIES);
-    return (fxl_status)nondet_u32();
+    const bool good = nondet_bool();
+    (void)flags;
+    ASSERT("of the table", of == &set && corner >= corners && corner < corners + set.corner_count);
+    ASSUME(!good || corner->vertex < model->vertex_count);
+    return good ? FXL_OK : FXL_E_RANGE;
 }
 
 /* Tables of any length up to two, with any content. */
@@ -201,22 +188,43 @@ static void any_tables(void)
     any_checked_scene();
     ANY_CONTENT(surfaces);
     ANY_CONTENT(mapped);
+    ANY_CONTENT(corners);
     ANY_CONTENT(face_map);
     ANY_CONTENT(&set);
     set.surfaces = surfaces;
     set.faces = mapped;
+    set.corners = corners;
     set.normals = normals;
     set.textures = textures;
     set.face_map = face_map;
-    ASSUME(set.surface_count <= ENTRIES && set.face_count <= ENTRIES && set.normal_count <= ENTRIES && set.texture_count <= ENTRIES);
+    ASSUME(set.surface_count <= ENTRIES && set.face_count <= ENTRIES && set.corner_count <= ENTRIES && set.normal_count <= ENTRIES && set.texture_count <= ENTRIES);
+}
+
+/* [[row]]
+ * function = "check_corner"
+ * property = "any corner of a checked scene: one that passes has a vertex and a normal of their tables, texels in their range, and colours of 24 bits"
+ * checks = 303
+ * unwind = 8
+ */
+void prove_check_corner(void)
+{
+    any_tables();
+    const fxl_corner *corner = &corners[0];
+    const uint32_t flags = nondet_u32();
+    const bool passes = check_corner(&set, &models[0], flags, corner) == FXL_OK, has_colour = (flags & FXL_SURFACE_COLOURS) != 0;
+    ASSERT("a vertex of the model", !passes || corner->vertex < models[0].vertex_count);
+    ASSERT("a normal of the table", !passes || (flags & FXL_SURFACE_LIT) == 0 || corner->normal < set.normal_count);
+    ASSERT("in their range", !passes || has_colour || (WITHIN(corner->texel.u, FXL_TEXEL_MAX) && WITHIN(corner->texel.v, FXL_TEXEL_MAX)));
+    ASSERT("colours of 24 bits", !passes || !has_colour || ((uint32_t)corner->texel.u < 1u << 24 && corner->texel.v == 0));
+    PROOF_ENDS();
 }
 
 /* [[row]]
  * function = "check_face"
- * property = "any mapped face of a checked scene and tables of up to 2 entries: one that passes has a surface, vertices and normals of their tables"
- * checks = 469
+ * property = "any mapped face of a checked scene and tables of up to 2 entries: one that passes has a surface and corners of their tables"
+ * checks = 382
  * unwind = 8
- * stands_in = { on_one_line = "any_line", check_texels = "any_texels" }
+ * stands_in = { on_one_line = "any_line", check_corner = "any_corner" }
  */
 void prove_check_face(void)
 {
@@ -224,11 +232,10 @@ void prove_check_face(void)
     const fxl_model *model = &models[0];
     const fxl_mapped_face *face = &mapped[0];
     const uint32_t i = nondet_u32();
-    ASSUME(i < 3);
+    ASSUME(i < 3 && surfaces[0].first_corner <= set.corner_count && surfaces[1].first_corner <= set.corner_count);
     const fxl_status status = check_face(&set, &scene, model, face);
     ASSERT("a surface of the table", status != FXL_OK || face->surface < set.surface_count);
-    ASSERT("vertices of the model", status != FXL_OK || face->vertices[i] < model->vertex_count);
-    ASSERT("normals of the table", status != FXL_OK || (surfaces[face->surface].flags & FXL_SURFACE_LIT) == 0 || face->normals[i] < set.normal_count);
+    ASSERT("corners of the table", status != FXL_OK || surfaces[face->surface].first_corner + face->corners[i] < set.corner_count);
     PROOF_ENDS();
 }
 
@@ -285,7 +292,7 @@ fxl_status any_faces(const fxl_surface_set *of, const fxl_scene *in, fxl_scene_f
 /* [[row]]
  * function = "fxl_surfaces_check"
  * property = "any set of tables of up to 2 entries, or without some: nothing is out of bounds, and one that passes has the tables that it needs"
- * checks = 471
+ * checks = 489
  * unwind = 8
  * stands_in = { check_texture = "any_texture", check_surface = "any_surface", fxl_is_unit = "any_unit_of_set", check_faces = "any_faces" }
  */
@@ -296,9 +303,10 @@ void prove_surfaces_check(void)
     set.normals = nondet_bool() ? normals : NULL;
     set.surfaces = nondet_bool() ? surfaces : NULL;
     set.faces = nondet_bool() ? mapped : NULL;
+    set.corners = nondet_bool() ? corners : NULL;
     set.face_map = nondet_bool() ? face_map : NULL;
     const fxl_status status = fxl_surfaces_check(nondet_bool() ? &set : NULL, nondet_bool() ? &scene : NULL, nondet_u32(), &fault);
-    ASSERT("tables that it needs", status != FXL_OK || (set.surfaces != NULL && set.faces != NULL && set.face_map != NULL &&
+    ASSERT("tables that it needs", status != FXL_OK || (set.surfaces != NULL && set.faces != NULL && set.corners != NULL && set.face_map != NULL &&
                                                         (set.textures != NULL || set.texture_count == 0)));
     ASSERT("blended colours of a byte", status != FXL_OK || (set.blend_first <= 255 && set.blend_first + set.blend_count <= 256));
     PROOF_ENDS();

@@ -124,7 +124,7 @@ uint32_t any_count(const fxl_image_header *head, uint32_t kind)
 /* [[row]]
  * function = "check_presence"
  * property = "any counts: an image that passes has the tables that every scene has, one path, and what goes together"
- * checks = 31
+ * checks = 26
  * unwind = 32
  * stands_in = { count_of = "any_count" }
  * stubs = { fxl_crc = "not called" }
@@ -140,6 +140,7 @@ void prove_check_presence(void)
     ASSERT("one path", status != FXL_OK || (counts[SECTION_POSES] == 0) != (counts[SECTION_SEGMENTS] == 0));
     ASSERT("beams with their colours", status != FXL_OK || (counts[SECTION_BEAMS] == 0) == (counts[SECTION_LIT_COLOURS] == 0));
     ASSERT("motions with placements", status != FXL_OK || counts[SECTION_MOTIONS] == 0 || (counts[SECTION_PLACEMENTS] != 0 && counts[SECTION_KEYS_OF_MOTIONS] != 0));
+    ASSERT("surfaces with their corners", status != FXL_OK || (counts[SECTION_SURFACES] == 0) == (counts[SECTION_CORNERS] == 0));
     ASSERT("light with its ramp", status != FXL_OK || (counts[SECTION_LIGHT] == 0) == (counts[SECTION_RAMP] == 0));
     PROOF_ENDS();
 }

@@ -29,7 +29,8 @@ extern "C" {
 #define FXL_SCENE_CLUSTERS_MAX      65535u
 #define FXL_MOTION_KEYS_MAX         1000000u
 #define FXL_SCENE_TABLE_MAX         65535u /* textures; surfaces; mapped faces; normals of corners */
-#define FXL_MOTION_DEPTH_MAX        8u     /* of a chain of parents */
+#define FXL_SCENE_CORNERS_MAX       196605u /* three for each mapped face */
+#define FXL_MOTION_DEPTH_MAX        8u      /* of a chain of parents */
 #define FXL_LIGHT_POINTS_MAX        4
 #define FXL_LIGHT_LEVELS_MIN        2
 #define FXL_LIGHT_LEVELS_MAX        64
@@ -283,6 +284,7 @@ typedef struct {
 
 typedef struct fxl_surface fxl_surface;
 typedef struct fxl_mapped_face fxl_mapped_face;
+typedef struct fxl_corner fxl_corner;
 
 /* The surfaces of a scene image, of which fxl_surfaces_open (fixel/surfaces.h) makes a set. */
 typedef struct {
@@ -291,9 +293,10 @@ typedef struct {
     const fxl_surface *surfaces;
     const fxl_mapped_face *faces;
     const uint16_t *face_map; /* one for each face of the scene; null: there are no surfaces */
+    const fxl_corner *corners;
     const fxl_direction *normals;
     const uint8_t *blend; /* null: there is none */
-    uint32_t texture_count, texel_bytes, surface_count, face_count, normal_count;
+    uint32_t texture_count, texel_bytes, surface_count, face_count, corner_count, normal_count;
     uint32_t blend_first, blend_count;
 } fxl_scene_surfaces;
 

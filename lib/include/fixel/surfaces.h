@@ -84,19 +84,24 @@ struct fxl_surface {
     uint8_t sixteenths;  /* FXL_SURFACE_BLEND: what a frame of 16 bits a pixel shows of the colour
                             itself, 1..16; 0: 8. Else 0 */
     uint8_t reserved[2]; /* 0 */
+    uint32_t first_corner; /* from which its faces count their corners; mostly 0 */
 };
 
-/* A face that has a surface. Three vertices of its model, which are not on one line, say where the
- * texture lies; over the rest of their plane it is linear. They are corners of the face, or, of a
- * face that is a part of another, corners of the whole. So all parts of a face share a record. */
+/* What a surface has at a vertex. Faces that meet there share it where they have the same. */
+struct fxl_corner {
+    fxl_texel
+        texel; /* each coordinate within FXL_TEXEL_MAX. FXL_SURFACE_COLOURS: u is the colour at
+                        the vertex, FXL_CORNER_COLOUR, and v is 0 */
+    uint16_t vertex; /* its number within the model */
+    uint16_t normal; /* its number; FXL_SURFACE_LIT only, else 0 */
+};
+
+/* A face that has a surface. Three corners, whose vertices are not on one line, say where the
+ * texture lies; over the rest of their plane it is linear. Their vertices are those of the face,
+ * or, of a face that is a part of another, of the whole. So all parts of a face share a record. */
 struct fxl_mapped_face {
-    uint16_t surface;     /* a number */
-    uint16_t vertices[3]; /* numbers within the model */
-    uint16_t normals[3];  /* at these vertices, numbers; FXL_SURFACE_LIT only, else 0 */
-    uint16_t reserved;    /* 0 */
-    fxl_texel texels[3];  /* at these vertices; each coordinate within FXL_TEXEL_MAX.
-                             FXL_SURFACE_COLOURS: u is the colour at the vertex, FXL_CORNER_COLOUR,
-                             and v is 0 */
+    uint16_t surface;    /* a number */
+    uint16_t corners[3]; /* numbers, counted from the surface's first corner on */
 };
 
 /* A colour at a vertex: red, green and blue from 0 to 255. */
@@ -109,8 +114,9 @@ typedef struct {
     const fxl_mapped_face *faces;
     const uint16_t *face_map; /* one for each face of the scene: 0, or the number of its record in
                                  faces, counted from 1 */
+    const fxl_corner *corners;
     const fxl_direction *normals; /* at vertices, in the model */
-    uint32_t texture_count, surface_count, face_count, normal_count;
+    uint32_t texture_count, surface_count, face_count, corner_count, normal_count;
     const uint8_t *blend; /* blend[256 * (colour - blend_first) + beneath]: what FXL_SURFACE_BLEND
                              shows of a colour over another; null where no surface has that flag */
     uint32_t blend_first, blend_count; /* the colours that are blended; others are opaque. The sum

@@ -49,23 +49,19 @@ def _texture(texture, names):
                   texture.flags, texture.key, texture.levels, texture.key_565)
 
 
-def _mapped(mapped):
-    return braces(mapped.surface, braces(*mapped.vertices), braces(*mapped.normals), 0,
-                  braces(*(braces(*texel) for texel in mapped.texels)))
-
-
 def _tables(scene, name, names):
     """[(table's name or NULL, the table or None, rows)] in the order of fxl_surface_set's first members."""
     surfaces, numbers = scene.surfaces, {}
     faces = [face.mapped for model in scene.models for face in model.faces]
     face_map = ["0" if each is None else str(numbers.setdefault(each, len(numbers) + 1)) for each in faces]
+    placed, mapped, corners = image_surface.share_corners(numbers, surfaces.surfaces)
     rows = [("textures", "fxl_texture", [_texture(each, names) for each in surfaces.textures],
              "Texels, colours, log2 of width and of height, format, flags, key, levels, key of RGB565."),
-            ("looks", "fxl_surface", [braces(each.texture, each.division, each.flags, each.opacity, each.sixteenths, braces(0, 0))
-                                      for each in surfaces.surfaces], "Texture, division, flags, opacity, sixteenths, reserved."),
-            ("mapped_faces", "fxl_mapped_face", [_mapped(each) for each in numbers],
-             "Surface; vertices; normals; reserved; texels u, v at the vertices in 16.16."),
+            ("looks", "fxl_surface", [braces(each.texture, each.division, each.flags, each.opacity, each.sixteenths, braces(0, 0), first)
+                                      for each, first in placed], "Texture, division, flags, opacity, sixteenths, reserved, first corner."),
+            ("mapped_faces", "fxl_mapped_face", [braces(surface, braces(*each)) for surface, each in mapped], "Surface, corners."),
             ("face_map", "uint16_t", face_map, "For each face its mapped face, counted from 1; 0: none."),
+            ("corners", "fxl_corner", [braces(braces(*texel), *rest) for texel, *rest in corners], "Texel u, v in 16.16; vertex, normal."),
             ("normals", "fxl_direction", [braces(*each) for each in surfaces.normals], "Of corners, in 2.30."),
             ("blend", "uint8_t", _numbers(itertools.chain(*surfaces.blend)),
              "What a blended colour shows over each other: 256 for each.")]
@@ -78,9 +74,9 @@ def text(scene, name):
     if scene.surfaces is None:
         return []
     pieces, names = _pieces(scene.surfaces.textures, name)
-    (textures, *_), (looks, *_), (mapped, *_), (face_map, *_), (normals, *_), (blend, *_) = tables = _tables(scene, name, names)
-    counts = [tables[i][2] for i in (0, 1, 2, 4)]
-    entries = [", ".join([textures, looks, mapped, face_map, normals]), ", ".join(map(str, counts)),
+    (textures, *_), (looks, *_), (mapped, *_), (face_map, *_), (corners, *_), (normals, *_), (blend, *_) = tables = _tables(scene, name, names)
+    counts = [tables[i][2] for i in (0, 1, 2, 4, 5)]
+    entries = [", ".join([textures, looks, mapped, face_map, corners, normals]), ", ".join(map(str, counts)),
                f"{blend}, {scene.surfaces.blend_first}, {len(scene.surfaces.blend)}"]
     return [*pieces, *(made for _, made, _ in tables if made),
             record("fxl_surface_set", f"{name}_surfaces", entries, "For fxl_attach_surfaces.")]

@@ -12,8 +12,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 MAGIC = b"FXLS"
-VERSION = 8         # CONTRIBUTING.md says when it rises
+VERSION = 9         # CONTRIBUTING.md says when it rises
 IMAGE_MAX = 16 << 20
+CORNERS_MAX = 3 * 65_535
 WORDS = {"B": "u8", "H": "u16", "i": "i32", "I": "u32", "q": "i64", "s": "u8"}
 ENTRY = struct.Struct("<HBBII")     # of the table of sections: kind, is_needed, reserved, offset, count
 
@@ -187,13 +188,15 @@ SECTIONS = (
         Field("B", "division", "division (0 every 16 columns, 1 every 8, 2 each, 3 affine)"),
         Field("B", "flags", "flags (1 lit, 2 blended, 4 added; not both of these two; 8 colours at corners)"), Field("B", "opacity", "opacity (1..16)"),
         Field("B", "sixteenths", "what a blended colour shows of itself in RGB565, in sixteenths (1..16; 0: 8)"),
-        Field("2B", "reserved", "reserved")),
+        Field("2B", "reserved", "reserved"), Field("I", "first_corner", "corner from which its faces count theirs")),
             65_535, limit="FXL_SCENE_TABLE_MAX", record="fxl_surface", room="paint"),
     Section("mapped faces", "mapped face table", (
-        Field("H", "surface", "surface"), Field("3H", "vertices", "numbers of three vertices within the model"),
-        Field("3H", "normals", "normals at these"), Field("H", "reserved", "reserved"),
-        Field("6i", "texels", "u, v (16.16) at these; of colours at corners 65536 red + 256 green + blue, and 0")),
+        Field("H", "surface", "surface"), Field("3H", "corners", "three corners, counted from the surface's first one")),
             65_535, limit="FXL_SCENE_TABLE_MAX", record="fxl_mapped_face", room="paint"),
+    Section("mapped corners", "corner table", (
+        Field("2i", "texel", "u, v (16.16); of colours at corners 65536 red + 256 green + blue, and 0"),
+        Field("H", "vertex", "number of a vertex within the model"), Field("H", "normal", "normal (0 where the surface is not lit)")),
+            CORNERS_MAX, limit="FXL_SCENE_CORNERS_MAX", record="fxl_corner", room="paint", documented="corners"),
     Section("face map", "face map", (Field("H", "", "mapped face, counted from 1; 0: the face has no surface"),),
             1_000_000, limit="FXL_SCENE_FACES_MAX"),
     Section("normals of corners", "corner normal table", (Field("3i", "x", "normal (2.30)"),), 65_535,
@@ -221,8 +224,9 @@ TOGETHER = (
     (("beams", "lit"), ("beams", "lit")),
     (("motions", "motion keys"), ("placements", "motions", "motion keys")),
     (("light", "point lights", "levels"), ("light", "levels")),
-    (("textures", "texels", "surfaces", "mapped faces", "face map", "normals of corners", "blend table"),
-     ("surfaces", "mapped faces", "face map")),
+    (("textures", "texels", "surfaces", "mapped faces", "face map", "normals of corners", "blend table",
+      "mapped corners"),
+     ("surfaces", "mapped faces", "face map", "mapped corners")),
     (("billboards", "billboard map", "sprite pixels"), ("billboards", "billboard map", "sprite pixels")),
 )
 

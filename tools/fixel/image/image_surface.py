@@ -19,10 +19,12 @@ DIVIDE_16, DIVIDE_8, DIVIDE_1, AFFINE = range(4)
 LIT, BLENDED, ADDED, COLOURS = 1, 2, 4, 8   # flags of a surface
 OPAQUE = 16
 
-TEXTURE, SURFACE, MAPPED, MAP, NORMAL = map(entry, ("textures", "surfaces", "mapped faces", "face map",
-                                                           "normals of corners"))
+CORNERS_OF_SURFACE = 1 << 16    # that a surface's faces count
+
+TEXTURE, SURFACE, MAPPED, MAP, NORMAL, CORNER = map(entry, ("textures", "surfaces", "mapped faces", "face map", "normals of corners",
+                                                            "mapped corners"))
 # Of a scene that has surfaces.
-TABLES = ("textures", "texels", "surfaces", "mapped faces", "face map", "normals of corners", "blend table")
+TABLES = ("textures", "texels", "surfaces", "mapped faces", "face map", "normals of corners", "blend table", "mapped corners")
 
 
 @dataclass(frozen=True)
@@ -90,8 +92,27 @@ def free_key(values):
     return next(number for number in range(1 << 16) if number not in taken)
 
 
+def share_corners(mapped, surfaces):
+    """[(surface, its first corner)], [(number of one of these, three corners counted from its first)] for each mapped face, and the
+    corners, each once: ((u, v), vertex, normal). The surfaces keep their numbers. A surface like it goes on behind them where faces
+    of a surface would count more than CORNERS_OF_SURFACE corners."""
+    placed, faces, corners, known = {(number, 0): number for number in range(len(surfaces))}, [], [], {}
+    first = 0
+    for one in mapped:
+        own = list(zip(one.texels, one.vertices, one.normals))
+        if len(corners) + len(set(own).difference(known)) > first + CORNERS_OF_SURFACE:
+            first, known = len(corners), {}
+        for corner in own:
+            if corner not in known:
+                known[corner] = len(corners) - first
+                corners.append(corner)
+        faces.append((placed.setdefault((one.surface, first), len(placed)), tuple(map(known.__getitem__, own))))
+    return [(surfaces[number], begin) for number, begin in placed], faces, corners
+
+
 def tables(surfaces, models):
-    """Textures, texels, surfaces, mapped faces, face map, normals and blend table as packed bytes, by name; nothing without surfaces."""
+    """Textures, texels, surfaces, mapped faces, face map, normals, blend table and corners as packed bytes, by name; nothing without
+    surfaces."""
     if surfaces is None:
         return {}
     blob, placed, textures, numbers, face_map = bytearray(), {}, [], {}, []
@@ -111,12 +132,12 @@ def tables(surfaces, models):
     for many, what in ((numbers, "faces with surfaces that lie differently"), (surfaces.normals, "normals of smooth corners")):
         if len(many) > TABLE_MAX:
             raise TooLarge(f"count: {len(many):,} {what} are more than {TABLE_MAX:,}; use smaller models")
-    mapped = [MAPPED.pack(one.surface, *one.vertices, *one.normals, 0, *(c for texel in one.texels for c in texel))
-              for one in numbers]
+    placed, mapped, corners = share_corners(numbers, surfaces.surfaces)
     return dict(zip(TABLES, [
         textures, bytes(blob),
-        [SURFACE.pack(one.texture, one.division, one.flags, one.opacity, one.sixteenths, 0, 0) for one in surfaces.surfaces],
-        mapped, face_map, [NORMAL.pack(*normal) for normal in surfaces.normals], [bytes(row) for row in surfaces.blend]]))
+        [SURFACE.pack(one.texture, one.division, one.flags, one.opacity, one.sixteenths, 0, 0, first) for one, first in placed],
+        [MAPPED.pack(surface, *numbers) for surface, numbers in mapped], face_map, [NORMAL.pack(*normal) for normal in surfaces.normals],
+        [bytes(row) for row in surfaces.blend], [CORNER.pack(*texel, vertex, normal) for texel, vertex, normal in corners]]))
 
 
 # --- reading -------------------------------------------------------------------------------------
@@ -151,10 +172,10 @@ def _check_texture(texture, at, number, pixel_bits):
         fail("alignment", f"{what} has texels of RGB565 at an odd place")
 
 
-def _read_surface(fields, number, textures, blend, pixel_bits):
-    texture, division, flags, opacity, sixteenths, *reserved = fields
-    if texture > textures:
-        fail("index", f"surface {number}: texture {texture} of {textures}")
+def _read_surface(fields, number, textures, corners, blend, pixel_bits):
+    texture, division, flags, opacity, sixteenths, *reserved, first_corner = fields
+    if texture > textures or first_corner > corners:
+        fail("index", f"surface {number}: texture {texture} of {textures}, or first corner {first_corner} of {corners}")
     if not 1 <= opacity <= OPAQUE:
         fail("range", f"surface {number}: an opacity of {opacity} is outside 1..{OPAQUE}")
     if sixteenths > OPAQUE:
@@ -178,31 +199,31 @@ def _on_one_line(a, b, c):
     return all(p[i - 1] * q[i] == p[i] * q[i - 1] for i in range(3))
 
 
-def _read_mapped(fields, number, surfaces, model):
-    """The record of a face of a model. surfaces: a Surfaces."""
-    surface, *rest = fields
-    vertices, normals, reserved, coordinates = tuple(rest[:3]), tuple(rest[3:6]), rest[6], rest[7:]
+def _read_mapped(fields, number, surfaces, corners, model):
+    """The record of a face of a model. surfaces: a Surfaces; corners: for each surface those from its first one on."""
+    surface, *numbers = fields
     what = f"mapped face {number}"
-    if reserved:
-        fail("reserved", f"{what}: a reserved field is not zero")
-    if surface >= len(surfaces.surfaces) or max(vertices) >= len(model.vertices):
-        fail("index", f"{what}: its surface or a vertex does not exist")
+    if surface >= len(surfaces.surfaces) or max(numbers) >= len(corners[surface]):
+        fail("index", f"{what}: its surface or a corner does not exist")
+    us, vs, vertices, normals = zip(*map(corners[surface].__getitem__, numbers))
+    if max(vertices) >= len(model.vertices):
+        fail("index", f"{what}: a vertex does not exist")
     if surfaces.surfaces[surface].flags & LIT and max(normals) >= len(surfaces.normals):
         fail("index", f"{what}: a normal does not exist")
+    if surfaces.surfaces[surface].flags & COLOURS:
+        if any(not 0 <= u < 1 << 24 for u in us) or any(vs):
+            fail("range", f"{what}: a colour at a corner is not one of 24 bits")
+    elif any(abs(c) > TEXEL_MAX for c in us + vs):
+        fail("range", f"{what}: a texture coordinate leaves -16383..16383")
     if _on_one_line(*map(model.vertices.__getitem__, vertices)):
         fail("degenerate", f"{what}: its vertices are on one line")
-    if surfaces.surfaces[surface].flags & COLOURS:
-        if any(not 0 <= u < 1 << 24 for u in coordinates[::2]) or any(coordinates[1::2]):
-            fail("range", f"{what}: a colour at a corner is not one of 24 bits")
-    elif any(abs(c) > TEXEL_MAX for c in coordinates):
-        fail("range", f"{what}: a texture coordinate leaves -16383..16383")
-    return Mapped(surface, vertices, tuple(zip(coordinates[::2], coordinates[1::2])), normals)
+    return Mapped(surface, vertices, tuple(zip(us, vs)), normals)
 
 
 def read(found, blend_first, models, pixel_bits=8):
     """The surfaces of the tables of an image, None where there are none; gives the faces theirs. found: {name of a table: its
     entries}. pixel_bits: of the frames that the image asks for."""
-    textures, texels, surfaces, mapped, face_map, normals, blend = (found[name] for name in TABLES)
+    textures, texels, surfaces, mapped, face_map, normals, blend, corners = (found[name] for name in TABLES)
     if not face_map:
         return None
     ranges = Ranges(texels)
@@ -212,15 +233,17 @@ def read(found, blend_first, models, pixel_bits=8):
     for i, (texture, at) in enumerate(placed):
         _check_texture(texture, at, i, pixel_bits)
     made = Surfaces([texture for texture, _ in placed],
-                    [_read_surface(fields, i, len(placed), blend, pixel_bits) for i, fields in enumerate(surfaces)], normals,
+                    [_read_surface(fields, i, len(placed), len(corners), blend, pixel_bits) for i, fields in enumerate(surfaces)], normals,
                     blend_first, [list(row) for row in blend])
     for i, normal in enumerate(normals):
         if abs(sum(c * c for c in normal) - (1 << 60)) > NORMAL_SQUARE_MAX_ERROR:
             fail("normal", f"normal {i} of a corner is not of unit length")
+    tails = {first: corners[first:] for first in {fields[-1] for fields in surfaces}}
+    of_surfaces = [tails[fields[-1]] for fields in surfaces]
     faces = ((model, face) for model in models for face in model.faces)
     for i, (number, (model, face)) in enumerate(zip(face_map, faces)):
         if number > len(mapped):
             fail("index", f"face {i}: mapped face {number} of {len(mapped)}")
         if number:
-            face.mapped = _read_mapped(mapped[number - 1], number - 1, made, model)
+            face.mapped = _read_mapped(mapped[number - 1], number - 1, made, of_surfaces, model)
     return made
