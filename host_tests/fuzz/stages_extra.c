@@ -17,10 +17,9 @@ enum {
 
 static fxl_view_point any_place(fuzz_input *in)
 {
-    fxl_view_point place;
-    fxl_point point = fuzz_point(in, FXL_COORDINATE_MAX);
-    fxl_clip_place(&point, &place);
-    return place;
+    const fxl_point point = fuzz_point(in, FXL_COORDINATE_MAX);
+    return (fxl_view_point){point.x * (int64_t)FXL_Q2_30_ONE, point.y * (int64_t)FXL_Q2_30_ONE,
+                            point.z * (int64_t)FXL_Q2_30_ONE};
 }
 
 /* Distances of any order, many of them equal: the sort must be stable. */
@@ -159,6 +158,13 @@ static void demand_window(fuzz_input *in, fxl_volume *volume)
     DEMAND(fxl_volume_from_window(0, 1, 0, 1, 256, 512, NULL) == FXL_E_ARGUMENT);
 }
 
+static void volume_of(const fxl_lens *lens, uint32_t screen, fxl_volume *volume)
+{
+    fxl_view_frustum sides;
+    fxl_view_frustum_from_lens(lens, &sides);
+    fxl_volume_from_sides(&sides, lens->focal, screen, volume);
+}
+
 /* Polygons, lines and triangles in the volume of a lens, with slivers and without. */
 void fuzz_volumes(fuzz_input *in)
 {
@@ -168,7 +174,7 @@ void fuzz_volumes(fuzz_input *in)
     fxl_volume volume;
     fxl_lens lens = fuzz_lens(in, FXL_SCREEN_MAX * FXL_SCREEN_MAX);
     demand_window(in, &volume);
-    fxl_volume_from_lens(&lens, fuzz_below(in, 2) ? FXL_PLANES_ALL : 3u, &volume);
+    volume_of(&lens, fuzz_below(in, 2) ? FXL_PLANES_ALL : 3u, &volume);
     fxl_varying_polygon polygon = any_varying(in);
     memset(&work.stats, 0, sizeof work.stats);
     work.stats.sliver = fuzz_below(in, 2) ? 0 : (fxl_q18_46)fuzz_bits(in, 5);
@@ -184,7 +190,7 @@ void fuzz_volumes(fuzz_input *in)
     const fxl_clip_triangle solid = {
         {polygon.vertices[0], polygon.vertices[1], polygon.vertices[2]}};
     fxl_status status;
-    fxl_volume_from_lens(&lens, 3u, &volume);
+    volume_of(&lens, 3u, &volume);
     triangles.stats = work.stats;
     triangles.screen_sliver = fuzz_below(in, 2) ? 0 : (fxl_q16_16)fuzz_bits(in, 2);
     cut = fxl_triangle_begin(&solid, polygon.carried, &volume, &triangles);

@@ -35,6 +35,14 @@ fxl_point clip_place(const fxl_view *view, fxl_q16_16 x, fxl_q16_16 y, fxl_q16_1
 /* A flat, convex polygon of 3 to 6 vertices; before the eye, or partly behind it. */
 fxl_polygon clip_random_face(const fxl_view *view);
 
+/* The volume of a lens. */
+static inline void clip_volume(const fxl_lens *lens, uint32_t screen, fxl_volume *volume)
+{
+    fxl_view_frustum sides;
+    fxl_view_frustum_from_lens(lens, &sides);
+    fxl_volume_from_sides(&sides, lens->focal, screen, volume);
+}
+
 /* The camera of a pose, and the planes of its view: in the view and in the world. */
 static inline void clip_look(const fxl_pose *pose, const fxl_lens *lens, fxl_camera *camera,
                              fxl_view_frustum *frustum, fxl_frustum *world)

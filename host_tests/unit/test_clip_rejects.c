@@ -80,7 +80,7 @@ static void check_shape(const fxl_varying_polygon *polygon)
     const fxl_lens lens = square_lens();
     fxl_volume volume;
     uint32_t any = 0, all = FXL_PLANES_ALL;
-    fxl_volume_from_lens(&lens, FXL_PLANES_ALL, &volume);
+    clip_volume(&lens, FXL_PLANES_ALL, &volume);
     for (int i = 0; i < 4; i++) {
         const uint32_t code = fxl_volume_code(&volume, &polygon->vertices[i].position);
         any |= code;
@@ -100,7 +100,7 @@ static void by_volume(const fxl_varying_polygon *polygon)
     const fxl_lens lens = square_lens();
     const fxl_varying_polygon *result = polygon;
     fxl_volume volume;
-    fxl_volume_from_lens(&lens, FXL_PLANES_ALL, &volume);
+    clip_volume(&lens, FXL_PLANES_ALL, &volume);
     workspace.stats = (fxl_clip_stats){0, 0, 0};
     TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_clip_to_volume(polygon, &volume, &workspace, &result));
     TEST_ASSERT_NULL(result);
@@ -157,7 +157,7 @@ static void by_line(const fxl_varying_polygon *polygon)
 {
     const fxl_lens lens = square_lens();
     fxl_volume volume;
-    fxl_volume_from_lens(&lens, FXL_PLANES_ALL, &volume);
+    clip_volume(&lens, FXL_PLANES_ALL, &volume);
     for (int i = 0; i < 2; i++) {
         fxl_clip_line line;
         uint32_t intersections = 0;
@@ -185,7 +185,7 @@ static void by_triangle(const fxl_varying_polygon *polygon)
         {polygon->vertices[0], polygon->vertices[1], polygon->vertices[2]}};
     fxl_volume volume;
     fxl_status status;
-    fxl_volume_from_lens(&lens, FXL_PLANES_ALL, &volume);
+    clip_volume(&lens, FXL_PLANES_ALL, &volume);
     memset(&workspace, 0, sizeof workspace);
     TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE, fxl_triangle_begin(&triangle, 0, &volume, &workspace));
     TEST_ASSERT_NULL(fxl_triangle_next(&volume, &lens, &workspace, &status));

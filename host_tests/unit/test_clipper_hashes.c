@@ -187,9 +187,9 @@ static void mix_triangle(const fxl_varying_polygon *shape)
     const fxl_screen_triangle *piece;
     fxl_volume volume;
     fxl_status status = FXL_OK;
-    fxl_volume_from_lens(
-        &lens, unit_between(0, 1) ? FXL_PLANES_ALL : 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR,
-        &volume);
+    clip_volume(&lens,
+                unit_between(0, 1) ? FXL_PLANES_ALL : 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR,
+                &volume);
     triangles.screen_sliver = unit_between(0, 1) ? 4 : 0;
     mix(fxl_triangle_begin(&triangle, shape->carried, &volume, &triangles));
     while ((piece = fxl_triangle_next(&volume, &lens, &triangles, &status)) != NULL) {

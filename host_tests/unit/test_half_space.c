@@ -296,8 +296,7 @@ void test_the_guard_band_keeps_the_screen_in_range(void)
         lens.inset = unit_random() % 2 ? 0 : 4;
         fxl_volume volume;
         const fxl_varying_polygon *result;
-        fxl_volume_from_lens(&lens, depths | (unit_random() % 2 ? 1u << FXL_PLANE_LEFT : 0),
-                             &volume);
+        clip_volume(&lens, depths | (unit_random() % 2 ? 1u << FXL_PLANE_LEFT : 0), &volume);
         fxl_varying_polygon polygon = clip_random_shape(61);
         polygon.vertices[0].position.z = volume.planes[FXL_PLANE_NEAR].offset * -1;
         workspace.stats = (fxl_clip_stats){0, 0, 0};
@@ -342,7 +341,10 @@ void test_planes_of_the_world(void)
             fxl_vertex *vertex = &polygon.vertices[k];
             vertex->position = unit_point(FXL_COORDINATE_MAX);
             vertex->u = unit_between(-Q16(16383), Q16(16383));
-            fxl_clip_place(&vertex->position, &in->vertices[k].position);
+            in->vertices[k].position =
+                (fxl_view_point){vertex->position.x * (int64_t)FXL_Q2_30_ONE,
+                                 vertex->position.y * (int64_t)FXL_Q2_30_ONE,
+                                 vertex->position.z * (int64_t)FXL_Q2_30_ONE};
             in->vertices[k].carried[0] = vertex->u;
         }
         fxl_clip_result cut = fxl_clip_to_half_space(in, &half_space, &account, out, distances);

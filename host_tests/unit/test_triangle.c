@@ -201,7 +201,7 @@ void test_new_vertices_are_counted(void)
 static fxl_volume near_and_far(const fxl_lens *lens)
 {
     fxl_volume volume;
-    fxl_volume_from_lens(lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
+    clip_volume(lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
     return volume;
 }
 
@@ -309,7 +309,7 @@ void test_pieces_lie_on_the_screen(void)
         fxl_varying_polygon shape = clip_random_shape(i % 2 ? 61 : (unsigned)unit_between(44, 61));
         fxl_clip_triangle triangle = {
             {shape.vertices[0], shape.vertices[1], shape.vertices[shape.count - 1]}};
-        fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
+        clip_volume(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
         fxl_clip_result begun = fxl_triangle_begin(&triangle, FXL_CARRIED_MAX, &volume, &workspace);
         if (begun != FXL_CLIP_INSIDE && begun != FXL_CLIP_CUT) {
             continue;
@@ -345,7 +345,7 @@ void test_the_borders_intersections_are_counted(void)
     fxl_clip_triangle triangle = {{shape.vertices[0], shape.vertices[1], shape.vertices[2]}};
     fxl_status status;
     uint32_t pieces = 0;
-    fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
+    clip_volume(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
     workspace.stats = (fxl_clip_stats){.intersections = 7};
     fxl_triangle_begin(&triangle, 2, &volume, &workspace);
     while (fxl_triangle_next(&volume, &lens, &workspace, &status) != NULL) {
@@ -412,7 +412,7 @@ static uint32_t pieces_of(const fxl_varying_polygon *shape, fxl_q16_16 screen_sl
     const fxl_screen_triangle *piece;
     fxl_status status;
     uint32_t pieces = 0;
-    fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
+    clip_volume(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
     workspace.stats = (fxl_clip_stats){0, 0, 0};
     workspace.screen_sliver = screen_sliver;
     fxl_triangle_begin(&triangle, 2, &volume, &workspace);

@@ -51,13 +51,22 @@ static fxl_half_space side_plane(bool upright, fxl_q16_16 across, fxl_q16_16 alo
     return plane;
 }
 
+/* The sum of a unit vector's components is at most sqrt(3) 2^30 < 2^31, and a plane's distance
+ * is below 2^62. */
+/* clippers 2.1 */
+void fxl_half_space_from_plane(const fxl_plane *plane, fxl_half_space *half_space)
+{
+    half_space->normal = plane->normal;
+    half_space->offset = -plane->distance;
+}
+
 /* Depths in 16.16 are below 2^31, so these are below 2^61. */
 static void set_depths(fxl_volume *volume, fxl_q18_46 near_z, fxl_q18_46 far_z)
 {
-    const fxl_half_space nearest = {{0, 0, FXL_Q2_30_ONE}, -near_z};
-    const fxl_half_space farthest = {{0, 0, -FXL_Q2_30_ONE}, far_z};
-    volume->planes[FXL_PLANE_NEAR] = nearest;
-    volume->planes[FXL_PLANE_FAR] = farthest;
+    const fxl_plane nearest = {{0, 0, FXL_Q2_30_ONE}, near_z};
+    const fxl_plane farthest = {{0, 0, -FXL_Q2_30_ONE}, -far_z};
+    fxl_half_space_from_plane(&nearest, &volume->planes[FXL_PLANE_NEAR]);
+    fxl_half_space_from_plane(&farthest, &volume->planes[FXL_PLANE_FAR]);
 }
 
 /* clippers 2.3 */
@@ -82,13 +91,6 @@ void fxl_volume_from_sides(const fxl_view_frustum *sides, fxl_q16_16 focal, uint
     }
 }
 
-void fxl_volume_from_lens(const fxl_lens *lens, uint32_t screen, fxl_volume *volume)
-{
-    fxl_view_frustum sides;
-    fxl_view_frustum_from_lens(lens, &sides);
-    fxl_volume_from_sides(&sides, lens->focal, screen, volume);
-}
-
 /* clippers 2.1 */
 fxl_status fxl_volume_from_window(fxl_q16_16 left, fxl_q16_16 right, fxl_q16_16 bottom,
                                   fxl_q16_16 top, fxl_q16_16 near_z, fxl_q16_16 far_z,
@@ -109,23 +111,6 @@ fxl_status fxl_volume_from_window(fxl_q16_16 left, fxl_q16_16 right, fxl_q16_16 
     volume->planes[FXL_PLANE_BOTTOM] = side_plane(true, near_z, -bottom);
     volume->planes[FXL_PLANE_TOP] = side_plane(true, -near_z, top);
     return FXL_OK;
-}
-
-/* The sum of a unit vector's components is at most sqrt(3) 2^30 < 2^31, and a plane's distance
- * is below 2^62. */
-/* clippers 2.1 */
-void fxl_half_space_from_plane(const fxl_plane *plane, fxl_half_space *half_space)
-{
-    half_space->normal = plane->normal;
-    half_space->offset = -plane->distance;
-}
-
-void fxl_clip_place(const fxl_point *point, fxl_view_point *place)
-{
-    FXL_ASSERT(fxl_point_in_range(point));
-    place->x = point->x * (int64_t)FXL_Q2_30_ONE;
-    place->y = point->y * (int64_t)FXL_Q2_30_ONE;
-    place->z = point->z * (int64_t)FXL_Q2_30_ONE;
 }
 
 uint32_t fxl_volume_code(const fxl_volume *volume, const fxl_view_point *point)

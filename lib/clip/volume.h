@@ -32,19 +32,17 @@ typedef struct {
 #define FXL_HALF_SPACE(h) \
     (FXL_DIRECTION(&(h)->normal) && FXL_BELOW((h)->offset, ((int64_t)1 << 62) - 1) && \
      FXL_NORMAL_PART((h)->normal.x) + FXL_NORMAL_PART((h)->normal.y) + \
-             FXL_NORMAL_PART((h)->normal.z) < (int64_t)1 << 31)
+             FXL_NORMAL_PART((h)->normal.z) < \
+         (int64_t)1 << 31)
 
 /* How far the guard band reaches from the centre of the screen, in pixels. On any screen a
  * polygon within it stays within FXL_SCREEN_COORDINATE_MAX, whatever the rounding of the clipper
  * and the distance of the near plane. */
 #define FXL_GUARD_PIXELS 3500
 
-/* Makes the volume of a lens. A plane whose bit is set in screen (1 << FXL_PLANE_...) is exactly
- * that of fxl_view_frustum_from_lens. Each other side lies at the guard band, exactly: focal |X|
- * <= FXL_GUARD_PIXELS Z. The bits of near and far must be set. */
-void fxl_volume_from_lens(const fxl_lens *lens, uint32_t screen, fxl_volume *volume);
-
-/* Makes the same volume from the lens's frustum, where the caller has it already. */
+/* Makes the volume of a lens from its frustum and focal length. A plane whose bit is set in screen
+ * (1 << FXL_PLANE_...) is exactly that of the frustum. Each other side lies at the guard band,
+ * exactly: focal |X| <= FXL_GUARD_PIXELS Z. The bits of near and far must be set. */
 void fxl_volume_from_sides(const fxl_view_frustum *sides, fxl_q16_16 focal, uint32_t screen,
                            fxl_volume *volume);
 
@@ -59,23 +57,17 @@ fxl_status fxl_volume_from_window(fxl_q16_16 left, fxl_q16_16 right, fxl_q16_16 
                                   fxl_volume *volume);
 
 /* Makes the half-space of a plane of the world. With it the same clipper, on the same integers,
- * clips polygons whose vertices are points of the world. Requires a plane made by its function. */
+ * clips polygons whose vertices are points of the world, in units of 2^-46. Requires a plane
+ * made by its function. */
 void fxl_half_space_from_plane(const fxl_plane *plane, fxl_half_space *half_space)
     FXL_REQUIRES(FXL_OBJECT(plane) && FXL_OBJECT(half_space))
-    FXL_REQUIRES(FXL_BELOW(plane->distance, (int64_t)1 << 62)) FXL_ASSIGNS(*half_space);
-
-/* Converts a point of the world to units of 2^-46; each coordinate is then below 2^59. Exact.
- * Requires a point in range. */
-void fxl_clip_place(const fxl_point *point, fxl_view_point *place)
-    FXL_REQUIRES(FXL_OBJECT(point) && FXL_OBJECT(place))
-    FXL_REQUIRES(FXL_POINT_BELOW(point, FXL_COORDINATE_MAX)) FXL_ASSIGNS(*place)
-    FXL_ENSURES(FXL_POINT_BELOW(place, (int64_t)1 << 59));
+        FXL_REQUIRES(FXL_BELOW(plane->distance, (int64_t)1 << 62)) FXL_ASSIGNS(*half_space);
 
 /* Returns how far a point is inside: normal . (x, y, z) + offset, rounded downward to a unit of
  * 2^-46, below 2^63. The sign is always right. Requires |x|, |y|, |z| < 2^61. */
 fxl_q18_46 fxl_half_space_distance(const fxl_half_space *plane, const fxl_view_point *point)
     FXL_REQUIRES(FXL_OBJECT(plane) && FXL_OBJECT(point) && FXL_HALF_SPACE(plane))
-    FXL_REQUIRES(FXL_POINT_BELOW(point, ((int64_t)1 << 61) - 1)) FXL_ASSIGNS();
+        FXL_REQUIRES(FXL_POINT_BELOW(point, ((int64_t)1 << 61) - 1)) FXL_ASSIGNS();
 
 /* Returns the outcode of a point: bit i is set where the point lies outside plane i. Exact. */
 uint32_t fxl_volume_code(const fxl_volume *volume, const fxl_view_point *point);

@@ -77,7 +77,7 @@ typedef struct {
 
 /* Begins to clip a triangle of the view to the planes that one of its vertices lies outside of.
  * Requires a volume that keeps coordinates within the range of the screen, such as
- * fxl_volume_from_lens makes for near and far alone.
+ * fxl_volume_from_sides makes for near and far alone.
  * FXL_CLIP_OUTSIDE: the vertices' outcodes show that nothing is visible. FXL_CLIP_INSIDE: the
  * triangle lies in the volume. FXL_CLIP_CUT: a vertex lies outside the volume. After the last
  * two results, fxl_triangle_next returns the visible triangles, if any. */

@@ -121,7 +121,9 @@ int main(int count, char **arguments)
 {
     uint64_t samples = 100000, seed = 1;
     const char *only = NULL;
-    const argument options[] = {{"--samples", take_count, &samples}, {"--seed", take_count, &seed}, {"--only", take_text, &only}};
+    const argument options[] = {{"--samples", take_count, &samples},
+                                {"--seed", take_count, &seed},
+                                {"--only", take_text, &only}};
     if (!read_arguments(count, arguments, options, 3, NULL, 0)) {
         return fail("usage", "clipper_errors [--samples N] [--seed S] [--only CLIPPER]");
     }

@@ -20,6 +20,14 @@ typedef struct {
     long double x[OUTLINE_MAX], y[OUTLINE_MAX];
 } outline;
 
+/* The volume of a lens. */
+static inline void volume_of(const fxl_lens *lens, uint32_t screen, fxl_volume *volume)
+{
+    fxl_view_frustum sides;
+    fxl_view_frustum_from_lens(lens, &sides);
+    fxl_volume_from_sides(&sides, lens->focal, screen, volume);
+}
+
 outline outline_of_screen(const fxl_screen_point *points, int count);
 
 /* x = centre + x_factor X / Z, y = centre - y_factor Y / Z. */

@@ -34,7 +34,7 @@ void measure_line_and_plane(clipper_tally *tally, const clipper_case *of)
     fxl_view_point from, to;
     fxl_line_meeting at;
     ref_wide t = 0;
-    fxl_volume_from_lens(&of->lens, FXL_PLANES_ALL, &volume);
+    volume_of(&of->lens, FXL_PLANES_ALL, &volume);
     const fxl_half_space *plane = &volume.planes[(unsigned)of->polygon.vertices[0].u % 6];
     fxl_transform_point(&of->camera, &of->polygon.vertices[0].position, &from);
     fxl_transform_point(&of->camera, &of->polygon.vertices[1].position, &to);
@@ -228,7 +228,7 @@ void measure_triangle(clipper_tally *tally, const clipper_case *of)
                             &triangle.corners[i].position);
         case_carry(&one, i, &triangle.corners[i]);
     }
-    fxl_volume_from_lens(&of->lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
+    volume_of(&of->lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
     expected_of(&one, &expected, &parallel);
     for (int i = 0; i < OUTLINE_MAX; i++) {
         all.missed[i] = INFINITY;

@@ -63,7 +63,7 @@ static void measure(clipper_tally *tally, const clipper_case *of, uint32_t scree
     fxl_volume volume;
     ref_half_space planes[REF_PLANE_COUNT];
     ref_lens lens = bridge_lens(&of->lens);
-    fxl_volume_from_lens(&of->lens, screen, &volume);
+    volume_of(&of->lens, screen, &volume);
     ref_volume_from_lens(&lens, planes);
     for (int i = 0; i < REF_PLANE_COUNT; i++) {
         if ((screen >> i & 1) == 0) { /* by docs/extras/clippers.md: focal |x| <= 3500 z */
@@ -178,7 +178,7 @@ void measure_line_by_codes(clipper_tally *tally, const clipper_case *of)
 /* --- in the normalised frustum ------------------------------------------------------------------- */
 
 static void load_normalised(const clipper_case *of, const fxl_normalised *frustum,
-                 fxl_varying_polygon *polygon)
+                            fxl_varying_polygon *polygon)
 {
     *polygon = (fxl_varying_polygon){.count = of->polygon.count, .carried = FXL_CARRIED_MAX};
     for (int i = 0; i < of->polygon.count; i++) {
