@@ -120,7 +120,7 @@ $(BENCH_OUT)/$(1)/$(2).elf: $(call BENCH_OBJECTS_OF,$(1),$(2)) $(call BENCH_PART
 	$$(call FIRMWARE_LINK,$$(call BENCH_LINK,$(1)) $$(filter %.o,$$^) $(call BENCH_LIBRARIES_OF,$(1),$(2)))
 endef
 
-$(BENCH_OUT)/one-file/fixel.c: $(LIB_SOURCES) $(wildcard lib/*/*.h) $(LIB_HEADERS) $(wildcard tools/fixel/package/one_text.py tools/fixel/package/private_names.py)
+$(BENCH_OUT)/one-file/fixel.c: $(LIB_SOURCES) $(wildcard lib/*/*.h) $(LIB_HEADERS) $(wildcard tools/fixel/package/one_file.py tools/fixel/package/private_names.py)
 	$(MAKE_FOLDER)
 	$(SAY)
 	@$(TOOL) one-file --out $(@D) >/dev/null

@@ -12,7 +12,7 @@ from conftest import CHECKOUT, run_cli
 from fixel.base import version
 from fixel.board import dump
 from fixel.check import frame_hashes
-from fixel.package import one_text, private_names
+from fixel.package import one_file, private_names
 from fixel.scene import making
 from test_compilers import PICTURE, PROGRAM, WARNINGS, clang_named
 
@@ -127,7 +127,7 @@ def test_every_file_of_the_library_is_in_it_once(folder):
     text = (folder / "fixel.c").read_text(encoding="utf-8") + (folder / "fixel.h").read_text(encoding="utf-8")
     titles = re.findall(r"^/\* --- lib/(\S+) \*/$", text, re.MULTILINE)
     assert len(titles) == len(set(titles))
-    files = {str(file.relative_to(one_text.LIB)) for file in one_text.LIB.rglob("*.[ch]")
+    files = {str(file.relative_to(one_file.LIB)) for file in one_file.LIB.rglob("*.[ch]")
              if "study" not in file.parts and not re.search(r"_(armv6m|armv7m|mve)\.h$", file.name)}
     templates = {"raster/draw_outline_text.h", "draw/target_text.h", "draw/sprites_text.h", "draw/surfaces_text.h", "draw/surface_paint_text.h",
                  "draw/surface_depth_text.h", "draw/surface_smooth_text.h", "draw/pixel_row.h",

@@ -7,7 +7,7 @@ import pytest
 
 from fixel.base.errors import ToolError
 from fixel.base.version import version
-from fixel.package import one_text, rust_bindings
+from fixel.package import one_file, rust_bindings
 
 BUILT_PROGRAMS = ()
 HEADER = """
@@ -88,7 +88,7 @@ def test_what_it_does_not_know_is_a_sentence(text):
 
 
 def test_the_headers_are_read_whole():
-    header = one_text.header_text(version())
+    header = one_file.header_text(version())
     bindings = rust_bindings.Bindings(header)
     code = re.sub(r"/\*.*?\*/", "", header, flags=re.DOTALL)
     functions = set(re.findall(r"^(?!static|typedef)[a-z][\w \*]*?\b(fxl_\w+)\([^;{}]*\);", code, re.MULTILINE))

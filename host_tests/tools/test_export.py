@@ -2,10 +2,7 @@
 """tools/scene.py export: headers that any compiler takes, that hold what the scene image holds, and that
 say how much memory the library wants."""
 
-import argparse
 import functools
-import itertools
-import re
 import subprocess
 from types import SimpleNamespace
 
@@ -13,8 +10,7 @@ import pytest
 
 from board_programs import ROOT, made
 from conftest import assert_one_sentence, run_cli
-from fixel.bench import frame_costs, predict
-from fixel.image import c_names, c_scene, c_text, image, memory_needed
+from fixel.image import c_names, c_scene, c_text, image
 from fixel.base.errors import ToolError
 from fixel.scene import compiler, making
 from model_files import build
@@ -269,132 +265,6 @@ def test_the_tables_may_follow_the_declarations(tmp_path):
     assert subprocess.run([compiled(tmp_path, text)], check=False).returncode == 0
 
 
-# What the library makes of blocks of several sizes; then the path, with the block that the header asks for.
-MEMORY = """
-#include <stdio.h>
-#include <fixel/all.h>
-#include "scene.h"
-#define JOIN(a, b)  JOINED(a, b)
-#define JOINED(a, b) a##b
-#define OF(what)    JOIN(NAME, what)
-static fxl_renderer renderer;
-static uint64_t memory[MEMORY];
-static fxl_status init(size_t units)
-{
-    static const uint16_t palette[256];
-    fxl_config config = OF(_config);
-    config.target = &TARGET;
-    config.palette = palette;
-    return fxl_renderer_init(&renderer, &OF(_scene), &config, memory, units * sizeof memory[0]);
-}
-int main(void)
-{
-    if (init(LEAST - 1) != FXL_E_CAPACITY || renderer.memory_missing != sizeof memory[0]) { return 1; }
-    for (size_t units = LEAST; units <= MEMORY; units += units < MEMORY && units + 97 > MEMORY ? MEMORY - units : 97) {
-        if (init(units) != FXL_OK) { return 2; }
-        const fxl_vertex_cache *cache = &renderer.workspace.cache;
-        const uint64_t *list = (const uint64_t *)(const void *)renderer.frame.display_list.words;
-        printf("%u %u %u\\n", (unsigned)units, cache->entries == NULL ? 0 : (unsigned)cache->mask + 1,
-               (unsigned)renderer.frame.display_list.capacity);
-        if (list + (renderer.frame.display_list.capacity + 1) / 2 > memory + units) { return 3; }
-    }
-#ifdef SURFACES
-    static fxl_surfaces surfaces;
-    if (fxl_attach_surfaces(&renderer, &surfaces, &OF(_surfaces), &JOIN(TARGET, _surfaces)) != FXL_OK) { return 6; }
-#endif
-#ifdef BILLBOARDS
-    static fxl_billboards billboards;
-    if (fxl_attach_billboards(&renderer, &billboards, &OF(_billboards), &JOIN(TARGET, _sprites)) != FXL_OK) { return 7; }
-#endif
-#ifdef PATH
-    unsigned most = 0;
-    for (int frame = 0; frame < PATH; frame++) {
-        if (fxl_frame_begin(&renderer, &OF(_path)[frame]) != FXL_OK) { return 4; }
-        most = renderer.frame.display_list.used > most ? renderer.frame.display_list.used : most;
-        if (renderer.frame.resume.instances < renderer.frame.visible_count) { return 5; }
-    }
-    printf("most %u\\n", most);
-#endif
-    return 0;
-}
-"""
-
-
-def test_the_header_names_three_sizes(exported):
-    text = (exported.folder / "scene.h").read_text(encoding="utf-8")
-    sizes = [int(re.search(rf"^#define {exported.name.upper()}_MEMORY{more} +(\d+)$", text, re.MULTILINE)[1])
-             for more in ("_LEAST", "", "_FAST")]
-    assert sizes == [size(exported.scene) for size in (memory_needed.least, memory_needed.moderate, memory_needed.most)]
-    assert all(f"{8 * size:,} bytes" in " ".join(text.split("#ifndef")[1].split(" * ")).replace("\n", "") for size in sizes)
-
-
-def divided(scene, units):
-    """Cache entries and words of the display list, from the rule in words: the order of drawing first; of
-    the rest a quarter at most for the cache, a power of two of entries and no more than the largest
-    model needs; all that is left is the list."""
-    rest = (units - memory_needed.least(scene)) * 8
-    entries = 1
-    while entries < max(len(model.vertices) for model in scene.models):
-        entries *= 2
-    while entries > rest // 4 // 40:
-        entries //= 2
-    return entries, (rest - entries * 40) // 4
-
-
-def test_the_library_divides_the_block_as_the_tool_says(exported):
-    name = exported.name.upper()
-    path = [f"-DPATH={name}_FRAMES"] if exported.frames else []
-    program = compiled(exported.folder, MEMORY, f"-DNAME={exported.name}", f"-DMEMORY={name}_MEMORY_FAST",
-                       f"-DLEAST={name}_MEMORY_LEAST", *path, *looks_of(exported.scene))
-    rows = printed(program).splitlines()
-    if exported.frames:
-        assert int(rows.pop().split()[1]) > 0
-    found = [tuple(map(int, row.split())) for row in rows]
-    assert found[0][0] == memory_needed.least(exported.scene) and found[-1][0] == memory_needed.most(exported.scene)
-    for units, entries, words in found:
-        assert (entries, words) == divided(exported.scene, units) == memory_needed.divided(exported.scene, units), units
-    _, entries, words = found[-1]
-    assert entries >= max(len(model.vertices) for model in exported.scene.models)
-    assert words >= memory_needed.most_words(exported.scene)
-    assert divided(exported.scene, found[-1][0] - 1) != (entries, words)
-
-
-def test_with_one_unit_less_something_is_missing():
-    """most() is the least block that holds all."""
-    for file, layers in SCENES.values():
-        scene, _ = compiler.compile_scene(str(file), None, None, layers, "program")
-        most = memory_needed.most(scene)
-        vertices = max(len(model.vertices) for model in scene.models)
-
-        def is_enough(units):
-            entries, words = divided(scene, units)
-            return entries >= vertices and words >= memory_needed.most_words(scene)
-        assert is_enough(most) and not is_enough(most - 1)
-
-
-MODELS = ["scenes/plaza.toml", "scenes/w3b.toml", "scenes/spin.toml", "scenes/landscape.toml", "scenes/c500.toml", "scenes/f32.toml",
-          "scenes/lit.toml", "scenes/room.toml", "scenes/gallery.toml", "scenes/car.toml", CUBE]    # smooth, textured, with a depth buffer too
-
-
-def test_what_less_memory_costs(tmp_path):
-    """The header's comment, docs/hello.md and make predict say so: of a Cortex-M3 and of a Cortex-M0."""
-    most, options = {}, argparse.Namespace(build=made("build/host/predict").parents[1], frames=6, scene="")
-    for file, core in itertools.product(MODELS, ("m3", "m0")):
-        compiled_scene, options.scene = tmp_path / "scene.fxls", str(file)
-        making.build(str(ROOT / file), compiled_scene, 12 if str(file).endswith(".obj") else None)
-        told = predict.of_memory(options, compiled_scene, frame_costs.load()["cores"][core])
-        fast, moderate, least = ({way: each[way] for way in ("bytes", "fxl_render", "bands")} for each in told)
-        bands = -(-image.load(compiled_scene).height // predict.BAND_ROWS)
-        for way in ("fxl_render", "bands"):
-            assert fast[way] <= 1.001 * moderate[way] and moderate[way] <= 1.001 * least[way], (file, way)
-            most[core, way] = [max(old, each[way] / fast[way]) for old, each in zip(most.get((core, way), (0, 0)), (moderate, least))]
-        assert all(each["bands"] <= (bands + 1) * each["fxl_render"] for each in (fast, moderate, least)), file
-        assert moderate["bytes"] - least["bytes"] <= 10240 and least["bytes"] <= moderate["bytes"] <= fast["bytes"]
-    # docs/hello.md: bounds that are not far from what is so.
-    for way, bounds in {"fxl_render": (1.2, 1.8), "bands": (2.2, 17)}.items():
-        assert all(0.9 * bound <= found <= bound for found, bound in zip(most["m3", way], bounds)), (way, most)
-
-
 def test_output_is_the_same_each_time_and_names_no_folder(tmp_path):
     for name in ("a.h", "b.h"):
         making.export(str(CUBE), str(tmp_path / name), "cube")
@@ -427,38 +297,6 @@ def test_what_was_written_says_whether_a_path_is_in_it(tmp_path):
     for words, told in (([], "no path (--frames adds one)"), (["--frames", 12], "12 frames")):
         done = run_cli("export", "--c", CUBE, "-o", tmp_path / "x.h", *words)
         assert done.stderr.endswith(f"1 object, {told}\n") and ("_path" in (tmp_path / "x.h").read_text(encoding="utf-8")) == bool(words)
-
-
-@pytest.mark.parametrize("name, words", [
-    ("9a", ["begin with a letter", "--name scene_9a"]), ("a-b", ["English", "--name a_b"]), ("", ["--name scene"]),
-    ("_a", ["--name a"]), ("a__b", ["__", "--name a_b"]), ("fxl", ["fxl", "--name scene_fxl"]),
-    ("FXL_a", ["--name scene_FXL_a"]), ("ä", ["English"]), ("a" * 41, ["longer than 40", "--name aaa"]),
-    ("a\nb", ["--name a_b"]),
-])
-def test_names_that_are_no_c_names_are_refused(tmp_path, name, words):
-    done = run_cli("export", "--c", CUBE, "-o", tmp_path / "x.h", f"--name={name}")
-    assert done.returncode == 2 and "Traceback" not in done.stderr
-    for word in ["error: the name", *words]:
-        assert word in done.stderr
-    assert not list(tmp_path.iterdir())
-
-
-def test_a_name_that_is_proposed_is_taken():
-    for name in ("9a", "a-b", "", "_a", "a__b", "fxl", "ä", "a" * 41, "-", "fxl" + "_" * 50, "a" * 39 + "_b", "Fxl9"):
-        c_names.check_name(c_names.suggestion(name))
-
-
-@pytest.mark.parametrize("file, name", [("my model.obj", "my_model"), ("2 cubes.obj", "scene_2_cubes"), ("cube.obj", "cube")])
-def test_a_file_whose_name_is_no_c_name_gives_one_like_it(tmp_path, file, name):
-    (tmp_path / file).write_bytes(CUBE.read_bytes())
-    done = run_cli("export", "--c", tmp_path / file, "-o", tmp_path / "x.h")
-    assert done.returncode == 0, done.stderr
-    assert f" {name}_scene = " in (tmp_path / "x.h").read_text()
-
-
-def test_a_name_that_is_given_and_is_no_c_name_is_told_to_be_another(tmp_path):
-    done = run_cli("export", "--c", CUBE, "-o", tmp_path / "x.h", "--name", "my model")
-    assert_one_sentence(done, '"my model"', "--name my_model")
 
 
 @pytest.mark.parametrize("arguments, words", [
@@ -495,61 +333,6 @@ def test_a_build_that_cannot_draw_the_scene_is_refused_by_the_compiler(tmp_path)
     done = subprocess.run(["gcc", "-fsyntax-only", "main.c", "-I", ROOT / "lib" / "include", "-DFXL_POLYGON_CAPACITY=12"],
                           cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode != 0 and "FXL_POLYGON_CAPACITY must be at least 32" in done.stderr
-
-
-def test_names_of_objects_become_enumerations(tmp_path):
-    scene = '[[objects]]\nname = "Gem, red"\nsolid = "octahedron"\n' \
-            '[[objects]]\nname = "pillars"\nsolid = "prism"\nring = { count = 3, radius = 4 }\n' \
-            '[[objects]]\nsolid = "tile"\n[[objects]]\nname = "gem red"\nsolid = "box"\nturn = 3\n' \
-            "[[objects]]\nname = '\"*/'\nsolid = \"cone\"\n"
-    (tmp_path / "scene.toml").write_text(scene, encoding="utf-8")
-    making.export(str(tmp_path / "scene.toml"), str(tmp_path / "scene.h"), "s")
-    made, _ = compiler.compile_scene(str(tmp_path / "scene.toml"))
-    wanted = {"S_INSTANCE_GEM_RED": 0, "S_INSTANCE_PILLARS": 1, "S_INSTANCES_OF_PILLARS": 3, "S_INSTANCE_GEM_RED_2": 6,
-              "S_INSTANCE_U0022_U002A_U002F": 5, "S_MODEL_U0022_U002A_U002F": made.objects[5].model,
-              "S_MODEL_GEM_RED": made.objects[0].model, "S_MODEL_PILLARS": made.objects[1].model,
-              "S_MODEL_GEM_RED_2": made.objects[6].model}
-    checks = "".join(f"    if ({name} != {value}) {{ return {i}; }}\n" for i, (name, value) in enumerate(wanted.items(), 1))
-    text = (tmp_path / "scene.h").read_text(encoding="utf-8")
-    assert subprocess.run([compiled(tmp_path, f'#include "scene.h"\nint main(void)\n{{\n{checks}    return 0;\n}}\n')],
-                          check=False).returncode == 0
-    assert text.count("_INSTANCE_") == 4 and "enum {" in text
-
-
-@pytest.mark.parametrize("names, words", [
-    (["wheel fl", "int", "7up", "Zoë", "Straße", "__x"], ["WHEEL_FL", "INT", "7UP", "ZOE", "STRASSE", "X"]),
-    (["a b", "a-b", "A_B_2", "a+b"], ["A_B", "A_B_2", "A_B_2_2", "A_B_3"]),
-    (["колесо", "轮", "轮子", "🙂", "轮b"], ["U043A_U043E_U043B_U0435_U0441_U043E", "U8F6E", "U8F6E_U5B50", "U1F642", "B"]),
-    (["x" * 60, "x" * 61, "_", "!"], ["X" * 40, "X" * 40 + "_2", "U005F", "U0021"])])
-def test_every_name_is_a_word_of_its_own(names, words):
-    assert list(c_names.distinct(names).values()) == words
-
-
-def test_many_names_of_one_word_are_numbered_in_a_moment():
-    assert len(set(c_names.distinct(f"a{'!' * number}" for number in range(20_000)).values())) == 20_000
-
-
-def test_names_of_textures_and_of_their_objects_become_enumerations(tmp_path):
-    file = str(ROOT / "host_tests" / "tools" / "surfaces.toml")
-    making.export(file, str(tmp_path / "scene.h"), "s")
-    made, _ = compiler.compile_scene(file)
-    looks = {name: sorted({face.mapped.surface for face in made.models[item.model].faces if face.mapped})
-             for name, item in zip(made.names, made.objects)}
-    wanted = {"S_SURFACE_ROOM": looks["room"][0], "S_SURFACE_CRATE": looks["crate"][0],
-              "S_SURFACES_OF_CRATE": len(looks["crate"]), "S_SURFACE_PANE": looks["pane"][0]}
-    for name in ("bricks", "grille"):
-        numbers = [i for i, own in enumerate(made.surfaces.texture_names) if own == name]
-        wanted[f"S_TEXTURE_{name.upper()}"] = numbers[0]
-        assert all(made.surfaces.textures[i].log_height == {"bricks": 5, "grille": 4}[name] for i in numbers) and numbers
-    assert len(looks["crate"]) == 4 and len(made.surfaces.texture_names) == len(made.surfaces.textures)
-    checks = "".join(f"    if ({name} != {value}) {{ return {i}; }}\n" for i, (name, value) in enumerate(wanted.items(), 1))
-    source = f'#include "scene.h"\nint main(void)\n{{\n{checks}    return 0;\n}}\n'
-    assert subprocess.run([compiled(tmp_path, source)], check=False).returncode == 0
-
-
-def test_a_tree_takes_the_names_of_what_it_swallows(tmp_path):
-    scene, _ = compiler.compile_scene(str(ROOT / "scenes" / "knot.toml"), None, None, "all")
-    assert len(scene.names) == len(scene.objects) and scene.names[scene.tree.object] is None
 
 
 def test_a_scene_without_a_path_is_seen_from_all_sides(tmp_path):

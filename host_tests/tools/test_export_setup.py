@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""An exported scene sets itself up: fxl_setup_init with NAME_setup draws what make run draws."""
+"""An exported scene sets itself up: fxl_setup_init with NAME_setup draws what make run draws. And how much memory an exported scene says that the
+library wants."""
 
+import argparse
+import itertools
 import math
 import re
 import subprocess
@@ -12,12 +15,13 @@ from PIL import Image
 from board_programs import ROOT, made
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 from fixel.base.errors import ToolError
+from fixel.bench import frame_costs, predict
 from fixel.board import crc
 from fixel.check import frame_hashes
-from fixel.image import image as images
+from fixel.image import image, memory_needed
 from fixel.report import showcase_models
 from fixel.scene import command as scene_command, compiler, look, making, target
-from test_export import compiled, printed
+from test_export import CUBE, compiled, looks_of, printed
 
 SCENES = sorted(file.stem for file in (CHECKOUT / "scenes").glob("*.toml"))
 FRAMES = 2
@@ -128,7 +132,7 @@ orbit = { radius = 9, height = 2.5, frames = 2 }
 
 
 def write_planet(folder):
-    """The scene file of a planet, with its model and images."""
+    """The scene file of a planet, with its model and image."""
     across, down = 10, 5
     points = [(math.sin(a) * math.sin(b), math.cos(a), math.sin(a) * math.cos(b)) for j in range(down + 1) for i in range(across + 1)
               for a, b in [(math.pi * j / down, 2 * math.pi * i / across)]]
@@ -153,7 +157,7 @@ def fixture_drawn(request, tmp_path_factory):
     made("build/host/frames")
     making.build(str(source), str(folder / "scene.fxls"))
     scene, _ = compiler.compile_scene(str(source), None, None, None, "program")
-    frames = len(scene.path) if scene.path_kind == images.POSES else None
+    frames = len(scene.path) if scene.path_kind == image.POSES else None
     making.export(str(source), str(folder / "scene.h"), "scene", frames)
     return folder, frame_hashes.drawn_by_host(folder / "scene.fxls", ROOT / "build", folder).frames[:FRAMES]
 
@@ -220,7 +224,7 @@ def demand_frames_of_make_run(tmp_path, source, asked, options, **build):
     assert done.returncode == 0 and str(program) in done.stdout, done.stderr
     frames = frame_hashes.drawn_by_host(tmp_path / "scene.fxls", ROOT / "build", tmp_path).frames
     text, shown = program.read_text(encoding="utf-8"), "(void)fxl_band_crc(&crc, &band);"
-    height, path = frames[0].pixels.shape[0], images.load(tmp_path / "scene.fxls").path_kind == images.POSES
+    height, path = frames[0].pixels.shape[0], image.load(tmp_path / "scene.fxls").path_kind == image.POSES
     for rows in (16, height):
         drawn = re.sub(r"#define ROWS 16 .*", f"#include <stdio.h>\n#include <fixel/crc.h>\n#define ROWS {rows}\nstatic uint32_t crc;", text)
         drawn = drawn.replace("/* Here band.rows rows", f"if (status == FXL_OK) {{ {shown} }} /* rows")
@@ -295,3 +299,129 @@ def test_a_board_whose_program_alone_knows_its_room_is_refused_where_that_is_not
         scene_command.main(["export", "--c", str(CHECKOUT / "examples/cube/cube.obj"), "-o", str(tmp_path / "cube.h"), "--board", "pico"])
     assert "--board" in str(error.value) and "make run BOARD=pico SCENE=" in str(error.value)
     assert not (tmp_path / "cube.h").exists()
+
+
+# What the library makes of blocks of several sizes; then the path, with the block that the header asks for.
+MEMORY = """
+#include <stdio.h>
+#include <fixel/all.h>
+#include "scene.h"
+#define JOIN(a, b)  JOINED(a, b)
+#define JOINED(a, b) a##b
+#define OF(what)    JOIN(NAME, what)
+static fxl_renderer renderer;
+static uint64_t memory[MEMORY];
+static fxl_status init(size_t units)
+{
+    static const uint16_t palette[256];
+    fxl_config config = OF(_config);
+    config.target = &TARGET;
+    config.palette = palette;
+    return fxl_renderer_init(&renderer, &OF(_scene), &config, memory, units * sizeof memory[0]);
+}
+int main(void)
+{
+    if (init(LEAST - 1) != FXL_E_CAPACITY || renderer.memory_missing != sizeof memory[0]) { return 1; }
+    for (size_t units = LEAST; units <= MEMORY; units += units < MEMORY && units + 97 > MEMORY ? MEMORY - units : 97) {
+        if (init(units) != FXL_OK) { return 2; }
+        const fxl_vertex_cache *cache = &renderer.workspace.cache;
+        const uint64_t *list = (const uint64_t *)(const void *)renderer.frame.display_list.words;
+        printf("%u %u %u\\n", (unsigned)units, cache->entries == NULL ? 0 : (unsigned)cache->mask + 1,
+               (unsigned)renderer.frame.display_list.capacity);
+        if (list + (renderer.frame.display_list.capacity + 1) / 2 > memory + units) { return 3; }
+    }
+#ifdef SURFACES
+    static fxl_surfaces surfaces;
+    if (fxl_attach_surfaces(&renderer, &surfaces, &OF(_surfaces), &JOIN(TARGET, _surfaces)) != FXL_OK) { return 6; }
+#endif
+#ifdef BILLBOARDS
+    static fxl_billboards billboards;
+    if (fxl_attach_billboards(&renderer, &billboards, &OF(_billboards), &JOIN(TARGET, _sprites)) != FXL_OK) { return 7; }
+#endif
+#ifdef PATH
+    unsigned most = 0;
+    for (int frame = 0; frame < PATH; frame++) {
+        if (fxl_frame_begin(&renderer, &OF(_path)[frame]) != FXL_OK) { return 4; }
+        most = renderer.frame.display_list.used > most ? renderer.frame.display_list.used : most;
+        if (renderer.frame.resume.instances < renderer.frame.visible_count) { return 5; }
+    }
+    printf("most %u\\n", most);
+#endif
+    return 0;
+}
+"""
+
+
+def test_the_header_names_three_sizes(exported):
+    text = (exported.folder / "scene.h").read_text(encoding="utf-8")
+    sizes = [int(re.search(rf"^#define {exported.name.upper()}_MEMORY{more} +(\d+)$", text, re.MULTILINE)[1])
+             for more in ("_LEAST", "", "_FAST")]
+    assert sizes == [size(exported.scene) for size in (memory_needed.least, memory_needed.moderate, memory_needed.most)]
+    assert all(f"{8 * size:,} bytes" in " ".join(text.split("#ifndef")[1].split(" * ")).replace("\n", "") for size in sizes)
+
+
+def divided(scene, units):
+    """Cache entries and words of the display list, from the rule in words: the order of drawing first; of
+    the rest a quarter at most for the cache, a power of two of entries and no more than the largest
+    model needs; all that is left is the list."""
+    rest = (units - memory_needed.least(scene)) * 8
+    entries = 1
+    while entries < max(len(model.vertices) for model in scene.models):
+        entries *= 2
+    while entries > rest // 4 // 40:
+        entries //= 2
+    return entries, (rest - entries * 40) // 4
+
+
+def test_the_library_divides_the_block_as_the_tool_says(exported):
+    name = exported.name.upper()
+    path = [f"-DPATH={name}_FRAMES"] if exported.frames else []
+    program = compiled(exported.folder, MEMORY, f"-DNAME={exported.name}", f"-DMEMORY={name}_MEMORY_FAST",
+                       f"-DLEAST={name}_MEMORY_LEAST", *path, *looks_of(exported.scene))
+    rows = printed(program).splitlines()
+    if exported.frames:
+        assert int(rows.pop().split()[1]) > 0
+    found = [tuple(map(int, row.split())) for row in rows]
+    assert found[0][0] == memory_needed.least(exported.scene) and found[-1][0] == memory_needed.most(exported.scene)
+    for units, entries, words in found:
+        assert (entries, words) == divided(exported.scene, units) == memory_needed.divided(exported.scene, units), units
+    _, entries, words = found[-1]
+    assert entries >= max(len(model.vertices) for model in exported.scene.models)
+    assert words >= memory_needed.most_words(exported.scene)
+    assert divided(exported.scene, found[-1][0] - 1) != (entries, words)
+
+
+def test_with_one_unit_less_something_is_missing():
+    """most() is the least block that holds all."""
+    for file, layers in SCENES.values():
+        scene, _ = compiler.compile_scene(str(file), None, None, layers, "program")
+        most = memory_needed.most(scene)
+        vertices = max(len(model.vertices) for model in scene.models)
+
+        def is_enough(units):
+            entries, words = divided(scene, units)
+            return entries >= vertices and words >= memory_needed.most_words(scene)
+        assert is_enough(most) and not is_enough(most - 1)
+
+
+MODELS = ["scenes/plaza.toml", "scenes/w3b.toml", "scenes/spin.toml", "scenes/landscape.toml", "scenes/c500.toml", "scenes/f32.toml",
+          "scenes/lit.toml", "scenes/room.toml", "scenes/gallery.toml", "scenes/car.toml", CUBE]    # smooth, textured, with a depth buffer too
+
+
+def test_what_less_memory_costs(tmp_path):
+    """The header's comment, docs/hello.md and make predict say so: of a Cortex-M3 and of a Cortex-M0."""
+    most, options = {}, argparse.Namespace(build=made("build/host/predict").parents[1], frames=6, scene="")
+    for file, core in itertools.product(MODELS, ("m3", "m0")):
+        compiled_scene, options.scene = tmp_path / "scene.fxls", str(file)
+        making.build(str(ROOT / file), compiled_scene, 12 if str(file).endswith(".obj") else None)
+        told = predict.of_memory(options, compiled_scene, frame_costs.load()["cores"][core])
+        fast, moderate, least = ({way: each[way] for way in ("bytes", "fxl_render", "bands")} for each in told)
+        bands = -(-image.load(compiled_scene).height // predict.BAND_ROWS)
+        for way in ("fxl_render", "bands"):
+            assert fast[way] <= 1.001 * moderate[way] and moderate[way] <= 1.001 * least[way], (file, way)
+            most[core, way] = [max(old, each[way] / fast[way]) for old, each in zip(most.get((core, way), (0, 0)), (moderate, least))]
+        assert all(each["bands"] <= (bands + 1) * each["fxl_render"] for each in (fast, moderate, least)), file
+        assert moderate["bytes"] - least["bytes"] <= 10240 and least["bytes"] <= moderate["bytes"] <= fast["bytes"]
+    # docs/hello.md: bounds that are not far from what is so.
+    for way, bounds in {"fxl_render": (1.2, 1.8), "bands": (2.2, 17)}.items():
+        assert all(0.9 * bound <= found <= bound for found, bound in zip(most["m3", way], bounds)), (way, most)

@@ -17,7 +17,8 @@ from conftest import CHECKOUT, LAUNCHER, environment
 from model_files import TETRAHEDRON, glb, gltf, png, stl
 # place field: images that are broken, for the tools
 from scene_sections import replaced, section
-from test_model_files import big_png, grid
+from test_model_files import grid
+from test_texture_image import big_png
 from fixel.board import flash_memory
 from fixel.image import image
 from fixel.model import obj

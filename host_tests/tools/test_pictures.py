@@ -8,11 +8,14 @@ import numpy
 import pytest
 from PIL import Image
 
-from conftest import dump_bytes
+import warm_start
+from board_programs import ROOT
+from conftest import TOOLS, dump_bytes, environment
 from fixel.base import picture
 from fixel.base.errors import ToolError
 from fixel.report import pictures
 from fixel.view import record
+from viewers import plaza_image, ready, ready_board  # noqa: F401, fixtures
 
 PALETTE = numpy.array([[number, 255 - number, 7] for number in range(256)], dtype=numpy.uint8)
 
@@ -126,3 +129,52 @@ def test_a_recording_holds_keys_down_until_it_lets_them_go():
     keyboard = types.SimpleNamespace(**{name: lambda key, name=name: said.append((name, key)) for name in ("down", "up", "press")})
     record.play(types.SimpleNamespace(keyboard=keyboard), ["+w", "2", "-w"])
     assert said == [("down", "w"), ("press", "2"), ("up", "w")]
+
+
+# The command with a small window and one format, a small one: pictures of the whole window and their colours take most of
+# its time.
+SMALL_RECORDING = """import sys
+sys.path.insert(0, {tools!r})
+from fixel import launcher
+from fixel.base.errors import run_main
+from fixel.view import record
+record.WIDTH, record.HEIGHT, record.FORMATS = 640, 400, [(240, 32)]
+run_main(launcher.main)
+"""
+
+
+def test_the_recording(scene, build, tmp_path):
+    ready("mps2-an385", build)
+    file = tmp_path / "window.gif"
+    words = ["record", "--board", "mps2-an385", "--scene", scene, "--build", build, "--out", file]
+    done = warm_start.run(["fixel", *map(str, words)], ROOT, environment(), SMALL_RECORDING.format(tools=str(TOOLS)))
+    assert done.returncode == 0, done.stderr
+    with Image.open(file) as recording:
+        frames = []
+        for number in range(recording.n_frames):
+            recording.seek(number)
+            frames.append(numpy.asarray(recording.convert("RGB")))
+    assert len(frames) >= 30 and file.stat().st_size < 1.5e6
+    changes = [numpy.mean((one != other).any(axis=2)) for one, other in zip(frames, frames[1:])]
+    assert numpy.mean(numpy.array(changes) > 0.01) > 0.7    # it walks most of the time
+
+
+def test_a_recording_of_much_change_is_made_smaller_until_it_fits(monkeypatch):
+    monkeypatch.setattr(record, "FORMATS", [(60, 128), (40, 64), (20, 16)])
+    monkeypatch.setattr(record, "SIZE_MAX", 4000)
+    noise = numpy.random.default_rng(1)
+
+    def width(side, count):
+        shots = []
+        for _ in range(count):
+            block = io.BytesIO()
+            Image.fromarray(noise.integers(0, 256, (side, side, 3), dtype=numpy.uint8)).save(block, "PNG")
+            shots.append(block.getvalue())
+        data = record.fitting(shots, [100] * count)
+        with Image.open(io.BytesIO(data)) as animation:
+            assert len(data) <= record.SIZE_MAX
+            return animation.width
+
+    assert width(1, 2) == 60 and width(60, 2) < 60
+    with pytest.raises(ToolError, match="the smallest recording takes .* bytes; 4,000 are allowed"):
+        width(60, 40)

@@ -9,7 +9,7 @@ from conftest import CHECKOUT, assert_one_sentence, run_cli, run_make
 from fixel.base.errors import ToolError
 from fixel.board import dump, methods
 from fixel.image import image
-from fixel.scene import making, scene_image
+from fixel.scene import making
 from fixel.scene.target import Target
 
 TINY, KNOT = CHECKOUT / "scenes/tiny.toml", CHECKOUT / "scenes/knot.toml"
@@ -146,7 +146,7 @@ def test_frames_of_a_palette_cannot_show_texels_of_rgb565(tmp_path):
     for scene, name in ((TEXELS, '"stones"'), (built(tmp_path, TEXELS), "0")):
         with pytest.raises(ToolError, match=f"PIXELS=palette: frames of a palette cannot show texels of RGB565 .texture {name}., "
                                             f"which .* has: {way_out}"):
-            scene_image.make_scene_image(scene, tmp_path, None, asked=Target("palette"))
+            making.make_scene_image(scene, tmp_path, None, asked=Target("palette"))
     plain = tmp_path / "plain.toml"
     plain.write_text(TEXELS.read_text(encoding="utf-8").replace('pixels = "rgb565", ', ""), encoding="utf-8")
     with pytest.raises(ToolError, match='plain.toml: frames of a palette cannot show texels .*: give pixels = "rgb565" under .view., or bits = 8'):

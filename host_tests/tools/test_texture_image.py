@@ -393,3 +393,33 @@ def test_a_texture_of_a_floor_has_levels_unless_it_says_otherwise(tmp_path, soli
     shown = shown if solid == "floor" else 'texture = "t"'
     scene = build(tmp_path, TEXTURE + said + f'[[objects]]\nsolid = "{solid}"\nscale = [8, 1, 8]\nposition = [0, -1, 5]\n{shown}\n')
     assert [each.levels for each in scene.surfaces.textures] == [levels]
+
+
+def big_png(width, height):
+    """A sound head that promises a large image."""
+    def part(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    return b"\x89PNG\r\n\x1a\n" + part(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) + \
+        part(b"IDAT", zlib.compress(b"")) + part(b"IEND", b"")
+
+
+@pytest.mark.parametrize("size", [(60_000, 60_000), (8193, 1), (1, 8193)])
+def test_images_of_absurd_sizes(size):
+    with pytest.raises(ToolError, match=f"an image of ({size[0]}x{size[1]}|very many) pixels; both sides must be 1..8192"):
+        texture_image.decode(big_png(*size), "big.png")
+
+
+def test_an_image_of_more_than_2048_pixels_is_shrunk_by_whole_factors():
+    pixels = numpy.zeros((3, 4098, 3), dtype=numpy.uint8)
+    pixels[:, 3:6] = 90
+    made = texture_image.decode(png(pixels), "wide.png")
+    assert (made.width, made.height) == (1366, 1) and made.pixels[0, :3, 0].tolist() == [0, 90, 0]
+    assert texture_image.decode(png(pixels[:, :2048]), "a.png").width == 2048
+
+
+def test_an_image_of_as_many_bytes_as_are_allowed(monkeypatch):
+    blob = png([[(1, 2, 3)]])
+    monkeypatch.setattr(texture_image, "FILE_MAX", len(blob))
+    assert texture_image.decode(blob, "a.png").pixels.tolist() == [[[1, 2, 3, 255]]]
+    with pytest.raises(ToolError, match=f"an image of {len(blob) + 1} bytes is more than the limit"):
+        texture_image.decode(blob + b"x", "a.png")

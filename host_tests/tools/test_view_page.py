@@ -13,16 +13,13 @@ import time
 
 import numpy
 import pytest
-import warm_start
-from fixel.view import record
 from PIL import Image
-from conftest import TOOLS, assert_one_sentence, environment, run_cli
+from conftest import assert_one_sentence, environment, run_cli
 
 from board_programs import ROOT, built
 from fixel.scene import making
 from fixel.view import browser
 from fixel.image import image as scene_image
-from fixel.base.errors import ToolError
 from viewers import BOARDS, HEIGHT, SCREEN, WIDTH, left, own_build, plaza_image, port_of, ready, ready_board, wait_for_rest   # two are fixtures
 
 MARK = (255, 0, 160)    # of a pixel that differs, in templates/view_picture.js
@@ -34,10 +31,7 @@ KEYS = {"ArrowUp": ("z", 1), "ArrowRight": ("yaw", 1), "ArrowLeft": ("yaw", -1),
 # Other keys that mean the same: bits of fixel/player.h.
 SAME = {"KeyW": 1, "KeyS": 2, "KeyA": 4, "KeyD": 8, "PageUp": 16, "PageDown": 32}
 
-# Pixels of a frame that may show another texel or level than the reference does: within their bounds of
-# docs/extras/surfaces.md, which `make run` judges.
 TURNING = 10    # frames for which a key is held there: the model stays in sight
-SURFACES = {"landscape": 20, "gallery": 1000, "car": 50, "room": 1000}
 
 
 # For what the page does by itself: the board is one of the two.
@@ -448,69 +442,6 @@ def test_a_port_in_use_is_refused(window, board, scene, build, tmp_path):
 
 # --- other scenes ---------------------------------------------------------------------
 
-def begin_paused(page):
-    """Has the board draw its first frame, and no other before step: what keys do then depends on no time."""
-    page.click("#pause")
-    state(page, "paused")
-    page.click("#restart")
-    page.wait_for_function("() => document.getElementById('number').textContent === '0'")
-
-
-def wait_for_beside(page):
-    """Until what is beside the frame is of the same one."""
-    page.wait_for_function("() => document.getElementById('number').textContent === "
-                           "document.getElementById('other-number').textContent")
-
-
-@pytest.mark.parametrize("name", SURFACES)
-def test_a_scene_with_surfaces_is_walked_beside_the_reference(name, chromium, build, tmp_path):
-    """build/view/<scene>.png is how it looked."""
-    ready("mps2-an385", build)
-    image = tmp_path / f"{name}.fxls"
-    making.build(str(ROOT / "scenes" / f"{name}.toml"), str(image), None, (160, 120))
-    with browser.viewing("mps2-an385", image, build) as (_, address), \
-            browser.page(chromium, address, WIDTH, HEIGHT) as page:
-        page.set_default_timeout(0)
-        begin_paused(page)
-        show_beside(page, "1", "double")
-        first, _ = canvases(page, "fixed", "other")
-        page.keyboard.down("ArrowRight")
-        for _ in range(TURNING):
-            step(page)
-        page.keyboard.up("ArrowRight")
-        step(page)
-        wait_for_beside(page)
-        fixed, double = canvases(page, "fixed", "other")
-        assert (fixed != first).any(axis=2).mean() > 0.01
-        assert len(numpy.unique(fixed.reshape(-1, 3), axis=0)) > 10
-        assert fixed.shape == double.shape and (fixed != double).any(axis=2).sum() <= SURFACES[name]
-        (build / "view").mkdir(exist_ok=True)
-        page.screenshot(path=str(build / "view" / f"{name}.png"))
-        assert page.complaints == []
-
-
-def test_a_pixel_within_the_bound_is_no_difference(chromium, build, tmp_path):
-    """Surfaces show other texels than the reference does, all of them within the bound of `make run`."""
-    ready("mps2-an385", build)
-    image = tmp_path / "room.fxls"
-    making.build(str(ROOT / "scenes" / "room.toml"), str(image), None, (160, 120))
-    with browser.viewing("mps2-an385", image, build) as (_, address), \
-            browser.page(chromium, address, WIDTH, HEIGHT) as page:
-        page.set_default_timeout(0)
-        begin_paused(page)
-        show_beside(page, "2", "difference")
-        seen = set()
-        page.keyboard.down("ArrowRight")
-        for _ in range(20):
-            step(page)
-            wait_for_beside(page)
-            pixels, together, _, within = numbers(page, "other-name")
-            (shown,) = canvases(page, "other")
-            assert pixels == together == (shown == MARK).all(axis=2).sum() == 0
-            seen.add(within)
-        assert max(seen) > 0
-        assert page.complaints == []
-
 
 # --- the recording ------------------------------------------------------------------
 
@@ -549,52 +480,3 @@ def test_the_game_is_played_in_it(chromium, build, tmp_path):
         assert re.fullmatch(r"Pixel \d+, \d+: colour \d+, RGB \d+ \d+ \d+", page.inner_text("#pixel-words"))
         page.screenshot(path=str(build / "view" / "game.png"))
         assert page.complaints == []
-
-
-# The command with a small window and one format, a small one: pictures of the whole window and their colours take most of
-# its time.
-SMALL_RECORDING = """import sys
-sys.path.insert(0, {tools!r})
-from fixel import launcher
-from fixel.base.errors import run_main
-from fixel.view import record
-record.WIDTH, record.HEIGHT, record.FORMATS = 640, 400, [(240, 32)]
-run_main(launcher.main)
-"""
-
-
-def test_the_recording(scene, build, tmp_path):
-    ready("mps2-an385", build)
-    file = tmp_path / "window.gif"
-    words = ["record", "--board", "mps2-an385", "--scene", scene, "--build", build, "--out", file]
-    done = warm_start.run(["fixel", *map(str, words)], ROOT, environment(), SMALL_RECORDING.format(tools=str(TOOLS)))
-    assert done.returncode == 0, done.stderr
-    with Image.open(file) as recording:
-        frames = []
-        for number in range(recording.n_frames):
-            recording.seek(number)
-            frames.append(numpy.asarray(recording.convert("RGB")))
-    assert len(frames) >= 30 and file.stat().st_size < 1.5e6
-    changes = [numpy.mean((one != other).any(axis=2)) for one, other in zip(frames, frames[1:])]
-    assert numpy.mean(numpy.array(changes) > 0.01) > 0.7    # it walks most of the time
-
-
-def test_a_recording_of_much_change_is_made_smaller_until_it_fits(monkeypatch):
-    monkeypatch.setattr(record, "FORMATS", [(60, 128), (40, 64), (20, 16)])
-    monkeypatch.setattr(record, "SIZE_MAX", 4000)
-    noise = numpy.random.default_rng(1)
-
-    def width(side, count):
-        shots = []
-        for _ in range(count):
-            block = io.BytesIO()
-            Image.fromarray(noise.integers(0, 256, (side, side, 3), dtype=numpy.uint8)).save(block, "PNG")
-            shots.append(block.getvalue())
-        data = record.fitting(shots, [100] * count)
-        with Image.open(io.BytesIO(data)) as animation:
-            assert len(data) <= record.SIZE_MAX
-            return animation.width
-
-    assert width(1, 2) == 60 and width(60, 2) < 60
-    with pytest.raises(ToolError, match="the smallest recording takes .* bytes; 4,000 are allowed"):
-        width(60, 40)

@@ -10,10 +10,13 @@ import numpy
 import pytest
 
 from board_programs import ROOT
+from test_view_page import MARK, TURNING, canvases, numbers, show_beside, state, step
 from fixel.scene import making
 from fixel.board import dump
 from fixel.image import image
+from fixel.view import browser
 from fixel.view.view_reference import FACES, FRAME, OUTLINES, Reference, VERDICT, WANTS_ALL
+from viewers import HEIGHT, WIDTH, ready
 
 FRAMES = 4
 NO_FACE = 0xFFFF
@@ -168,3 +171,72 @@ def test_parts_that_come_together_are_those_that_come_alone(build, tmp_path):
         (alone,) = case.answers(case.frames[:1], wants)
         assert alone.parts[place] == whole.parts[place] and alone.parts[place]
         assert not any(alone.parts[:place] + alone.parts[place + 1:])
+
+
+def begin_paused(page):
+    """Has the board draw its first frame, and no other before step: what keys do then depends on no time."""
+    page.click("#pause")
+    state(page, "paused")
+    page.click("#restart")
+    page.wait_for_function("() => document.getElementById('number').textContent === '0'")
+
+
+def wait_for_beside(page):
+    """Until what is beside the frame is of the same one."""
+    page.wait_for_function("() => document.getElementById('number').textContent === "
+                           "document.getElementById('other-number').textContent")
+
+
+# Pixels of a frame that may show another texel or level than the reference does: within their bounds of
+# docs/extras/surfaces.md, which `make run` judges.
+SURFACES = {"landscape": 20, "gallery": 1000, "car": 50, "room": 1000}
+
+
+@pytest.mark.parametrize("name", SURFACES)
+def test_a_scene_with_surfaces_is_walked_beside_the_reference(name, chromium, build, tmp_path):
+    """build/view/<scene>.png is how it looked."""
+    ready("mps2-an385", build)
+    image = tmp_path / f"{name}.fxls"
+    making.build(str(ROOT / "scenes" / f"{name}.toml"), str(image), None, (160, 120))
+    with browser.viewing("mps2-an385", image, build) as (_, address), \
+            browser.page(chromium, address, WIDTH, HEIGHT) as page:
+        page.set_default_timeout(0)
+        begin_paused(page)
+        show_beside(page, "1", "double")
+        first, _ = canvases(page, "fixed", "other")
+        page.keyboard.down("ArrowRight")
+        for _ in range(TURNING):
+            step(page)
+        page.keyboard.up("ArrowRight")
+        step(page)
+        wait_for_beside(page)
+        fixed, double = canvases(page, "fixed", "other")
+        assert (fixed != first).any(axis=2).mean() > 0.01
+        assert len(numpy.unique(fixed.reshape(-1, 3), axis=0)) > 10
+        assert fixed.shape == double.shape and (fixed != double).any(axis=2).sum() <= SURFACES[name]
+        (build / "view").mkdir(exist_ok=True)
+        page.screenshot(path=str(build / "view" / f"{name}.png"))
+        assert page.complaints == []
+
+
+def test_a_pixel_within_the_bound_is_no_difference(chromium, build, tmp_path):
+    """Surfaces show other texels than the reference does, all of them within the bound of `make run`."""
+    ready("mps2-an385", build)
+    image = tmp_path / "room.fxls"
+    making.build(str(ROOT / "scenes" / "room.toml"), str(image), None, (160, 120))
+    with browser.viewing("mps2-an385", image, build) as (_, address), \
+            browser.page(chromium, address, WIDTH, HEIGHT) as page:
+        page.set_default_timeout(0)
+        begin_paused(page)
+        show_beside(page, "2", "difference")
+        seen = set()
+        page.keyboard.down("ArrowRight")
+        for _ in range(20):
+            step(page)
+            wait_for_beside(page)
+            pixels, together, _, within = numbers(page, "other-name")
+            (shown,) = canvases(page, "other")
+            assert pixels == together == (shown == MARK).all(axis=2).sum() == 0
+            seen.add(within)
+        assert max(seen) > 0
+        assert page.complaints == []

@@ -24,7 +24,7 @@ from fixel.scene import look, scene_options
 frame_costs = late("fixel.bench", "frame_costs")
 model_look = late("fixel.board", "model_look")
 image = late("fixel.image", "image")
-scene_image = late("fixel.scene", "scene_image")
+making = late("fixel.scene", "making")
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 COSTS = ROOT / "bench" / "costs.json"
@@ -238,7 +238,7 @@ def image_of(options, folder):
     look.check(options.look, options.scene, is_model)
     if is_model:
         return model_look.choose(options, room_of(options), options.build, folder)
-    return scene_image.make_scene_image(options.scene, folder, options.frames, options.screen, bounded.limits_of(options))
+    return making.make_scene_image(options.scene, folder, options.frames, options.screen, bounded.limits_of(options))
 
 
 def main(argv):

@@ -16,7 +16,6 @@ from fixel.scene import look, making, scene_options
 controllers, firmware, flash_memory = late("fixel.board", "controllers firmware flash_memory")
 model_look, own_run, probe, wires = late("fixel.board", "model_look own_run probe wires")
 images = late("fixel.image", "image")
-scene_images = late("fixel.scene", "scene_image")
 
 OPENOCD = "openocd"
 PROBES = (OPENOCD,)
@@ -57,7 +56,7 @@ def scene_image(options, work):
     scene = pathlib.Path(options.scene)
     if scene.suffix == ".fxls":
         look.check(options.look, options.scene, False)
-        return scene_images.make_scene_image(options.scene, work, options.frames, options.screen, asked=options.target)
+        return making.make_scene_image(options.scene, work, options.frames, options.screen, asked=options.target)
     image = pathlib.Path(options.scenes) / f"{scene.stem}.fxls"
     output.make_folder(image.parent)
     if suffixes.is_model(scene):

@@ -21,7 +21,6 @@ from fixel.image.fields import IMAGE_MAX
 from fixel.model import suffixes
 from fixel.scene import look as looks
 from fixel.scene import making
-from fixel.scene.scene_image import make_scene_image
 
 ROWS_MIN = 16
 DEARER_MAX = 2
@@ -322,6 +321,6 @@ def scene_image(options, elf, folder):
     if is_chosen and options.look:
         raise ToolError(f"VISIBILITY={is_chosen} stands for how a scene is drawn: leave out {options.look.text}")
     if is_chosen or not suffixes.is_model(options.scene):
-        return make_scene_image(options.scene, pathlib.Path(folder), options.frames, options.screen, bounded.limits_of(options),
+        return making.make_scene_image(options.scene, pathlib.Path(folder), options.frames, options.screen, bounded.limits_of(options),
                                 options.target, options.look.verbose)
     return choose(options, room_of(elf), pathlib.Path(elf).parents[2], folder)

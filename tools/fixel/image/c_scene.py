@@ -226,7 +226,7 @@ def printable(text):
 
 
 def _memory(scene, name):
-    """Three sizes of the renderer's memory, what each holds, and the bound of what that costs. host_tests/tools/test_export.py
+    """Three sizes of the renderer's memory, what each holds, and the bound of what that costs. host_tests/tools/test_export_setup.py
     measures it."""
     capital, sizes = name.upper(), []
     for ending, size in memory_needed.SIZES.items():

@@ -2,7 +2,7 @@
 """How much memory fxl_renderer_init is given for a scene: the library's division of the block, in Python.
 
 The block holds, in this order: the order of drawing; the vertex cache, in at most a quarter of the
-rest; the display list, in all that is left. host_tests/tools/test_export.py compares the figures
+rest; the display list, in all that is left. host_tests/tools/test_export_setup.py compares the figures
 with what the library made of a block."""
 
 from fixel.image import image_surface

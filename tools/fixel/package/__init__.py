@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What others build Fixel from: the library in one file, and packages.
 
-`fixel one-file`, of `one_file.py`, writes the library as `fixel.h` and `fixel.c`, which `one_text.py` joins from `lib/`.
+`fixel one-file`, of `one_file.py`, writes the library as `fixel.h` and `fixel.c`, joined from `lib/`.
 `private_names.py` finds the names that a source has for itself, which must not meet in one file.
 
 `fixel packages`, of `packages.py`, writes the packages of Arduino, PlatformIO, ESP-IDF, Zephyr, Conan and Rust into

@@ -14,7 +14,7 @@ from fixel.base.nearest import question
 from fixel.base.version import version
 from fixel.commands import late
 
-one_text, rust_bindings = late("fixel.package", "one_text rust_bindings")
+one_file, rust_bindings = late("fixel.package", "one_file rust_bindings")
 examples, making, image = late("fixel.report", "examples"), late("fixel.scene", "making"), late("fixel.image", "image")
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
@@ -55,8 +55,8 @@ def before(options):
 def library():
     """{path below a package's folder of sources: its text}: the tree of lib/ but for the study, with its public headers beside
     the rooms."""
-    files = {file.relative_to(one_text.LIB): file for room in one_text.ROOMS for file in sorted((one_text.LIB / room).glob("*.[chS]"))}
-    include = one_text.LIB / "include"
+    files = {file.relative_to(one_file.LIB): file for room in one_file.ROOMS for file in sorted((one_file.LIB / room).glob("*.[chS]"))}
+    include = one_file.LIB / "include"
     files |= {file.relative_to(include): file for file in sorted(include.rglob("*.h"))}
     # Assembly finds what it includes by the place of the file alone: some builds give it no folders.
     found = {path.as_posix(): file.read_text(encoding="utf-8").replace('"../include/', '"../') for path, file in files.items()}
@@ -75,7 +75,7 @@ def texts(layout):
         folder = ROOT / layout["copy"]
         found |= {file.relative_to(folder).as_posix(): file.read_text(encoding="utf-8") for file in sorted(folder.rglob("*")) if file.is_file()}
     if layout.get("crate"):
-        bindings = rust_bindings.Bindings(one_text.header_text(version()))
+        bindings = rust_bindings.Bindings(one_file.header_text(version()))
         found[f"{layout['crate']}/src/bindings.rs"] = bindings.text()
         found[f"{source}/layouts.c"], found[f"{layout['crate']}/tests/layouts.rs"] = bindings.layouts()
     for name, sketch in layout.get("sketches", {}).items():

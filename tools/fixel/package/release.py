@@ -24,7 +24,7 @@ from fixel.base import children, output, scratch
 from fixel.base.errors import one_line, ToolError
 from fixel.base.version import version
 from fixel.commands import late
-from fixel.package import one_text, repository
+from fixel.package import one_file, repository
 
 package_table = late("fixel.package", "packages")
 zipfile = late("zipfile")
@@ -90,8 +90,8 @@ def source(root, seconds):
 
 def packages(root, seconds):
     """The one file, and the package of each package manager."""
-    one_file = {"fixel.h": one_text.header_text(version()), "fixel.c": one_text.source_of_all(version())}
-    texts = {**one_file, "LICENSE": (root / "LICENSE").read_text(encoding="utf-8")}
+    texts = {"fixel.h": one_file.header_text(version()), "fixel.c": one_file.source_of_all(version())}
+    texts = {**texts, "LICENSE": (root / "LICENSE").read_text(encoding="utf-8")}
     made = {f"fixel-{version()}-one-file.zip": zipped({f"fixel/{name}": text.encode() for name, text in texts.items()}, seconds)}
     with scratch.folder("release") as folder:
         for name, layout in package_table.table().items():

@@ -11,7 +11,7 @@ from fixel.scene import scene_options
 
 picture = late("fixel.base", "picture")
 dump, programs = late("fixel.board", "dump programs")
-scene_image = late("fixel.scene", "scene_image")
+making = late("fixel.scene", "making")
 
 PATTERNS = [*output.numbered("frame_", ".png"), "walk.gif", "summary.json"]
 
@@ -35,7 +35,7 @@ def run(options, folder):
     """Draws and compares; the pictures go into folder. The summary."""
     output.make_folder(options.build)
     with scratch.folder("wire", options.build) as work:
-        image = scene_image.make_scene_image(options.scene, work, options.frames, options.screen, bounded.limits_of(options))
+        image = making.make_scene_image(options.scene, work, options.frames, options.screen, bounded.limits_of(options))
         with Progress("drawing wireframes, and judging them against double"):
             store = kept.Kept(options.build, options.fresh)
             found = programs.HostPrograms(options.build, store).wire(image, work / "wire.fxld", work / "wire.json", options.frames)

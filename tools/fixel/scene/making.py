@@ -1,18 +1,23 @@
 # SPDX-License-Identifier: MIT
 """Scene files into scene images or C headers, and images into textures: read and compiled in a process of their own, under
-limits (fixel/base/bounded.py), which sends the result. This process puts it in place."""
+limits (fixel/base/bounded.py), which sends the result. This process puts it in place. And the scene image that a command draws."""
 
 import os
+import pathlib
 import re
 import sys
 from dataclasses import dataclass
 
-from fixel.base import bounded, output
+from fixel.base import bounded, output, reading
 from fixel.base.errors import ToolError, one_line
 from fixel.base.reading import quoted
 from fixel.base.table import count_of
+from fixel.commands import late
 from fixel.image import c_names, image_header
+from fixel.image.fields import IMAGE_MAX
 from fixel.scene.look import PLAIN
+
+image_file, target = late("fixel.image", "image"), late("fixel.scene", "target")
 
 ROWS = 16       # of a band of a program that is written, where no board has room for fewer
 WORKER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worker.py")
@@ -93,3 +98,31 @@ def tell(out, made, path=None):
     path = path or count_of(made.frames, "frame")
     tell_notes(made.notes)
     print(f"{one_line(out)}: {made.size:,} bytes, {count_of(made.objects, 'object')}, {path}", file=sys.stderr)
+
+
+def check_frames(scene, wanted, there):
+    """Refuses more frames than a path has."""
+    if wanted > there:
+        raise ToolError(f"{scene}: path: {wanted} frames are asked for, and the path has {there}")
+
+
+def retargeted(scene, folder, asked):
+    """A copy of a scene image, in folder, that is drawn as something else."""
+    image = pathlib.Path(folder) / "scene.fxls"
+    output.write_file(image, target.rewritten(reading.read_whole(scene, IMAGE_MAX, "give a scene image"), asked, scene))
+    return image
+
+
+def make_scene_image(scene, folder, frames, screen=None, limits=None, asked=None, verbose=False):
+    """The scene image of a .toml or a model, compiled into folder; an .fxls is one already, and is copied into folder where
+    it is to be drawn as something else. asked: a target.Target. verbose: as that of build."""
+    if pathlib.Path(scene).suffix == ".fxls":
+        if screen:
+            raise ToolError(f"{scene} is a scene image, which has its screen already: give the .toml or the model")
+        if frames:
+            check_frames(scene, frames, image_file.load(scene).frames)
+        return retargeted(scene, folder, asked) if asked else pathlib.Path(scene)
+    image = folder / "scene.fxls"
+    for note in build(scene, image, frames, screen, limits=limits, asked=asked, verbose=verbose).notes:
+        print(f"  {one_line(note)}", file=sys.stderr)
+    return image
