@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The table of make prove: each function of the library has a row or is measured, each row has its harness. No prover runs."""
 
-import json
 import pathlib
 import re
 
@@ -97,11 +96,20 @@ def test_seeded_bugs_name_rows():
 # --- verdicts ------------------------------------------------------------------------------
 
 def said(*results):
-    return json.dumps([{"program": "CBMC"}, {"result": [{"description": words, "status": status} for words, status in results]}])
+    """What cbmc prints. A line may name a file of its own."""
+    lines = [f"[f.{number}] {'file lib/b.c ' * (number == 1)}line 3 {words}: {status}" for number, (words, status) in enumerate(results, 1)]
+    failed = sum(status == "FAILURE" for _, status in results)
+    return "\n".join(["** Results:", "lib/a.c function f", *lines, f"** {failed} of {len(results)} failed (1 iterations)", "VERIFICATION FAILED"])
 
 
 def test_a_row_is_proved_if_only_its_end_fails():
-    assert cbmc.judge(said(("overflow", "SUCCESS"), (cbmc.REACHED, "FAILURE"))) == 1
+    assert cbmc.judge(said(("overflow", "SUCCESS"), (cbmc.REACHED, "FAILURE"))) == (1, set())
+
+
+def test_a_function_counts_only_if_its_end_is_reached():
+    """A call that stands under a condition which never holds is none."""
+    assert cbmc.judge(said((cbmc.ENDS, "FAILURE"), (cbmc.REACHED, "FAILURE"))) == (0, {"f"})
+    assert cbmc.judge(said((cbmc.ENDS, "SUCCESS"), (cbmc.REACHED, "FAILURE"))) == (0, set())
 
 
 @pytest.mark.parametrize("results, words", [
@@ -109,10 +117,18 @@ def test_a_row_is_proved_if_only_its_end_fails():
     ([("overflow", "UNKNOWN"), (cbmc.REACHED, "FAILURE")], "overflow: unknown"),
     ([("overflow", "SUCCESS"), (cbmc.REACHED, "SUCCESS")], "never ends for any input"),
     ([("overflow", "SUCCESS")], "no PROOF_ENDS"),
+    ([(cbmc.ENDS, "FAILURE")], "no PROOF_ENDS"),
 ])
 def test_a_row_is_not_proved(results, words):
     with pytest.raises(cbmc.Failed, match=words):
         cbmc.judge(said(*results))
+
+
+def test_an_end_without_a_verdict():
+    with pytest.raises(cbmc.TooLong):
+        cbmc.judge("Running propositional reduction\n")
+    with pytest.raises(cbmc.Failed, match="Out of memory"):
+        cbmc.judge("Out of memory\n")
 
 
 def row(name, **more):
@@ -154,7 +170,8 @@ by_pointer /* by_pointer */
 def test_only_what_is_called_by_name_is_within_a_row():
     """A function that the harness has in its place is not, and a static function is that of its own file."""
     found = cbmc._within(PROGRAM, row("f", harness="prove_f", stands_in={"gone": "any_gone"}))
-    assert {each for each in found if each[0].startswith("lib/")} == {("lib/view/arith.c", "f"), ("lib/view/arith.c", "clear")}
+    assert {name: place for name, place in found.items() if place[0].startswith("lib/")} == {
+        "f": ("lib/view/arith.c", "f"), "clear$link1": ("lib/view/arith.c", "clear")}
 
 
 def test_a_contract_without_a_row_and_a_circle_are_found():

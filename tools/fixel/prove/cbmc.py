@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """A row that CBMC proves: the harness and the shipped text as one program, with contracts, every property of it checked."""
 
-import json
 import os
 import re
 
@@ -13,14 +12,19 @@ SECONDS = 120           # of CPU time a row
 MEMORY = 6 << 30        # bytes of address space of a prover: two at a time leave a machine of 16 GB usable
 DEFINES = ("-DFXL_PROVE", "-std=gnu11", "-Ilib/include", "-Ilib", "-Ihost_tests/proofs")
 CHECKS = ("--bounds-check", "--pointer-check", "--pointer-overflow-check", "--signed-overflow-check", "--undefined-shift-check",
-          "--div-by-zero-check", "--pointer-primitive-check", "--unwinding-assertions", "--object-bits", "12")
-RESULT = "any statics"      # of what a result says: another text here, and nothing that was kept is used
+          "--div-by-zero-check", "--pointer-primitive-check", "--unwinding-assertions", "--slice-formula", "--object-bits", "12")
+RESULT = "any statics, reached ends"      # of what a result says: another text here, and nothing that was kept is used
 REACHED = "the harness ends"        # PROOF_ENDS of proof.h: it must fail
+ENDS = "insert-final-assert-false (should fail) "       # of a function's end: it fails if a call comes back from there
 # Lines of goto-instrument --show-goto-functions: where a function begins, the place of an instruction, a call that is not by pointer.
 BEGINS = re.compile(r"([\w$]+) /\* \1 \*/")
 PLACE = re.compile(r"\s+// \d+ file (\S+) line ")
 CALLS = re.compile(r"\s+(?:\d+: )?CALL (?:.*? := )?([A-Za-z_][\w$]*)\(")
 NO_CONTRACT = "deriving empty"
+# Lines of cbmc, which would write a trace of each failure as JSON: hundreds of megabytes.
+HEADING = re.compile(r"(\S+) function \S+$")
+PROPERTY = re.compile(r"\[(?P<id>\S+)\] (?:file \S+ )?(?:line (?P<line>\d+) )?(?P<what>.*): (?P<status>[A-Z]+)$")
+SUMMARY = re.compile(r"^\*\* \d+ of \d+ failed", re.MULTILINE)
 
 
 class Failed(Exception):
@@ -78,6 +82,14 @@ def prove(programs, root, row, case):
         said, code, cpu = _run(programs, root, ["goto-instrument", "--show-goto-functions", program], SECONDS - spent)
         spent += cpu
         within = _texts(root, row, case, folder, _within(said, row))
+        for name in within:
+            ended = folder / f"ended_{name}.goto"
+            said, code, cpu = _run(programs, root, ["goto-instrument", "--insert-final-assert-false", name, program, ended], SECONDS - spent)
+            spent += cpu
+            if code:
+                raise Failed(f"goto-instrument: {_last(said)}")
+            program.unlink()
+            program = ended
         # a table that nobody fills would be zeros, and the row would speak of zeros alone
         any_static = folder / "any_static.goto"
         said, code, cpu = _run(programs, root, ["goto-instrument", "--nondet-static", program, any_static], SECONDS - spent)
@@ -108,9 +120,10 @@ def prove(programs, root, row, case):
         else:
             ready = program
         unwound = ",".join(f"{loop}:{times}" for loop, times in row.unwindset.items())
-        words = ["cbmc", "--drop-unused-functions", *_checks(row), *row.flags, "--unwind", row.unwind, *(["--unwindset", unwound] if unwound else []), "--json-ui", ready]
+        words = ["cbmc", "--drop-unused-functions", *_checks(row), *row.flags, "--unwind", row.unwind, *(["--unwindset", unwound] if unwound else []), ready]
         said, _, cpu = _run(programs, root, words, SECONDS - spent)
-    return {"checks": judge(said), "within": sorted(within), "seconds": spent + cpu}
+    checks, ended = judge(said)
+    return {"checks": checks, "within": sorted({key for name, key in within.items() if name in ended}), "seconds": spent + cpu}
 
 
 def _last(said):
@@ -120,8 +133,8 @@ def _last(said):
 
 
 def _within(shown, row):
-    """(file, name) of the functions that the harness, or one that it calls, calls by name, and that have their own text in the
-    program. One that a pointer of its type might mean is none of them."""
+    """{name in the program: (file, name)} of the functions that the harness, or one that it calls, calls by name, and that have
+    their own text in the program. One that a pointer of its type might mean is none of them."""
     calls, files, caller = {}, {}, None
     for line in shown.splitlines():
         if begins := BEGINS.match(line):
@@ -138,34 +151,38 @@ def _within(shown, row):
             found.add(name)
             waiting += calls.get(name, [])
     # of two static functions of a name, the linker adds to that of one
-    return {(files[name], name.partition("$")[0]) for name in found if name in files}
+    return {name: (files[name], name.partition("$")[0]) for name in found if name in files}
 
 
 def _texts(root, row, case, folder, within):
-    """FILE:NAME of those that are functions of the library. Without FXL_PROVE the compiler takes the harness, too."""
+    """{name in the program: FILE:NAME} of those that are functions of the library. Without FXL_PROVE the compiler takes the harness, too."""
     sources = [row.place, *row.links]
     flags = ("-w", "-Ihost_tests/proofs", *_defines(row, case))
-    return {f"{file}:{name}" for source in sources for file, _, _, name in functions.defined_in(root, source, folder, flags) if (file, name) in within}
+    defined = {(file, name) for source in sources for file, _, _, name in functions.defined_in(root, source, folder, flags)}
+    return {name: ":".join(place) for name, place in within.items() if place in defined}
 
 
 def judge(said):
-    """How many properties hold; Failed if one does not, or if the harness is not seen to end."""
-    try:
-        messages = json.loads(said)
-    except ValueError as error:
-        raise TooLong(f"cbmc ended without a result: {_last(said)}") from error     # by a signal: another run may end
-    results = next((each["result"] for each in messages if "result" in each), None)
-    if results is None:
-        errors = [each.get("messageText", "") for each in messages if each.get("messageType") == "ERROR"]
-        raise Failed(f"cbmc: {errors[0] if errors else 'it gave no result'}")
-    ends = [each for each in results if each["description"] == REACHED]
+    """(how many properties hold, the functions whose ends are reached); Failed if one does not hold, or if the harness is not seen to end."""
+    if not SUMMARY.search(said):
+        refused = next((line for line in said.splitlines() if "error" in line.lower() or "out of memory" in line.lower()), None)
+        if refused:
+            raise Failed(f"cbmc: {refused}")
+        raise TooLong(f"cbmc ended without a result: {_last(said)}")      # by a signal: another run may end
+    file, results = "?", []
+    for line in said.splitlines():
+        if heading := HEADING.match(line):
+            file = heading[1]
+        elif found := PROPERTY.match(line):
+            results.append({**found.groupdict(), "file": file})
+    ends = [each for each in results if each["what"] == REACHED]
     if not ends:
         raise Failed("the harness has no PROOF_ENDS()")
     if not any(each["status"] == "FAILURE" for each in ends):
         raise Failed("nothing is proved: the harness never ends for any input (PROOF_ENDS() is not reached)")
-    bad = [each for each in results if each["description"] != REACHED and each["status"] != "SUCCESS"]
+    checks = [each for each in results if each["what"] not in (REACHED, ENDS)]
+    bad = [each for each in checks if each["status"] != "SUCCESS"]
     if bad:
-        place = bad[0].get("sourceLocation", {})
-        raise Failed(f"{place.get('file', '?')}:{place.get('line', '?')}: {bad[0]['description']}: {bad[0]['status'].lower()}"
+        raise Failed(f"{bad[0]['file']}:{bad[0]['line'] or '?'}: {bad[0]['what']}: {bad[0]['status'].lower()}"
                      f"{f' (and {len(bad) - 1} more)' if len(bad) > 1 else ''}")
-    return len(results) - len(ends)
+    return len(checks), {each["id"].partition(".")[0] for each in results if each["what"] == ENDS and each["status"] == "FAILURE"}
