@@ -207,7 +207,7 @@ VIEW_OPTIONS := $(if $(OWN),--board host --build $(BUILD) --program $(OWN) --sou
 # With DRIVER= a program that runs without a debugger, and an image of its own.
 FLASHED := $(if $(ALONE),$(ALONE_PROGRAM),$(WALK))
 FLASH_OPTIONS := --board $(BOARD_CHOSEN) --elf $(FLASHED) --program $(PROGRAM_NAME) $(DRIVER:%=--driver %) \
-    --scene $(SCENE_OF_PROGRAM) --scenes $(BUILD)/scenes --image $(IMAGE:.bin=$(DRIVER:%=-%).bin)
+    --scene $(SCENE_OF_PROGRAM) --scenes $(BUILD)/scenes --image $(IMAGE:.bin=$(DRIVER:%=-%)$(OWN:%=-%).bin)
 FLASH_SETUP := $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)$(SETUP_OF_BOARD:%= %)
 
 # A program of the user's own chooses what it draws, and with what.

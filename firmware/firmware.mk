@@ -161,8 +161,9 @@ OWN_WRONG := $(strip $(foreach source,$(OWN_SOURCES),$(if $(strip $(foreach char
 ifneq ($(OWN_WRONG),)
 $(error the folder "$(PROGRAM)" has a C file whose name has a blank or a character that means something to the shell or to make: rename it)
 endif
-# A name of its path without a folder.
-OWN_NAME_OF = $(subst /,_,$(subst .,-,$(1)))
+# A name of its path without a folder, which no other path has: / and . become _ and -, which stand behind a point where the path has them
+# itself (name_of in tools/fixel/board/own_run.py). No path has @ or +.
+OWN_NAME_OF = $(subst +,.-,$(subst @,._,$(subst /,_,$(subst .,-,$(subst _,@,$(subst -,+,$(1)))))))
 OWN_PATH := $(if $(OWN_SOURCES),$(PROGRAM:/=))
 OWN := $(if $(OWN_PATH),own-$(call OWN_NAME_OF,$(OWN_PATH)))
 PROGRAM_NAME := $(or $(OWN),$(PROGRAM))

@@ -10,7 +10,7 @@ import own_tools
 from conftest import CHECKOUT, run_cli, run_make
 from PIL import Image
 
-from fixel.board import dump, room
+from fixel.board import dump, own_run, room
 from fixel.scene import making
 from test_export_setup import write_planet
 
@@ -293,14 +293,21 @@ def test_pixels_on_the_stack_are_shown_before_they_are_gone(folder, board):
 
 
 def test_a_folder_is_a_program(folder):
+    """Also of files whose names differ only in what a name of an object cannot have, or has for something else."""
     inner = folder / "several"
     inner.mkdir()
+    alike = {"a.b": "one", "a-b": "two", "a_b": "three"}
+    for name, function in alike.items():
+        (inner / f"{name}.c").write_text(f"void {function}(void); void {function}(void) {{ }}\n", encoding="utf-8")
     for name in ("bands.h", "cube_scene.h", "bands.c"):
         (inner / name).write_text((folder / name).read_text(encoding="utf-8"), encoding="utf-8")
-    (inner / "display.c").write_text("#include <stdint.h>\nvoid display_rows(uint16_t first, uint16_t rows, const uint8_t *pixels);\n"
+    (inner / "display.c").write_text("#include <stdint.h>\nvoid one(void), two(void), three(void);\n"
+                                     "void display_rows(uint16_t first, uint16_t rows, const uint8_t *pixels);\n"
                                      "void display_rows(uint16_t first, uint16_t rows, const uint8_t *pixels)\n"
-                                     "{ (void)first; (void)rows; (void)pixels; }\n", encoding="utf-8")
+                                     "{ (void)first; (void)rows; (void)pixels; one(); two(); three(); }\n", encoding="utf-8")
     _, summary, _ = run(folder, "several/")
+    for source in inner.glob("*.c"):
+        assert list((CHECKOUT / "build/boards").glob(f"*/own/{own_run.name_of(source)}.o")), source
     _, bands, _ = run(folder, "bands.c")
     assert summary["frame_crc"] == bands["frame_crc"], "with a display_rows of its own, too"
 
@@ -345,7 +352,7 @@ def test_a_program_that_is_too_large_is_told_which_boards_have_the_room(folder, 
     assert done.returncode == 2 and len(errors) == 1 and "ld:" not in done.stderr, done.stderr
     needs, has = (int(each.replace(",", "")) for each in re.search(r"needs ([\d,]+) bytes of RAM, and BOARD=microbit has ([\d,]+);", errors[0]).groups())
     assert has == 16 * 1024 and low <= needs <= high
-    assert (CHECKOUT / "build/boards/microbit" / f"own-{str(folder / 'large.c').replace('/', '_').replace('.', '-')}.map").exists() == linked
+    assert (CHECKOUT / "build/boards/microbit" / f"own-{own_run.name_of(folder / 'large.c')}.map").exists() == linked
     named = errors[0].split("are: ")[1].split(";")[0].split()
     assert set(named) == {file.parent.name for file in (CHECKOUT / "boards").glob("*/board.mk") if file.parent.name != "host" and room.room(file.parent.name)["RAM"] >= needs}
 
@@ -360,7 +367,7 @@ def test_an_exported_scene_that_is_too_large_is_refused_before_it_is_linked(tmp_
     error, = (line for line in done.stderr.splitlines() if line.startswith("error: "))
     needs, has = (int(each.replace(",", "")) for each in re.search(r"needs ([\d,]+) bytes of flash.* and BOARD=microbit has ([\d,]+)", error).groups())
     assert done.returncode == 2 and needs > 6000 * 24 and has == 179 * 1024 and "mps2-an385" in error and "lm3s6965evb" not in error
-    assert not list((CHECKOUT / "build/boards/microbit").glob(f"own-{str(own).replace('/', '_')}.*"))
+    assert not list((CHECKOUT / "build/boards/microbit").glob(f"own-{own_run.name_of(own)}.*"))
 
 
 def test_a_function_that_a_board_lacks_is_named_with_what_there_is_instead(folder):

@@ -22,6 +22,11 @@ PALETTE = "_palette"
 OURS = re.compile(r"^(?:own: done \d+ frames|stack: \d+ of \d+ bytes\b.*)\n?", re.MULTILINE)
 
 
+def name_of(path):
+    """A path as the name of a file, which no other path has: OWN_NAME_OF of firmware/firmware.mk."""
+    return str(path).translate({ord("/"): "_", ord("."): "-", ord("_"): "._", ord("-"): ".-"})
+
+
 def is_own(options):
     """Whether a command is to run a program of the user's own."""
     return options.program.startswith(PREFIX)

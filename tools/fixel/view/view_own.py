@@ -51,11 +51,10 @@ class Source:
         return sorted(path.glob("*.c")) if path.is_dir() else [path]
 
     def _included(self):
-        """What the objects were compiled of, as the compiler wrote it; by OWN_NAME_OF of firmware/firmware.mk."""
+        """What the objects were compiled of, as the compiler wrote it."""
         for source in self._sources():
-            name = str(source).replace(".", "-").replace("/", "_")
             with contextlib.suppress(OSError):
-                text = (self.elf.parent / "own" / f"{name}.d").read_text(encoding="utf-8", errors="replace")
+                text = (self.elf.parent / "own" / f"{own_run.name_of(source)}.d").read_text(encoding="utf-8", errors="replace")
                 yield from map(pathlib.Path, re.findall(r"[^\s:\\]+", text.partition(":")[2]))
 
     def _look(self):
