@@ -120,12 +120,12 @@ def test_an_include_that_points_back_is_seen(monkeypatch, tmp_path, room, line, 
 
 # place pixel-format: the exceptions to the rooms
 # Texts that a file for each target includes after it defines these names: those of one target.
-TARGET = ["-DFXL_TARGET=fxl_rgb565_depth_16", "-DFXL_TARGET_PIXEL_BITS=16", "-DFXL_TARGET_DEPTH_BITS=16",
+TARGET = ["-DFXL_TARGET=fxl_rgb565_depth_16", "-DFXL_TARGET_FORMAT=FXL_RGB565_PIXELS", "-DFXL_TARGET_DEPTH_BITS=16",
           "-DFXL_TARGET_SURFACES=fxl_rgb565_depth_16_surfaces", "-DFXL_TARGET_SPRITES=fxl_rgb565_depth_16_sprites"]
 OUTLINE = ["-DFXL_DRAW_OUTLINE=fxl_draw_outline", "-DFXL_DRAW_BY_ACTIVE_EDGES=fxl_draw_by_active_edges",
            "-DFXL_FILL_TRAPEZOID=fxl_fill_trapezoid", "-DFXL_COLOUR=uint8_t", "-Dfill_span(edges, span, band, colour)=(void)(colour)"]
 TEMPLATES = {f"draw/{name}_text.h": TARGET for name in ("target", "surfaces", "surface_paint", "surface_depth", "surface_smooth", "sprites")} | {
-    "raster/draw_outline_text.h": OUTLINE, "paint/segment_runs.h": ["-DTEXEL_CODE=(&fxl_texel_code_8)"]}
+    "draw/pixel_row.h": TARGET, "raster/draw_outline_text.h": OUTLINE, "paint/segment_runs.h": ["-DTEXEL_CODE=(&fxl_texel_code_8)"]}
 OTHER_CORES = re.compile(r"_armv[67]m\.h$")
 
 

@@ -10,7 +10,7 @@
 #include "../view/view.h"
 #include "renderer.h"
 
-/* place pixel-format: asks: which bands and palettes a renderer takes */
+/* place pixel-format: sentences about bands and palettes */
 #define NULL_RENDERER    "renderer must not be null"
 #define NOT_INITIALISED  "renderer was never initialised: fxl_renderer_init must answer FXL_OK first"
 #define NOT_ALIGNED_TO_2 "pixels must begin at an even address: a pixel of RGB565 takes 2 bytes"
@@ -44,10 +44,11 @@ static const char *explain_lens(const fxl_config *config, fxl_lens *lens)
 static const char *explain_target(const fxl_config *config, const fxl_lens *lens)
 {
     const fxl_target *target = config->target;
-    if (target->pixel_bits == 16 && config->palette == NULL) {
+    const fxl_status palette = fxl_check_palette(config);
+    if (palette == FXL_E_ARGUMENT) {
         return "config->palette must not be null: an RGB565 target takes 256 colours of 16 bits";
     }
-    if (target->pixel_bits == 16 && ((uintptr_t)config->palette & 1u) != 0) {
+    if (palette != FXL_OK) {
         return "config->palette must begin at an even address";
     }
     if (target->memory_size == NULL) {
@@ -222,7 +223,7 @@ FXL_COLD const char *fxl_render_explain(const fxl_renderer *renderer, const fxl_
     if (stride < renderer->frame.view.lens.width) {
         return "stride must be at least config.width: pixels, not bytes, from a row to the next";
     }
-    if (renderer->palette != NULL && ((uintptr_t)pixels & 1u) != 0) {
+    if (fxl_kind_of_palette(renderer->palette).shift != 0 && ((uintptr_t)pixels & 1u) != 0) {
         return NOT_ALIGNED_TO_2;
     }
     return explain_begin(renderer, eye, number != NULL ? number : &found);
@@ -243,11 +244,10 @@ FXL_COLD const char *fxl_frame_explain(const fxl_renderer *renderer, const fxl_b
     if (renderer->frame.state == FXL_FRAME_NONE) {
         return "renderer has no frame: fxl_frame_begin must answer FXL_OK before each frame";
     }
-    if (renderer->palette == NULL && band->palette != NULL) {
-        return "band->palette must be null: the target is no RGB565";
-    }
-    if (renderer->palette != NULL && band->palette == NULL) {
-        return "band->palette must be config.palette: the target is RGB565";
+    if (!fxl_has_pixels_of(renderer, band)) {
+        return fxl_kind_of_band(band).is_colour
+                   ? "band->palette must be null: the target is no RGB565"
+                   : "band->palette must be config.palette: the target is RGB565";
     }
     if (band->width != lens->width) {
         return "band->width must be config.width, also of a band of some columns";

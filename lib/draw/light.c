@@ -93,8 +93,7 @@ static uint8_t colour(const fxl_shader *shader, const fxl_traversal *traversal,
     return settings->ramp[256u * fxl_light_level(brightness, settings->levels) + full];
 }
 
-/* place pixel-format: asks: the colour of a lit face */
-/* In RGB565: the same colour, of which a part is left. */
+/* Where light mixes colours: the same colour, of which a part is left. */
 /* light 3.1, 5.1 */
 static uint8_t shade(const fxl_shader *shader, const fxl_traversal *traversal,
                      const fxl_instance *instance, const fxl_face *face, uint8_t full)
@@ -108,10 +107,10 @@ static uint8_t shade(const fxl_shader *shader, const fxl_traversal *traversal,
 fxl_status fxl_attach_light(fxl_renderer *renderer, fxl_light *light,
                             const fxl_light_settings *settings)
 {
-    static const fxl_shader_code of_palette = {
+    static const fxl_shader_code of_table = {
         reaches, fxl_submit_coloured_face, NULL, colour, NULL, NULL};
-    static const fxl_shader_code of_565 = {reaches, fxl_submit_coloured_face, NULL, shade, NULL,
-                                           NULL};
+    static const fxl_shader_code of_mixed = {
+        reaches, fxl_submit_coloured_face, NULL, shade, NULL, NULL};
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
@@ -132,7 +131,7 @@ fxl_status fxl_attach_light(fxl_renderer *renderer, fxl_light *light,
     light->settings = *settings;
     /* A renderer with an attachment keeps its target's pixels. */
     light->shader.code =
-        renderer->target != NULL && renderer->target->pixel_bits == 16 ? &of_565 : &of_palette;
+        renderer->target != NULL && renderer->target->is_mixed ? &of_mixed : &of_table;
     fxl_renderer_attach(renderer, FXL_SHADER_LIGHT, &light->shader);
     return FXL_OK;
 }

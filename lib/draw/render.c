@@ -324,19 +324,10 @@ void fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t 
     renderer->target->fill(band, colour);
 }
 
-/* place pixel-format: asks: the band that is drawn */
 /* rgb565 3.2 */
 static bool is_band_of(const fxl_lens *lens, const fxl_band *band)
 {
     return band->width == lens->width && fxl_band_is_within(band, lens->width, lens->height);
-}
-
-/* Whether a band's pixels are as wide as those that the renderer draws: a renderer has a palette of
- * 16 bits where its target is RGB565, and a band has one where its pixels are of 16 bits. */
-/* rgb565 3.2 */
-static bool has_pixels_of(const fxl_renderer *renderer, const fxl_band *band)
-{
-    return !band->palette == !renderer->palette;
 }
 
 fxl_status fxl_draw_in_workspace(const fxl_renderer *renderer, fxl_workspace *workspace,
@@ -346,7 +337,7 @@ fxl_status fxl_draw_in_workspace(const fxl_renderer *renderer, fxl_workspace *wo
         return fxl_refuse(workspace, FXL_E_ARGUMENT);
     }
     const fxl_frame *frame = &renderer->frame;
-    if (frame->state == FXL_FRAME_NONE || !has_pixels_of(renderer, band)) {
+    if (frame->state == FXL_FRAME_NONE || !fxl_has_pixels_of(renderer, band)) {
         return fxl_refuse(workspace, FXL_E_ORDER);
     }
     if (!is_band_of(&frame->view.lens, band)) {

@@ -154,18 +154,6 @@ static fxl_status check_memory(const void *memory, uint32_t size, uint32_t neede
     return memory != NULL ? FXL_OK : FXL_E_ARGUMENT;
 }
 
-/* place pixel-format: asks: which palette a renderer takes */
-static fxl_status check_palette(const fxl_config *config)
-{
-    if (config->target->pixel_bits != 16) {
-        return FXL_OK;
-    }
-    if (config->palette == NULL) {
-        return FXL_E_ARGUMENT;
-    }
-    return ((uintptr_t)config->palette & 1u) != 0 ? FXL_E_ALIGNMENT : FXL_OK;
-}
-
 FXL_COLD fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_config *config)
 {
     const fxl_target *target = config->target;
@@ -173,7 +161,7 @@ FXL_COLD fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_con
     const uint32_t tree = order_size(order, renderer->scene);
     const uint32_t depth =
         target->memory_size != NULL ? target->memory_size(&renderer->frame.view.lens) : 0;
-    fxl_status status = check_palette(config);
+    fxl_status status = fxl_check_palette(config);
     if (status == FXL_OK) {
         status = check_memory(config->tree, config->tree_size, tree);
     }
@@ -190,7 +178,7 @@ FXL_COLD fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_con
     renderer->target = target;
     renderer->near_first = target->near_first;
     renderer->check = NULL;
-    renderer->palette = target->pixel_bits == 16 ? config->palette : NULL;
+    renderer->palette = target->has_palette ? config->palette : NULL;
     if (target->extras != NULL) {
         renderer->draw_display_list =
             target->extras->draw_display_list; /* it draws flat records, too */

@@ -3,6 +3,7 @@
 #ifndef FXL_RENDERER_H
 #define FXL_RENDERER_H
 
+#include "../raster/columns.h"
 #include "fixel/render.h"
 
 /* Counts a call that is refused; answers its status. */
@@ -19,6 +20,13 @@ static inline void fxl_workspace_begin(fxl_workspace *workspace, bool counted)
     workspace->rest_counted = counted;
     workspace->screen.shade = 0;             /* a light may have been detached */
     workspace->sorted_instance = UINT16_MAX; /* none: instances in sight are fewer */
+}
+
+/* Whether a band's pixels are of the kind that the renderer draws. */
+/* rgb565 3.2 */
+static inline bool fxl_has_pixels_of(const fxl_renderer *renderer, const fxl_band *band)
+{
+    return fxl_kind_of_band(band).is_colour == fxl_kind_of_palette(renderer->palette).is_colour;
 }
 
 /* Draws a band in a workspace that was set up for the renderer, as fxl_frame_draw does. */
@@ -41,6 +49,19 @@ static inline fxl_status fxl_begin_one_band(fxl_renderer *renderer, const fxl_po
  * the memory of a configuration. Requires a target. FXL_E_ARGUMENT, FXL_E_ALIGNMENT,
  * FXL_E_CAPACITY: its order and target are untouched. */
 fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_config *config);
+
+/* Whether a configuration has the palette that its target needs. FXL_E_ARGUMENT: a null palette.
+ * FXL_E_ALIGNMENT: one at an odd address. */
+static inline fxl_status fxl_check_palette(const fxl_config *config)
+{
+    if (!config->target->has_palette) {
+        return FXL_OK;
+    }
+    if (config->palette == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    return ((uintptr_t)config->palette & 1u) != 0 ? FXL_E_ALIGNMENT : FXL_OK;
+}
 
 /* The order that a configuration asks for. */
 static inline const fxl_order *fxl_order_of(const fxl_config *config)

@@ -2,6 +2,6 @@
 /* place pixel-format: a new file beside it */
 #define FXL_TARGET            fxl_rgb565_depth_16
 #define FXL_TARGET_SPRITES    fxl_rgb565_depth_16_sprites
-#define FXL_TARGET_PIXEL_BITS 16
+#define FXL_TARGET_FORMAT     FXL_RGB565_PIXELS
 #define FXL_TARGET_DEPTH_BITS 16
 #include "sprites_text.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The text of all painters of billboards. The file that includes this one defines FXL_TARGET,
- * FXL_TARGET_PIXEL_BITS and FXL_TARGET_DEPTH_BITS as for target_text.h, and
+ * FXL_TARGET_FORMAT and FXL_TARGET_DEPTH_BITS as for target_text.h, and
  *
  *   FXL_TARGET_SPRITES  the painter's name
  *
@@ -12,13 +12,6 @@
 #include "../paint/billboard_walk.h"
 #include "../raster/columns.h"
 #include "pixel_row.h"
-
-/* place pixel-format: the texts of all targets */
-#if FXL_TARGET_PIXEL_BITS == 8
-#define PIXEL_OF(band, colour) (colour)
-#else
-#define PIXEL_OF(band, colour) ((band)->palette[colour])
-#endif
 
 #if FXL_TARGET_DEPTH_BITS == 0
 
@@ -151,7 +144,7 @@ static inline void paint_row(fxl_billboard_row *row, const void *with)
         const uint32_t value =
             fxl_sprite_value(row->sprite, row->texels, row->along.texel, row->shift);
         if (value != row->sprite->key && is_visible(place, cells, x)) {
-            pixels[x] = PIXEL_OF(place->band, fxl_sprite_colour(row->sprite, value));
+            pixels[x] = FXL_PIXEL_OF_ENTRY(place->band, fxl_sprite_colour(row->sprite, value));
             keep(place, cells, x);
         }
         fxl_take_step(&row->along);

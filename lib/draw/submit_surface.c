@@ -330,7 +330,6 @@ const fxl_model_view *fxl_surfaces_view(const fxl_traversal *traversal,
     return model_view;
 }
 
-/* place pixel-format: asks: the check of surfaces */
 /* combinations 1.1, 1.3, surfaces 6.4 */
 fxl_status fxl_attach_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
                                const fxl_surface_set *set, const fxl_painter *painter)

@@ -174,15 +174,12 @@ static inline run_memory *run_memory_of(fxl_scan *scan)
 /* A kernel of rows: fxl_paint_runs. */
 typedef bool run_kernel(fxl_plain_runs *runs);
 
-/* place pixel-format: the texts of all targets */
 /* The kernel for the rows of a face; null: none. */
 static inline run_kernel *run_kernel_of(const fxl_paint *paint, const fxl_segment_face *segments)
 {
-#if FXL_TARGET_PIXEL_BITS == 8
-    if (segments != NULL && paint->ramp != NULL && paint->in_beam == NULL) {
-        return fxl_paint_lit_runs;
+    if (!FXL_PIXEL_IS_MIXED && segments != NULL && paint->ramp != NULL && paint->in_beam == NULL) {
+        return PAINT_LIT_RUNS;
     }
-#endif
     return has_plain_rows(paint, segments) ? PAINT_RUNS : NULL;
 }
 
@@ -237,7 +234,7 @@ static __attribute__((noinline)) bool paint_plain(const fxl_paint *paint,
     fxl_plain_runs runs;
     int32_t y = -1; /* of the row that comes next */
     runs.row.segments = segments;
-    runs.stride = band->stride * (FXL_TARGET_PIXEL_BITS / 8);
+    runs.stride = band->stride * (FXL_PIXEL_BITS / 8);
     fxl_find_downs(gradients, runs.downs);
     runs.downs[3] = gradients->attributes[FXL_SEGMENT_LIGHT].down;
     fxl_depth_rows_begin(depth, rows);
@@ -294,7 +291,7 @@ static ROWS_APART void paint_each_row(fxl_depth_painting *depth, const fxl_paint
                                       const fxl_screen_point *points, uint32_t count,
                                       const fxl_band *band, fxl_scan *scan)
 {
-    fxl_paint_polygon(paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8, scan,
+    fxl_paint_polygon(paint, segments, points, count, band, FXL_PIXEL_BITS / 8, scan,
                       paint_row, depth);
 }
 

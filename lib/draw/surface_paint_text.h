@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* How a polygon of a surface is painted in the format of a target: its paint, and the kernels for
- * its pixels. A part of surfaces_text.h. Internal. */
+/* How a polygon of a surface is painted in the format of a target (pixel_row.h): its paint, and the
+ * kernels for its pixels. No other part of surfaces_text.h names a format. Internal. */
 #ifndef FXL_SURFACE_PAINT_TEXT_H
 #define FXL_SURFACE_PAINT_TEXT_H
 
@@ -8,30 +8,26 @@
 #include "../paint/corner_colours.h"
 #include "../paint/paint_polygon.h"
 #include "../paint/texture_level.h"
+#include "pixel_row.h"
 #include "surface_polygon.h"
 
-/* place pixel-format: the texts of all targets */
-#if FXL_TARGET_PIXEL_BITS == 8
-#define PAINT_PIXELS fxl_paint_pixels
-#define PAINT_ROWS   fxl_paint_rows
-#define PAINT_RUNS   fxl_paint_runs
-#define PAINT_HOLES  fxl_paint_holes
-#define FIND_COLOURS NULL
-#else
-#define PAINT_PIXELS fxl_paint_pixels_565
-#define PAINT_ROWS   fxl_paint_rows_565
-#define PAINT_RUNS   fxl_paint_runs_565
-#define PAINT_HOLES  fxl_paint_holes_565
-#define FIND_COLOURS fxl_find_colours
-#endif
+/* place pixel-format: how surfaces are painted in a format */
+#if FXL_TARGET_FORMAT == FXL_RGB565_PIXELS
 
-#if FXL_TARGET_PIXEL_BITS == 16
+#define PAINT_PIXELS   fxl_paint_pixels_565
+#define PAINT_ROWS     fxl_paint_rows_565
+#define PAINT_RUNS     fxl_paint_runs_565
+#define PAINT_LIT_RUNS NULL
+#define PAINT_HOLES    fxl_paint_holes_565
+#define FIND_COLOURS   fxl_find_colours
+#define HAS_COLOURS    1 /* at corners */
 
 /* place light: RGB565: the part of a colour that light leaves of a lit surface */
-/* Requires paint->ramp. */
-static inline void mix_light(const fxl_surfaces *surfaces, fxl_paint *paint)
+/* What a paint of colours needs to show light. Requires paint->ramp. */
+static inline void mix_light(const fxl_surfaces *surfaces, const fxl_band *band, fxl_paint *paint)
 {
     const uint32_t levels = paint->levels_less_1;
+    paint->of_565.palette = band->palette;
     paint->of_565.part_of_level = (65536u + levels / 2) / levels;
     paint->of_565.dark = surfaces->light->settings.dark;
 }
@@ -47,7 +43,7 @@ static void paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *po
     of->part_of_level = 0;
     of->dark = 0;
     if (paint->ramp != NULL) {
-        mix_light(surfaces, paint);
+        mix_light(surfaces, band, paint);
     }
     if (paint->is_evenly_lit) {
         paint->ramp = NULL;
@@ -69,6 +65,21 @@ static const fxl_segment_face *segments_of(const fxl_paint *paint, fxl_segment_f
 }
 
 #else
+
+#define PAINT_PIXELS   fxl_paint_pixels
+#define PAINT_ROWS     fxl_paint_rows
+#define PAINT_RUNS     fxl_paint_runs
+#define PAINT_LIT_RUNS fxl_paint_lit_runs
+#define PAINT_HOLES    fxl_paint_holes
+#define FIND_COLOURS   NULL
+#define HAS_COLOURS    0
+
+static inline void mix_light(const fxl_surfaces *surfaces, const fxl_band *band, fxl_paint *paint)
+{
+    (void)surfaces;
+    (void)band;
+    (void)paint;
+}
 
 static void paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,
                      const fxl_band *band, fxl_paint *paint)
@@ -97,7 +108,7 @@ static const fxl_segment_face *segments_of(const fxl_paint *paint, fxl_segment_f
 static inline bool has_plain_rows(const fxl_paint *paint, const fxl_segment_face *segments)
 {
     return !FXL_IS_COMPACT && segments != NULL && paint->ramp == NULL &&
-           (FXL_TARGET_PIXEL_BITS == 16 ? !paint->is_evenly_lit : paint->in_beam == NULL);
+           (FXL_PIXEL_IS_MIXED ? !paint->is_evenly_lit : paint->in_beam == NULL);
 }
 
 #endif

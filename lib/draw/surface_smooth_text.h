@@ -9,13 +9,6 @@
 
 #if FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
 
-/* place pixel-format: the texts of all targets */
-#if FXL_TARGET_PIXEL_BITS == 16
-#define DRAW_SMOOTH fxl_draw_smooth_outline_16
-#else
-#define DRAW_SMOOTH fxl_draw_smooth_outline_8
-#endif
-
 /* Draws a polygon by the kernel of smooth outlines: an opaque one that is lit and in no beam, whose
  * planes are in words, where the kernel can draw. What it needs of a paint is found here alone. Not
  * inline: what it has would stay on the stack of others. */
@@ -29,13 +22,10 @@ draw_words(const fxl_surfaces *surfaces, fxl_workspace *workspace,
     fxl_surface_light_of(surfaces, &paint);
     paint.gradients = &polygon->gradients;
     paint.colour = colour;
-#if FXL_TARGET_PIXEL_BITS == 16
-    paint.of_565.palette = band->palette;
-    mix_light(surfaces, &paint);
-#endif
+    mix_light(surfaces, band, &paint);
     fxl_smooth_outline_set((const fxl_depth_head *)workspace->target_memory, &polygon->depth,
-                           &paint, band, FXL_TARGET_PIXEL_BITS / 8, &smooth);
-    return DRAW_SMOOTH(points, count, band, &smooth);
+                           &paint, band, FXL_PIXEL_BITS / 8, &smooth);
+    return FXL_DRAW_SMOOTH(points, count, band, &smooth);
 }
 
 /* The same, whether the cells of its rows are cleared or not. */
@@ -58,7 +48,7 @@ static inline fxl_depth_drawn clear_and_draw_words(const fxl_surfaces *surfaces,
 static inline bool can_draw_smooth(const fxl_workspace *workspace, const fxl_band *band)
 {
     return fxl_depth_outline_can_draw((const fxl_depth_head *)workspace->target_memory, band,
-                                      FXL_TARGET_PIXEL_BITS / 8);
+                                      FXL_PIXEL_BITS / 8);
 }
 
 /* Draws any polygon in words by that kernel, where it can. */

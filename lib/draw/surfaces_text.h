@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The text of all painters of surfaces. The file that includes this one defines FXL_TARGET,
- * FXL_TARGET_PIXEL_BITS and FXL_TARGET_DEPTH_BITS as for target_text.h, and
+ * FXL_TARGET_FORMAT and FXL_TARGET_DEPTH_BITS as for target_text.h, and
  *
  *   FXL_TARGET_SURFACES  the painter's name
  *
@@ -16,12 +16,11 @@
 
 #if FXL_TARGET_DEPTH_BITS == 0
 
-/* place pixel-format: the texts of all targets */
 /* fxl_row_painter. */
 static inline __attribute__((always_inline)) void
 paint_row(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
-    if (FXL_TARGET_PIXEL_BITS == 8 && !FXL_IS_COMPACT) {
+    if (!FXL_PIXEL_IS_MIXED && !FXL_IS_COMPACT) {
         fxl_paint_simply(with, paint, row, x0, x1);
     } else {
         PAINT_PIXELS(paint, row, x0, x1);
@@ -39,11 +38,11 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     paint_of(surfaces, polygon, band, &paint);
     const fxl_segment_face *segments = segments_of(&paint, &face);
     if (has_plain_rows(&paint, segments)) {
-        fxl_paint_plain_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
+        fxl_paint_plain_polygon(&paint, segments, points, count, band, FXL_PIXEL_BITS / 8,
                                 &workspace->work.scan, PAINT_ROWS, PAINT_PIXELS);
-    } else if (FXL_IS_COMPACT || FXL_TARGET_PIXEL_BITS == 8 || !paint.has_colours ||
+    } else if (FXL_IS_COMPACT || !HAS_COLOURS || !paint.has_colours ||
                !fxl_paint_colour_polygon(&paint, points, count, band, &workspace->work.scan)) {
-        fxl_paint_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
+        fxl_paint_polygon(&paint, segments, points, count, band, FXL_PIXEL_BITS / 8,
                           &workspace->work.scan, paint_row, NULL);
     }
     return false;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #define FXL_TARGET            fxl_palette_depth_32
-#define FXL_TARGET_PIXEL_BITS 8
+#define FXL_TARGET_FORMAT     FXL_PALETTE_PIXELS
 #define FXL_TARGET_DEPTH_BITS 32
 #include "target_text.h"

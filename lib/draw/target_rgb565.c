@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* place pixel-format: a new file beside it */
 #define FXL_TARGET            fxl_rgb565
-#define FXL_TARGET_PIXEL_BITS 16
+#define FXL_TARGET_FORMAT     FXL_RGB565_PIXELS
 #define FXL_TARGET_DEPTH_BITS 0
 #include "target_text.h"

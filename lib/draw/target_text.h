@@ -3,15 +3,13 @@
  * defines:
  *
  *   FXL_TARGET             the target's name
- *   FXL_TARGET_PIXEL_BITS  8 or 16
+ *   FXL_TARGET_FORMAT      a format of pixel_row.h
  *   FXL_TARGET_DEPTH_BITS  0, 16 or 32
  *
  * So no target tests at run time what it is. Internal. */
 #ifndef FXL_TARGET_TEXT_H
 #define FXL_TARGET_TEXT_H
 
-#include "../raster/columns.h"
-#include "../raster/draw_outline.h"
 #include "../raster/fill.h"
 #include "../raster/scan.h"
 #include "../view/model_view.h"
@@ -21,18 +19,10 @@
 
 #if FXL_TARGET_DEPTH_BITS == 0
 
-/* place pixel-format: the texts of all targets */
 /* A face goes from the clipper straight to here where it can (render.c). */
 static bool flat(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band)
 {
-    fxl_scan *scan = &workspace->work.scan;
-#if FXL_TARGET_PIXEL_BITS == 16
-    return fxl_draw_outline_rgb565(
-        scan, polygon, band,
-        fxl_filling_of(band, polygon->colour, polygon->shade, workspace->dark));
-#else
-    return fxl_draw_outline(scan, polygon, band, polygon->colour);
-#endif
+    return fxl_draw_flat(&workspace->work.scan, polygon, band, workspace->dark);
 }
 
 #else
@@ -107,17 +97,13 @@ static inline fxl_depth_drawn draw_outline(const fxl_workspace *workspace,
 {
 #if FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
     fxl_depth_outline outline;
-    if (!fxl_depth_outline_begin(workspace->target_memory, plane, band, FXL_TARGET_PIXEL_BITS / 8,
+    if (!fxl_depth_outline_begin(workspace->target_memory, plane, band, FXL_PIXEL_BITS / 8,
                                  &outline)) {
         return FXL_DEPTH_NOT_DRAWN;
     }
-    outline.filling = fxl_filling_of(band, colour, shade, workspace->dark);
-#if FXL_TARGET_PIXEL_BITS == 16
-    outline.filling *= 65537u;
-    return fxl_draw_depth_outline_16(points, count, band, &outline);
-#else
-    return fxl_draw_depth_outline_8(points, count, band, &outline);
-#endif
+    outline.filling =
+        fxl_filling_word(fxl_filling_of(band, colour, shade, workspace->dark));
+    return FXL_DRAW_DEPTH_OUTLINE(points, count, band, &outline);
 #else
     (void)workspace;
     (void)plane;
@@ -201,7 +187,7 @@ find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
     }
     polygon->level = 0;
     polygon->colour = face->material;
-    polygon->shade = FXL_TARGET_PIXEL_BITS == 16 ? traversal->workspace->screen.shade : 0;
+    polygon->shade = FXL_PIXEL_IS_MIXED ? traversal->workspace->screen.shade : 0;
     polygon->is_in_beam = false;
     polygon->is_evenly_lit = false;
     polygon->has_depth = true;
@@ -240,7 +226,7 @@ static inline bool draw_polygon(const fxl_model_view *model_view, const fxl_face
 {
     fxl_workspace *workspace = traversal->workspace;
     const fxl_screen_polygon *screen = &workspace->screen;
-    const uint8_t shade = FXL_TARGET_PIXEL_BITS == 16 ? screen->shade : 0;
+    const uint8_t shade = FXL_PIXEL_IS_MIXED ? screen->shade : 0;
     fxl_depth_plane plane;
     fxl_find_depth_by_normal(model_view, face, traversal, &plane);
     return paint_flat_here(workspace, &plane, screen->points, screen->count, face->material, shade,
@@ -318,15 +304,14 @@ static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspa
     if (status != FXL_OK) {
         return fxl_refuse(workspace, status);
     }
-#if FXL_TARGET_PIXEL_BITS == 16
-    workspace->dark = renderer->dark;
-#endif
-    fxl_depth_draw_parts(renderer, workspace, band, FXL_TARGET_DEPTH_BITS / 8,
-                         FXL_TARGET_PIXEL_BITS / 8);
+    if (FXL_PIXEL_IS_MIXED) {
+        workspace->dark = renderer->dark;
+    }
+    fxl_depth_draw_parts(renderer, workspace, band, FXL_TARGET_DEPTH_BITS / 8, FXL_PIXEL_BITS / 8);
     return FXL_OK;
 }
 
-#elif FXL_TARGET_PIXEL_BITS == 16
+#elif FXL_PIXEL_IS_MIXED
 
 static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
                             const fxl_band *band)
@@ -341,46 +326,21 @@ static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspa
 
 #endif
 
-#if FXL_TARGET_PIXEL_BITS == 16
-
-/* Pixels at an odd address stay: draw_band then says why. */
-static void fill(const fxl_band *band, uint8_t colour)
-{
-    if (!fxl_is_aligned_band(band)) {
-        return;
-    }
-    if (FXL_IS_COMPACT) {
-        uint16_t *row = fxl_pixels_of_row(band, band->first_row);
-        for (uint32_t rows = band->rows; rows > 0; rows--, row += band->stride) {
-            fxl_fill_row_rgb565(row, row + fxl_band_columns(band), band->palette[colour]);
-        }
-        return;
-    }
-    const fxl_trapezoid rows = {(int16_t)band->first_row,
-                                (int16_t)(band->first_row + band->rows),
-                                {{0, 0, 0, 0}, {(int32_t)fxl_band_columns(band), 0, 0, 0}}};
-    fxl_fill_trapezoid_rgb565(band, &rows, band->palette[colour]);
-}
-
-#endif
-
 const fxl_target FXL_TARGET = {
-    .pixel_bits = FXL_TARGET_PIXEL_BITS,
+    .pixel_bits = FXL_PIXEL_BITS,
     .depth_bits = FXL_TARGET_DEPTH_BITS,
     .draws_over = FXL_TARGET_DEPTH_BITS == 0,
     .near_first = FXL_TARGET_DEPTH_BITS != 0,
-#if FXL_TARGET_PIXEL_BITS == 16
-    .fill = fill,
-#else
-    .fill = fxl_fill_band,
-#endif
-#if FXL_TARGET_PIXEL_BITS == 16 || FXL_TARGET_DEPTH_BITS != 0
+    .has_palette = FXL_PIXEL_HAS_PALETTE,
+    .is_mixed = FXL_PIXEL_IS_MIXED,
+    .fill = FXL_FILL_BAND,
+#if FXL_PIXEL_IS_MIXED || FXL_TARGET_DEPTH_BITS != 0
     .choose = fxl_choose_with_memory,
 #endif
 #if FXL_TARGET_DEPTH_BITS != 0
     .memory_size = memory_size,
 #endif
-#if FXL_TARGET_PIXEL_BITS == 16 || FXL_TARGET_DEPTH_BITS != 0
+#if FXL_PIXEL_IS_MIXED || FXL_TARGET_DEPTH_BITS != 0
     .draw_band = draw_band,
 #else
     .draw_band = fxl_draw_band,

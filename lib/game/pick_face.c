@@ -280,17 +280,15 @@ static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_
 
 /* --- billboards ----------------------------------------------------------------------------- */
 
-/* place pixel-format: asks: the colour of a face that is picked */
 /* The entry of the palette that a pixel shows: in RGB565 the first of its colour. */
 /* pick 2.3 */
 static uint8_t colour_of(const probe *of, uint32_t pixel)
 {
-    const uint16_t *palette = of->band.palette;
     uint32_t colour = 0;
-    if (palette == NULL) {
+    if (!fxl_kind_of_band(&of->band).is_colour) {
         return (uint8_t)pixel;
     }
-    while (colour < 255 && palette[colour] != (uint16_t)pixel) {
+    while (colour < 255 && of->band.palette[colour] != (uint16_t)pixel) {
         colour++;
     }
     return (uint8_t)colour;
@@ -364,13 +362,13 @@ static void begin_probe(probe *of, fxl_renderer *renderer, uint16_t x, uint16_t 
     const fxl_shader shader = {renderer->shader, FXL_SHADER_TARGET, &code};
     const fxl_target *target = renderer->target;
     const uint16_t width = renderer->frame.view.lens.width;
-    const bool is_wide = target->pixel_bits == 16;
     of->renderer = renderer;
     of->x = x;
     const fxl_band row = {.width = width, .stride = width, .first_row = y, .rows = 1};
     of->band = row;
-    of->band.pixels = (uint8_t *)((uintptr_t)&of->pixel - (is_wide ? 2u * x : x));
-    of->band.palette = is_wide ? renderer->palette : NULL;
+    of->band.palette = renderer->palette;
+    of->band.pixels = (uint8_t *)((uintptr_t)&of->pixel -
+                                  fxl_pixel_bytes(fxl_kind_of_band(&of->band), x));
     of->cell = NULL;
     if (target->depth_bits != 0) {
         of->cell = (uint8_t *)renderer->workspace.target_memory + sizeof(fxl_depth_head) +

@@ -17,8 +17,8 @@ FXL_APART void paint_special(const fxl_segment_face *face, const fxl_paint_row *
     uint32_t position = run->position, texel;
     for (const uint32_t end = x + count; x != end; x++, position += run->step) {
         const uint32_t place = fxl_segment_place(face, position);
-        if (fxl_special_texel(face, row, x, place, face->palette == NULL, &texel)) {
-            pixels[x] = (uint16_t)(face->palette != NULL ? face->palette[texel] : texel);
+        if (fxl_special_texel(face, row, x, place, fxl_texels_are_colours(face), &texel)) {
+            pixels[x] = (uint16_t)(fxl_texels_are_colours(face) ? texel : face->palette[texel]);
         }
     }
 }
@@ -37,7 +37,7 @@ static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_ro
     const uint32_t step = run->step, mask = face->rows_mask, row_drop = face->row_drop;
     const uint32_t column_drop = 32u - face->log_width;
     uint32_t position = run->position;
-    if (palette == NULL) {
+    if (fxl_texels_are_colours(face)) {
         for (; pixels != end; position += step) {
             *pixels++ = colours[(position >> row_drop & mask) + (position >> column_drop)];
         }

@@ -105,6 +105,12 @@ struct fxl_segment_face {
     uint8_t kind;         /* FXL_TEXELS_PLAIN and so on; others than that have form 0 */
 };
 
+/* Of fxl_paint_segments_565: whether the texels are the colours of pixels, and no entries. */
+static inline bool fxl_texels_are_colours(const fxl_segment_face *face)
+{
+    return face->palette == NULL;
+}
+
 /* place stipple: the order of the pattern's bits, which the kernels read */
 /* The pixels that an opacity draws, as bits: `stipple`. */
 uint32_t fxl_stipple_of(uint32_t opacity);

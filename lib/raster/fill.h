@@ -14,10 +14,13 @@ extern "C" {
  * of cores has its own, and all write the same bytes. */
 void fxl_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, uint8_t colour);
 
-/* place pixel-format: asks: how a row is filled */
+/* place pixel-format: rows of a wider pixel */
 /* The same for a band of RGB565, whose pixels have an even address. */
 void fxl_fill_trapezoid_rgb565(const fxl_band *band, const fxl_trapezoid *trapezoid,
                                uint16_t colour);
+
+/* fxl_fill_band for such a band. One at an odd address stays: the call that draws says why. */
+void fxl_fill_band_rgb565(const fxl_band *band, uint8_t colour);
 
 /* Sets the pixels from one (included) to an end (not included). */
 void fxl_fill_row_rgb565(uint16_t *pixel, uint16_t *end, uint16_t colour);
@@ -47,17 +50,6 @@ static inline void fxl_fill_row(uint8_t *pixel, uint8_t *end, uint32_t four)
     }
     while (pixel != end) {
         *pixel++ = (uint8_t)four;
-    }
-}
-
-/* Gives a pixel a colour of the palette, in the band's format. place: in pixels, from the band's
- * first pixel. */
-static inline void fxl_set_pixel(const fxl_band *band, size_t place, uint8_t colour)
-{
-    if (band->palette == NULL) {
-        band->pixels[place] = colour;
-    } else {
-        ((uint16_t *)(void *)band->pixels)[place] = band->palette[colour];
     }
 }
 

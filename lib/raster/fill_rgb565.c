@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../math/arith.h"
 #include "../math/family.h"
+#include "columns.h"
 #include "fill.h"
 
 /* place pixel-format: a new file beside it: rows and trapezoids of one colour */
@@ -16,6 +17,25 @@ void fxl_fill_row_rgb565(uint16_t *pixel, uint16_t *end, uint16_t colour)
     if (whole != end) {
         *whole = colour;
     }
+}
+
+/* rgb565 1.2 */
+void fxl_fill_band_rgb565(const fxl_band *band, uint8_t colour)
+{
+    if (!fxl_band_is_even(band)) {
+        return;
+    }
+    if (FXL_IS_COMPACT) {
+        uint16_t *row = (uint16_t *)(void *)band->pixels;
+        for (uint32_t rows = band->rows; rows > 0; rows--, row += band->stride) {
+            fxl_fill_row_rgb565(row, row + fxl_band_columns(band), band->palette[colour]);
+        }
+        return;
+    }
+    const fxl_trapezoid rows = {(int16_t)band->first_row,
+                                (int16_t)(band->first_row + band->rows),
+                                {{0, 0, 0, 0}, {(int32_t)fxl_band_columns(band), 0, 0, 0}}};
+    fxl_fill_trapezoid_rgb565(band, &rows, band->palette[colour]);
 }
 
 #if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M

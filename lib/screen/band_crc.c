@@ -3,7 +3,6 @@
 #include "fixel/crc.h"
 #include "overlay_band.h"
 
-/* place pixel-format: asks: the bytes of which a frame has the CRC */
 /* Pixels of RGB565 whose bytes are put in order at a time: 32 bytes of stack. */
 #define TURNED_MAX 16u
 
@@ -32,7 +31,7 @@ fxl_status fxl_band_crc(uint32_t *crc, const fxl_band *band)
     const uint32_t columns = fxl_band_columns(band);
     for (uint32_t row = 0; row < band->rows; row++) {
         const size_t place = (size_t)row * band->stride; /* < 2^32: 16 bits by 16 bits */
-        if (band->palette != NULL) {
+        if (fxl_kind_of_band(band).is_colour) {
             const uint16_t *pixels = (const uint16_t *)(const void *)band->pixels;
             *crc = continue_by_colours(*crc, pixels + place, columns);
         } else {

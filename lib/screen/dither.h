@@ -3,6 +3,7 @@
 #ifndef FXL_DITHER_H
 #define FXL_DITHER_H
 
+#include "../raster/columns.h"
 #include "fixel/pixels.h"
 
 #ifdef __cplusplus
@@ -20,16 +21,15 @@ static inline uint32_t fxl_dithered(uint32_t entry, const uint8_t *dither, uint3
     return (entry + dither[x & 7u]) >> 7;
 }
 
-/* place pixel-format: the grey of a colour of 16 bits */
 /* The level, 0..highest, of a pixel of a row: a palette index of prepared pixels, or a colour of
  * RGB565. */
 /* formats 4.2 */
-static inline uint32_t fxl_dithered_pixel(const fxl_pixels *pixels, const void *row, bool is_wide,
-                                          uint32_t highest, const uint8_t *dither, uint32_t x)
+static inline uint32_t fxl_dithered_pixel(const fxl_pixels *pixels, const void *row,
+                                          fxl_pixel_kind kind, uint32_t highest, const uint8_t *dither, uint32_t x)
 {
-    const uint32_t entry = is_wide
-                               ? fxl_grey_of_rgb565(((const uint16_t *)row)[x], highest)
-                               : pixels->entries[((const uint8_t *)row)[x]];
+    const uint32_t pixel = fxl_pixel_at(kind, row, x);
+    const uint32_t entry = kind.is_colour ? fxl_grey_of_rgb565((uint16_t)pixel, highest)
+                                          : pixels->entries[pixel];
     return fxl_dithered(entry, dither, x);
 }
 

@@ -10,26 +10,25 @@ static void prepare(uint16_t *entries, const uint8_t *palette)
     fxl_grey_table(entries, palette, HIGHEST);
 }
 
-/* place pixel-format: asks: what a band is converted from */
 /* formats 4.4 */
 static void convert(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out)
 {
     const uint8_t *row = band->pixels;
-    const bool is_wide = band->palette != NULL;
+    const fxl_pixel_kind kind = fxl_kind_of_band(band);
     const uint32_t end = fxl_band_end_column(band);
     for (uint32_t y = band->first_row; y < (uint32_t)band->first_row + band->rows; y++) {
         const uint8_t *dither = fxl_dither_row(y);
         uint32_t x = band->first_column;
         for (; x + 1u < end; x += 2) {
-            const uint32_t left = fxl_dithered_pixel(pixels, row, is_wide, HIGHEST, dither, x);
+            const uint32_t left = fxl_dithered_pixel(pixels, row, kind, HIGHEST, dither, x);
             const uint32_t right =
-                fxl_dithered_pixel(pixels, row, is_wide, HIGHEST, dither, x + 1u);
+                fxl_dithered_pixel(pixels, row, kind, HIGHEST, dither, x + 1u);
             *out++ = (uint8_t)(left << 4 | right);
         }
         if (x < end) {
-            *out++ = (uint8_t)(fxl_dithered_pixel(pixels, row, is_wide, HIGHEST, dither, x) << 4);
+            *out++ = (uint8_t)(fxl_dithered_pixel(pixels, row, kind, HIGHEST, dither, x) << 4);
         }
-        row += (size_t)band->stride << is_wide;
+        row += fxl_pixel_bytes(kind, band->stride);
     }
 }
 

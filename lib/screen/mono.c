@@ -11,18 +11,17 @@ static void prepare(uint16_t *entries, const uint8_t *palette)
     fxl_grey_table(entries, palette, HIGHEST);
 }
 
-/* place pixel-format: asks: what a band is converted from */
 /* formats 4.4, pixels 1.2 */
 static void convert_rows(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out)
 {
     const uint8_t *row = band->pixels;
-    const bool is_wide = band->palette != NULL;
+    const fxl_pixel_kind kind = fxl_kind_of_band(band);
     const uint32_t first = band->first_column, end = fxl_band_end_column(band);
     for (uint32_t y = band->first_row; y < (uint32_t)band->first_row + band->rows; y++) {
         const uint8_t *dither = fxl_dither_row(y);
         uint32_t byte = 1; /* with eight more bits behind this 1 it is full */
         for (uint32_t x = first; x < end; x++) {
-            byte = byte << 1 | fxl_dithered_pixel(pixels, row, is_wide, HIGHEST, dither, x);
+            byte = byte << 1 | fxl_dithered_pixel(pixels, row, kind, HIGHEST, dither, x);
             if (byte > 0xFFu) {
                 *out++ = (uint8_t)byte;
                 byte = 1;
@@ -34,7 +33,7 @@ static void convert_rows(const fxl_pixels *pixels, const fxl_band *band, uint8_t
             }
             *out++ = (uint8_t)byte;
         }
-        row += (size_t)band->stride << is_wide;
+        row += fxl_pixel_bytes(kind, band->stride);
     }
 }
 
@@ -42,7 +41,7 @@ static void convert_rows(const fxl_pixels *pixels, const fxl_band *band, uint8_t
 static void convert_pages(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out)
 {
     const uint8_t *row = band->pixels;
-    const bool is_wide = band->palette != NULL;
+    const fxl_pixel_kind kind = fxl_kind_of_band(band);
     const uint32_t first = band->first_column, end = fxl_band_end_column(band);
     memset(out, 0, fxl_pixels_size(pixels->format, (uint16_t)(end - first), band->rows));
     for (uint32_t y = 0; y < band->rows; y++) { /* first_row is a multiple of 8 */
@@ -50,10 +49,10 @@ static void convert_pages(const fxl_pixels *pixels, const fxl_band *band, uint8_
         uint8_t *page = out + (size_t)(y / 8u) * (end - first);
         for (uint32_t x = first; x < end; x++) {
             const uint32_t level =
-                fxl_dithered_pixel(pixels, row, is_wide, HIGHEST, dither, x);
+                fxl_dithered_pixel(pixels, row, kind, HIGHEST, dither, x);
             page[x - first] = (uint8_t)(page[x - first] | level << (y & 7u));
         }
-        row += (size_t)band->stride << is_wide;
+        row += fxl_pixel_bytes(kind, band->stride);
     }
 }
 

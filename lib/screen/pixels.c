@@ -3,7 +3,6 @@
 
 #include "../raster/columns.h"
 
-/* place pixel-format: asks: what is sent */
 fxl_status fxl_pixels_init(fxl_pixels *pixels, const fxl_pixel_format *format,
                            const uint8_t *palette)
 {

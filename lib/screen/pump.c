@@ -2,17 +2,17 @@
 #include "fixel/pump.h"
 
 #include "../math/memory.h"
+#include "../raster/columns.h"
 
 static size_t align(size_t size)
 {
     return (size + 7u) & ~(size_t)7u;
 }
 
-/* place pixel-format: asks: what is sent */
 /* Bytes of a band as it is drawn. */
 static size_t drawn_size(const fxl_pump_config *config, uint32_t rows)
 {
-    return (size_t)config->width * rows * (config->palette != NULL ? sizeof(uint16_t) : 1u);
+    return fxl_pixel_bytes(fxl_kind_of_palette(config->palette), (size_t)config->width * rows);
 }
 
 /* Bytes of a band as they are sent. */
@@ -157,13 +157,14 @@ fxl_status fxl_pump_send(fxl_pump *pump)
     return status;
 }
 
-/* pixel: in bytes. */
 /* pixels 2.4 */
-static void copy_rows(uint8_t *to, const fxl_band *from, size_t pixel)
+static void copy_rows(uint8_t *to, const fxl_band *from)
 {
+    const fxl_pixel_kind kind = fxl_kind_of_band(from);
+    const size_t bytes = fxl_pixel_bytes(kind, from->width);
     for (uint32_t row = 0; row < from->rows; row++) {
-        memcpy(to + row * from->width * pixel, from->pixels + row * from->stride * pixel,
-               from->width * pixel);
+        memcpy(to + row * bytes,
+               from->pixels + row * fxl_pixel_bytes(kind, from->stride), bytes);
     }
 }
 
@@ -179,13 +180,13 @@ fxl_status fxl_pump_send_rows(fxl_pump *pump, const fxl_band *rows)
         return FXL_E_RANGE;
     }
     if (pump->config.pixels == NULL &&
-        (rows->palette != NULL) != (pump->config.palette != NULL)) {
+        fxl_kind_of_band(rows).shift != fxl_kind_of_palette(pump->config.palette).shift) {
         return FXL_E_COMBINATION;
     }
     uint8_t *bytes = pump->buffers[pump->free_buffer];
     fxl_status status = FXL_OK;
     if (pump->config.pixels == NULL) {
-        copy_rows(bytes, rows, rows->palette != NULL ? sizeof(uint16_t) : 1u);
+        copy_rows(bytes, rows);
     } else {
         status = fxl_pixels_convert(pump->config.pixels, rows, bytes, pump->buffer_size);
     }
@@ -220,7 +221,8 @@ fxl_status fxl_pump_frame(fxl_pump *pump, fxl_renderer *renderer, const fxl_pose
         return FXL_E_RANGE;
     }
     if (renderer->target != NULL &&
-        (renderer->target->pixel_bits == 16) != (pump->config.palette != NULL)) {
+        renderer->target->has_palette !=
+            fxl_kind_of_palette(pump->config.palette).is_colour) {
         return FXL_E_COMBINATION;
     }
     fxl_status status = fxl_frame_begin(renderer, eye);

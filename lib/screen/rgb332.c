@@ -12,7 +12,6 @@ static void prepare(uint16_t *entries, const uint8_t *palette)
     }
 }
 
-/* place pixel-format: asks: what a band is converted from */
 /* The same bits of a pixel of RGB565. */
 static uint32_t entry_of_rgb565(uint32_t colour)
 {
@@ -22,11 +21,12 @@ static uint32_t entry_of_rgb565(uint32_t colour)
 static void convert(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out)
 {
     const uint8_t *row = band->pixels;
-    const bool is_wide = band->palette != NULL;
-    for (uint32_t rows = band->rows; rows > 0; rows--, row += (size_t)band->stride << is_wide) {
+    const fxl_pixel_kind kind = fxl_kind_of_band(band);
+    for (uint32_t rows = band->rows; rows > 0; rows--, row += fxl_pixel_bytes(kind, band->stride)) {
         for (uint32_t x = band->first_column; x < fxl_band_end_column(band); x++) {
-            *out++ = (uint8_t)(is_wide ? entry_of_rgb565(((const uint16_t *)(const void *)row)[x])
-                                       : pixels->entries[row[x]]);
+            const uint32_t pixel = fxl_pixel_at(kind, row, x);
+            *out++ =
+                (uint8_t)(kind.is_colour ? entry_of_rgb565(pixel) : pixels->entries[pixel]);
         }
     }
 }

@@ -35,7 +35,6 @@ static bool core_has_red_first(void)
     return *(const uint8_t *)&red != 0;
 }
 
-/* place pixel-format: asks: what a band is converted from */
 /* Copies pixels of RGB565 with their bytes swapped: two at a time where both are aligned alike.
  * Compilers know the expression of a word: an instruction on cores that have it. */
 static void copy_swapped(uint16_t *out, const uint16_t *pixels, uint32_t count)
@@ -58,12 +57,12 @@ static void copy_swapped(uint16_t *out, const uint16_t *pixels, uint32_t count)
 static inline void convert(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out,
                            bool red_first)
 {
-    const bool is_wide = band->palette != NULL;
+    const fxl_pixel_kind kind = fxl_kind_of_band(band);
     const uint32_t columns = fxl_band_columns(band);
-    const uint8_t *row = band->pixels + (band->first_column << is_wide);
-    for (uint32_t rows = band->rows; rows > 0; rows--, row += (size_t)band->stride << is_wide) {
+    const uint8_t *row = band->pixels + fxl_pixel_bytes(kind, band->first_column);
+    for (uint32_t rows = band->rows; rows > 0; rows--, row += fxl_pixel_bytes(kind, band->stride)) {
         uint16_t *to = (uint16_t *)(void *)out;
-        if (!is_wide) {
+        if (!kind.is_colour) {
             fxl_row_to_16(row, columns, pixels->entries, to);
         } else if (red_first != core_has_red_first()) {
             copy_swapped(to, (const uint16_t *)(const void *)row, columns);

@@ -12,7 +12,6 @@ static void prepare(uint16_t *entries, const uint8_t *palette)
     }
 }
 
-/* place pixel-format: asks: what a band is converted from */
 /* A byte a channel, red first. Below the bits of RGB565 stand its upper ones again, so that white
  * is 255 in each. */
 static void write_bytes(uint8_t *out, uint32_t colour)
@@ -25,11 +24,11 @@ static void write_bytes(uint8_t *out, uint32_t colour)
 static void convert(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out)
 {
     const uint8_t *row = band->pixels;
-    const bool is_wide = band->palette != NULL;
-    for (uint32_t rows = band->rows; rows > 0; rows--, row += (size_t)band->stride << is_wide) {
+    const fxl_pixel_kind kind = fxl_kind_of_band(band);
+    for (uint32_t rows = band->rows; rows > 0; rows--, row += fxl_pixel_bytes(kind, band->stride)) {
         for (uint32_t x = band->first_column; x < fxl_band_end_column(band); x++, out += 3) {
-            write_bytes(out, is_wide ? ((const uint16_t *)(const void *)row)[x]
-                                     : pixels->entries[row[x]]);
+            const uint32_t pixel = fxl_pixel_at(kind, row, x);
+            write_bytes(out, kind.is_colour ? pixel : pixels->entries[pixel]);
         }
     }
 }

@@ -113,6 +113,22 @@ void prove_fill_band(void)
 }
 
 /* [[row]]
+ * function = "lib/raster/fill_rgb565.c:fxl_fill_band_rgb565"
+ * property = "nothing but the band is filled; bands of up to 3 rows of up to 16 pixels at any even address"
+ * checks = 360
+ * unwind = 4
+ * stubs = { fxl_fill_row = "fills any bytes of the band: its own text is within the row of fxl_fill_row_rgb565" }
+ */
+void prove_fill_band_rgb565(void)
+{
+    fxl_band band = any_band(2);
+    static const uint16_t palette[256];
+    band.palette = palette;
+    fxl_fill_band_rgb565(&band, nondet_u8());
+    PROOF_ENDS();
+}
+
+/* [[row]]
  * function = "fxl_edge_step"
  * property = "nothing overflows; by the step or one pixel more"
  * checks = 30
