@@ -50,7 +50,6 @@ static void attach(attached *to, uint32_t set)
     }
 }
 
-/* place pixel-format: random input */
 /* The frame that fxl_render has drawn, as another core would draw it: the same pixels. */
 static void draw_as_another(const attached *to)
 {
@@ -185,22 +184,20 @@ static void open(attached *made, const fxl_scene *scene, const fxl_lens *lens)
 
 void draw_attached(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose)
 {
-    static const fxl_target *const targets[] = {&fxl_palette, &fxl_palette_depth_16, &fxl_rgb565,
-                                                &fxl_rgb565_depth_32, &fxl_palette_spans};
     static attached made;
     open(&made, scene, lens);
     const fxl_memory memory = {made.order, scene->draw_list_needed, NULL, 0, NULL, 0};
     DEMAND(fxl_renderer_init_with(&made.renderer, scene, lens, &memory) == FXL_OK);
     misuse(&made);
-    for (uint32_t i = 0; i < sizeof targets / sizeof *targets; i++) {
+    for (uint32_t i = 0; i < DRAW_TARGETS; i++) {
         for (uint32_t set = 0; set < SETS; set++) {
             DEMAND(fxl_renderer_init_with(&made.renderer, scene, lens, &memory) == FXL_OK);
-            choose(&made, NULL, targets[i]);
+            choose(&made, NULL, draw_targets[i]);
             draw_set(&made, set, pose);
         }
         if (scene->bsp_nodes) {
             DEMAND(fxl_renderer_init_with(&made.renderer, scene, lens, &memory) == FXL_OK);
-            choose(&made, &fxl_by_tree, targets[i]);
+            choose(&made, &fxl_by_tree, draw_targets[i]);
             draw_set(&made, OUTLINES * (i & 1u), pose);
         }
     }
@@ -246,7 +243,6 @@ static fxl_setup_plan plan_of(const fxl_scene *scene, const fxl_config *config,
     return plan;
 }
 
-/* place pixel-format: random input */
 /* The pixels that two renderers draw of one scene are the same. */
 static void demand_same(fxl_renderer *by_setup, fxl_renderer *by_hand, const fxl_pose *pose,
                         const fxl_config *config)

@@ -63,9 +63,8 @@ enum {
     ATTACHED = 16
 };
 
-/* place pixel-format: the list of targets */
-static const fxl_target *const targets[] = {&fxl_palette, &fxl_palette_depth_16, &fxl_rgb565,
-                                            &fxl_rgb565_depth_32, &fxl_palette_spans};
+const fxl_target *const draw_targets[DRAW_TARGETS] = {&fxl_palette, &fxl_palette_depth_16, &fxl_rgb565,
+                                                      &fxl_rgb565_depth_32, &fxl_palette_spans};
 static const fxl_clipper *const clippers[] = {&fxl_clipper_view, &fxl_clipper_once,
                                               &fxl_clipper_half_spaces};
 
@@ -133,7 +132,7 @@ static void choose(sequence *of)
     const fxl_lens *lens = &of->lenses[of->now.lens];
     const uint32_t wide = FXL_DEPTH_BYTES(lens->width, lens->height, 32);
     const uint32_t spans = FXL_SPAN_BUFFER_BYTES_LEAST(lens->width, lens->height);
-    const fxl_target *target = targets[below(of, sizeof targets / sizeof *targets)];
+    const fxl_target *target = draw_targets[below(of, DRAW_TARGETS)];
     const bool stays = of->now.target != NULL && below(of, 2);
     fxl_config config = fxl_config_for(1, 1, stays ? of->now.target : target);
     config.palette = of->palette;

@@ -10,6 +10,13 @@ enum {
     DRAW_BACKGROUND = 0x11
 };
 
+/* place pixel-format: the list of targets */
+/* The targets that a scene is drawn into. */
+enum {
+    DRAW_TARGETS = 5
+};
+extern const fxl_target *const draw_targets[DRAW_TARGETS];
+
 /* Memory that ends where it should: so many bytes of 0x5A. Free it. */
 void *draw_memory(size_t size);
 
@@ -58,7 +65,6 @@ void draw_attach(fxl_renderer *renderer, draw_parts *parts, const fxl_surface_se
                  const fxl_painter *painter, bool is_lit);
 void draw_detach(fxl_renderer *renderer);
 
-/* place pixel-format: random input */
 /* Frames of 16 bits a pixel of a renderer's scene, with a set of surfaces and what only such frames
  * have: whole, in bands, and in another workspace. The renderer has no attachments before and after. */
 void draw_rgb565(fxl_renderer *renderer, draw_parts *parts, const fxl_surface_set *from,

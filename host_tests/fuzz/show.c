@@ -16,12 +16,12 @@ enum {
     GUARD = 0x5A
 };
 
-/* place pixel-format: random input */
 /* place converter: the list of formats */
 static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb565_low,
                                                   &fxl_pixels_rgb332, &fxl_pixels_rgb666,
                                                   &fxl_pixels_grey4,  &fxl_pixels_mono_rows,
      &fxl_pixels_mono_pages};
+#define FORMATS ((uint32_t)(sizeof formats / sizeof formats[0]))
 static const fxl_display_driver *const drivers[] = EVERY_DRIVER;
 #define DRIVERS (sizeof drivers / sizeof drivers[0])
 static uint8_t palette[3 * FXL_PALETTE_COLOURS];
@@ -197,11 +197,11 @@ static void fuzz_pump(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *ey
     static const uint16_t colours[256];
     static fxl_pixels pixels;
     static fxl_pump pump;
-    const uint32_t format = fuzz_below(in, 7);
+    const uint32_t format = fuzz_below(in, FORMATS + 1);
     fuzz_wires wires = {0, fuzz_below(in, 2) ? UINT32_MAX - 1u : fuzz_below(in, 20), NULL, 0};
     const fxl_pump_sink sink = {&wires, start, wait}, no_sink = {&wires, NULL, wait};
     fxl_pump_config config = {NULL, WIDTH, HEIGHT, (uint16_t)fuzz_below(in, HEIGHT + 2), NULL};
-    if (format < 6) {
+    if (format < FORMATS) {
         DEMAND(fxl_pixels_init(&pixels, formats[format], palette) == FXL_OK);
         config.pixels = &pixels;
     }

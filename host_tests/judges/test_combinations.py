@@ -27,6 +27,7 @@ from fixel.base.errors import ToolError
 from fixel.board import dump, emulator
 from fixel.image import image
 from fixel.scene import compiler
+from fixel.scene.target import VALUES
 
 PAGE = HERE.parents[1] / "docs" / "extras" / "combinations.md"
 BEGIN, END = "<!-- table -->\n", "<!-- end of table -->\n"
@@ -34,8 +35,8 @@ LEAST = 5           # per cent of the frame that an attribute must change
 LINE, BORDER = 1, 2     # palette indices
 WIDTH, HEIGHT = 64, 48
 
-# place pixel-format: TARGETS: what each target draws with each extra
-TARGETS = {f"{pixels}{f', depth {bits}' if bits else ''}": (pixels, bits) for pixels in ("palette", "rgb565") for bits in (0, 16, 32)}
+# place pixel-format: what the format cannot draw
+TARGETS = {f"{pixels}{f', depth {bits}' if bits else ''}": (pixels, bits) for pixels in VALUES["pixels"] for bits in (0, 16, 32)}
 WAYS = [(order, name) for order in ("distance", "tree") for name in TARGETS if order == "distance" or not TARGETS[name][1]]
 
 BASE = 'background = "#203040"\n%(top)s\n' + head(WIDTH, HEIGHT, [

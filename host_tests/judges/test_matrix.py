@@ -8,15 +8,16 @@ import json
 import pytest
 from conftest import CHECKOUT, run_cli, run_make, sampled
 
+from fixel.scene.target import VALUES
+
 BOARDS = ("mps2-an385", "microbit", "mps3-an547")
 FRAMES = 6
 # By distance, without a depth buffer and with one; and a scene with a tree, by it and without it.
 SCENES = [*((f"scenes/{scene}", ("--depth", depth)) for scene in ("gallery", "room", "car", "grove") for depth in ("0", "16")),
           ("scenes/knot", ("--order", "tree")), ("scenes/knot", ("--order", "distance", "--depth", "16"))]
-# place pixel-format: MATRIX: the scenes and the targets that are drawn on boards
 # Texels of RGB565 and colours that are added, which frames of a palette cannot show.
 TEXELS = [("host_tests/fuzz/scenes/texels", ("--depth", depth)) for depth in ("0", "16")]
-MATRIX = [*((board, scene, pixels, words) for board in BOARDS for scene, words in SCENES for pixels in ("palette", "rgb565")),
+MATRIX = [*((board, scene, pixels, words) for board in BOARDS for scene, words in SCENES for pixels in VALUES["pixels"]),
           *((board, scene, "rgb565", words) for board in BOARDS for scene, words in TEXELS)]
 FRAMES_OF = {"host_tests/fuzz/scenes/texels": 3}
 # What moves among the tree is cut to its leaves, for which the smallest board has too little memory. Its partition for scenes
@@ -26,7 +27,7 @@ NO_PARTITION = ("microbit", "scenes/gallery")
 
 
 def test_the_matrix_has_all_that_it_should():
-    assert len(MATRIX) == 66 and sum((board, scene, words) == NO_ROOM for board, scene, _, words in MATRIX) == 2
+    assert len(MATRIX) == 30 * len(VALUES["pixels"]) + 6 and sum((board, scene, words) == NO_ROOM for board, scene, _, words in MATRIX) == len(VALUES["pixels"])
 
 
 @pytest.mark.parametrize("board, scene, pixels, words", sampled("matrix", MATRIX, 4))

@@ -12,9 +12,9 @@ from scene_head import head
 from fixel.board import dump
 from fixel.image import image
 from fixel.scene import compiler
+from fixel.scene.target import VALUES
 
-# place pixel-format: TARGETS: trees with surfaces
-TARGETS = ("palette", "rgb565")
+TARGETS = VALUES["pixels"]
 TEXTURES = [("stones", "stones", 32), ("planks", "planks", 32, "bits = 4"), ("grille", "grille", 16)]
 SCREEN = 'background = "#203040"\n' + head(128, 96, ['pixels = "%s"', "near = 0.125", "far = 64"], TEXTURES) + """
 [light]

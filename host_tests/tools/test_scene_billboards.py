@@ -11,6 +11,7 @@ from conftest import CHECKOUT, run_cli
 from fixel.board import dump
 from fixel.image import image
 from fixel.base.errors import ToolError
+from fixel.scene.target import VALUES
 # place field: images that are broken, for the tools
 from scene_sections import section
 from model_files import build
@@ -154,7 +155,7 @@ def fixture_planted(tmp_path_factory):
     return file
 
 
-@pytest.mark.parametrize("pixels", ["palette", "rgb565"])
+@pytest.mark.parametrize("pixels", VALUES["pixels"])
 def test_frames_by_a_tree_are_those_of_the_reference(build, planted, tmp_path, pixels):
     done, out = drawn(build, planted, tmp_path, "--pixels", pixels)
     assert done.returncode == 0, done.stderr

@@ -10,7 +10,6 @@ enum {
     NEVER = 1000
 };
 
-/* place pixel-format: what is sent of a band of the format */
 static uint64_t block[160], memory[(8 * WIDTH * 16 + 7) / 8];
 static uint8_t palette[768], whole[HEIGHT * WIDTH];
 static uint16_t palette_565[256], whole_565[HEIGHT * WIDTH];
@@ -141,15 +140,18 @@ static void assert_frames(void)
 }
 
 /* place converter: formats */
+static const fxl_pixel_format *const formats[] = {
+    &fxl_pixels_rgb565, &fxl_pixels_rgb565_low, &fxl_pixels_rgb332,     &fxl_pixels_rgb666,
+    &fxl_pixels_grey4,  &fxl_pixels_mono_rows,  &fxl_pixels_mono_pages, NULL};
+enum {
+    FORMATS = sizeof formats / sizeof formats[0] - 1 /* and without one */
+};
+
 static void assert_every_format_and_height(void)
 {
-    static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb332,
-                                                      &fxl_pixels_rgb666, &fxl_pixels_grey4,
-                                                      &fxl_pixels_mono_pages, NULL};
-    for (uint32_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
-        const bool has_pages = formats[i] == &fxl_pixels_mono_pages;
-        for (uint16_t rows = has_pages ? 8 : 1; rows <= 16;
-             rows = (uint16_t)(rows + (has_pages ? 8 : 5))) {
+    for (uint32_t i = 0; i <= FORMATS; i++) {
+        const uint16_t least = formats[i] != NULL ? formats[i]->rows : 1;
+        for (uint16_t rows = least; rows <= 16; rows = (uint16_t)(rows + (least > 1 ? least : 5))) {
             TEST_ASSERT_EQUAL(FXL_OK, init(formats[i], rows));
             assert_frames();
         }
@@ -444,24 +446,13 @@ void test_a_pump_that_was_never_set_up(void)
 /* pixels 2.2 */
 void test_the_memory_of_a_pump(void)
 {
-    const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb332,
-                                               &fxl_pixels_rgb666, &fxl_pixels_grey4,
-                                               &fxl_pixels_mono_rows, &fxl_pixels_mono_pages};
-    static const uint32_t words[] = {FXL_PUMP_MEMORY(40, 8, 16), FXL_PUMP_MEMORY(40, 8, 8),
-                                     FXL_PUMP_MEMORY(40, 8, 24), FXL_PUMP_MEMORY(40, 8, 4),
-                                     FXL_PUMP_MEMORY(40, 8, 1),
-                                     FXL_PUMP_MEMORY(40, 8, 1)};
-    for (uint32_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
+    for (uint32_t i = 0; i < FORMATS; i++) {
+        const uint32_t bits = formats[i]->bits;
         const fxl_pump_config config = {&pixels, 40, HEIGHT, 8, NULL};
+        const fxl_pump_config wide = {&pixels, 40, HEIGHT, 8, palette_565};
         TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, formats[i], palette));
-        TEST_ASSERT_EQUAL(8u * words[i], fxl_pump_memory_size(&config));
-    }
-    static const uint32_t wide[] = {FXL_PUMP_MEMORY_RGB565(40, 8, 16),
-                                    FXL_PUMP_MEMORY_RGB565(40, 8, 8)};
-    for (uint32_t i = 0; i < sizeof wide / sizeof wide[0]; i++) {
-        const fxl_pump_config config = {&pixels, 40, HEIGHT, 8, palette_565};
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, formats[i], palette));
-        TEST_ASSERT_EQUAL(8u * wide[i], fxl_pump_memory_size(&config));
+        TEST_ASSERT_EQUAL(8u * FXL_PUMP_MEMORY(40u, 8u, bits), fxl_pump_memory_size(&config));
+        TEST_ASSERT_EQUAL(8u * FXL_PUMP_MEMORY_RGB565(40u, 8u, bits), fxl_pump_memory_size(&wide));
     }
     const fxl_pump_config bare_565 = {NULL, 37, HEIGHT, 3, palette_565};
     TEST_ASSERT_EQUAL(8u * FXL_PUMP_MEMORY_RGB565(37, 3, 0), fxl_pump_memory_size(&bare_565));
