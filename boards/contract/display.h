@@ -10,7 +10,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* place pixel-format: what a panel takes */
 /* Makes the display ready for frames of width x height pixels. With 8 pixel_bits a pixel is a
  * uint8_t, the number of an entry of the palette: 256 x red, green, blue. With 16 it is a uint16_t,
  * a colour of RGB565 in the byte order of the core.

@@ -21,7 +21,7 @@
 
 #include "fixel/types.h"
 
-/* place pixel-format: what a panel takes */
+/* place pixel-format: if a palette of 256 colours does not show the pixels: what a panel takes */
 /* The format of the frames. */
 typedef struct {
     const uint8_t *palette; /* 256 x red, green, blue */

@@ -17,7 +17,6 @@ BOARD_CACHE_ENTRIES := 64
 # Speed is the library's: the programs are small so that the driver of a display, too, fits beside the scenes' 61 KiB.
 BOARD_OWN_FLAGS := -Os
 
-# place pixel-format: WALK_WITHOUT_... and GAME_WITHOUT_... for a board without room
 # Beside the game and the driver of a display, RGB565 with a depth buffer would take 3 to 4 KiB of flash more than there is.
 # After reset the core runs at 12.5 MHz, and the watchdog with it; its interrupt
 # is number 18.

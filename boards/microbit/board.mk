@@ -18,7 +18,6 @@ BOARD_CACHE_ENTRIES := 8
 # Speed is the library's: the programs are small so that the game, too, fits into its 128 KiB.
 BOARD_OWN_FLAGS := -Os
 
-# place pixel-format: WALK_WITHOUT_... and GAME_WITHOUT_... for a board without room
 # Beside the game and the driver of a display, RGB565 with a depth buffer would take 3 to 4 KiB of flash more than there is.
 # Depth buffers of 32 bits a pixel would take 7 KiB of flash more than there is.
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=16000000u WALK_WITHOUT_DEPTH_32 GAME_WITHOUT_RGB565_DEPTH

@@ -14,7 +14,6 @@ BOARD_ORDER_ENTRIES := 2048
 BOARD_LIST_BYTES := 32768
 BOARD_CACHE_ENTRIES := 256
 
-# place pixel-format: WALK_WITHOUT_... and GAME_WITHOUT_... for a board without room
 # Beside the game and the driver of a display, RGB565 with a depth buffer would take 3 to 4 KiB of flash more than there is.
 # QEMU's 168 MHz; the real chip runs at 16 MHz until it is told otherwise.
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=168000000u GAME_WITHOUT_RGB565_DEPTH

@@ -68,7 +68,6 @@ bool journal_open(uint32_t frames)
     return true;
 }
 
-/* place pixel-format: the panels */
 bool display_open(uint16_t width, uint16_t height, uint8_t pixel_bits, const uint8_t *palette)
 {
     const panel_format format = {palette, display.announced, width, height, pixel_bits};

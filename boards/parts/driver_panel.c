@@ -59,7 +59,6 @@ static fxl_status open_display(const panel_format *format)
                             : status;
 }
 
-/* place pixel-format: the panels */
 static panel_answer open(const panel_format *format)
 {
     if (!wires_open()) {

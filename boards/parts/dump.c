@@ -42,7 +42,6 @@ static uint8_t *put_tag(uint8_t *to, const char *tag)
     return to + 4;
 }
 
-/* place pixel-format: the panels */
 static panel_answer open(const panel_format *format)
 {
     uint8_t head[16];

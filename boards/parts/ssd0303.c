@@ -12,7 +12,6 @@
 #define CONTROL_COMMAND 0x80u
 #define CONTROL_DATA    0x40u
 
-/* place pixel-format: the panels */
 static uint16_t greys[256]; /* of the palette's entries: fxl_grey_table */
 static bool is_rgb565;      /* the frame's pixels are no entries of the palette */
 static uint32_t left, top;  /* the window's first column and row in the frame */

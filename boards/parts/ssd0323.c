@@ -66,7 +66,6 @@ static bool clear(void)
     return good;
 }
 
-/* place pixel-format: the panels */
 static panel_answer open(const panel_format *format)
 {
     static const uint8_t on[] = {0xAF};

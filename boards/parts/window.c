@@ -59,7 +59,6 @@ static void await_request(void)
     }
 }
 
-/* place pixel-format: the panels */
 /* Every byte between a slot's beginning and the next one's is its own. */
 /* formats 3.1 */
 static bool place_slots(const panel_format *format)

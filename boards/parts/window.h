@@ -38,7 +38,6 @@ typedef struct {
     fxl_counters counters;
 } window_frame;
 
-/* place pixel-format: the panels */
 /* At the beginning of the shared memory. Words that both sides use at the same
  * time are atomic: a write of one is seen only after all that was written
  * before it. */

@@ -28,7 +28,6 @@ BOARD_DRIVER_ROWS := 0
 # Speed is the library's: the program is small so that it fits into its 64 KiB.
 BOARD_OWN_FLAGS := -Os
 
-# place pixel-format: WALK_WITHOUT_... and GAME_WITHOUT_... for a board without room
 # A BSP tree would take 4 KiB of flash more than the program has, and of stack more than there is. Surfaces take
 # 36 KiB of flash: the program of VISIBILITY=surfaces has them, and scenes have 36 KiB less. Billboards
 # would take 4 KiB, RGB565 more.

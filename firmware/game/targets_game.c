@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-/* place pixel-format: those that the game leaves out: GAME_WITHOUT_... */
 /* The targets of the game: those of the walk. Beside the game and a driver of a display some boards have no flash for all of them:
  * they set GAME_WITHOUT_RGB565_DEPTH. */
 #if defined GAME_WITHOUT_RGB565_DEPTH

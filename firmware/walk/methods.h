@@ -20,7 +20,6 @@ typedef struct {
 extern const walk_target walk_targets[];
 extern const uint32_t walk_target_count;
 
-/* place pixel-format: whether the program links a target for the scene */
 /* Whether it links one with so many bits a pixel and in its depth buffer, 0 for none. */
 bool walk_methods_draw(uint8_t pixel_bits, uint8_t depth_bits);
 

@@ -51,7 +51,6 @@ static uint32_t sum_of(const walk_shares *of)
     return of->palette + of->surfaces + of->billboards + of->clipper + of->target;
 }
 
-/* place pixel-format: the palette of the format */
 /* The palette in RGB565. */
 static const uint16_t *make_palette(const fxl_scene_image *image, uint8_t *memory)
 {

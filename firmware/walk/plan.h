@@ -6,7 +6,6 @@
 #include "fixel/setup.h"
 #include "methods.h"
 
-/* place pixel-format: the palette of the format */
 /* Bytes of the block before the setup's shares, each a multiple of 8. */
 typedef struct {
     uint32_t palette; /* of RGB565 */

@@ -25,7 +25,7 @@
 #endif
 #endif
 
-/* place pixel-format: the targets of the program, each behind WALK_WITHOUT_... */
+/* place pixel-format: the targets of the program: those of a new format stand behind the conditions of RGB565 */
 #if defined WALK_WITHOUT_RGB565 || defined WALK_WITHOUT_RGB565_DEPTH
 #define HAS_RGB565_DEPTH 0
 #else

@@ -118,7 +118,6 @@ def test_an_include_that_points_back_is_seen(monkeypatch, tmp_path, room, line, 
     assert bool(strange([lib / room / "new.h"])[0]) == wrong
 
 
-# place pixel-format: the exceptions to the rooms
 # Texts that a file for each target includes after it defines these names: those of one target.
 TARGET = ["-DFXL_TARGET=fxl_rgb565_depth_16", "-DFXL_TARGET_FORMAT=FXL_RGB565_PIXELS", "-DFXL_TARGET_DEPTH_BITS=16",
           "-DFXL_TARGET_SURFACES=fxl_rgb565_depth_16_surfaces", "-DFXL_TARGET_SPRITES=fxl_rgb565_depth_16_sprites"]

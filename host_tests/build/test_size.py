@@ -194,7 +194,6 @@ def test_the_firmwares_figure_is_not_below_what_a_run_shows(build):
     assert int(figure.removeprefix("at least ").replace(",", "")) >= found["stack_measured"]
 
 
-# place pixel-format: the size of a program
 @pytest.mark.parametrize("row, beams, board, column", [("surfaces, lit ones or with holes", False, "mps2-an385", 2),
                                                        ("surfaces and light beams", True, "mps2-an385", 2), ("surfaces and light beams", True, "microbit", 1)])
 def test_the_stack_with_a_depth_buffer_is_what_its_page_says(build, tmp_path, row, beams, board, column):

@@ -44,7 +44,6 @@ void draw_picks(fxl_renderer *renderer, const fxl_band *band, fuzz_input *in)
     renderer->workspace.counters.refused_calls = refused;
 }
 
-/* place pixel-format: random input */
 void draw_all_picks(fxl_renderer *renderer, const void *pixels)
 {
     static const uint8_t eighths[] = {1, 4, 6};

@@ -12,7 +12,6 @@ enum {
     GUARD = 0xA5A5
 };
 
-/* place pixel-format: random input */
 /* The set with textures and surfaces that only such frames have. */
 typedef struct {
     fxl_texture textures[TEXTURES];

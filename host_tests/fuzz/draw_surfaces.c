@@ -56,7 +56,6 @@ static size_t texel_bytes(const fxl_texture *texture)
     return texels >> least;
 }
 
-/* place pixel-format: random input */
 static void make_texture(made_surfaces *made, uint32_t number, fuzz_input *in)
 {
     fxl_texture *texture = &made->textures[number];

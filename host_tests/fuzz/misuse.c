@@ -77,7 +77,6 @@ static void explain_lenses(explained *state)
     demand_config(state);
 }
 
-/* place pixel-format: random input */
 static void explain_targets(explained *state)
 {
     fxl_config *config = &state->config;

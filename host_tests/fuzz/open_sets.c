@@ -89,7 +89,6 @@ void open_billboards(const fxl_scene_image *opened, const fxl_pose *pose)
     (void)sum;
 }
 
-/* place pixel-format: random input */
 /* The bytes of all levels; one after another they lie in the image. */
 static uint32_t sum_texels(const fxl_texture *texture)
 {

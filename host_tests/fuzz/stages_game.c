@@ -38,7 +38,6 @@ static void draw_any_sprite(fuzz_input *in, const fxl_band *band)
     DEMAND(fxl_draw_sprite(band, 0, 0, &sprite) == FXL_E_ARGUMENT);
 }
 
-/* place pixel-format: random input */
 static void draw_any_text(fuzz_input *in, const fxl_band *band)
 {
     char text[8];

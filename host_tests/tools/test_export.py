@@ -62,7 +62,6 @@ def exported(request, tmp_path_factory):
     return SimpleNamespace(name=name, folder=folder, scene=scene, frames=frames)
 
 
-# place pixel-format: what is exported
 # Every table of the header against the same table of the image.
 SAME = """
 #include <stdio.h>

@@ -44,7 +44,6 @@ BEAM = """
 direction = [0.6, -0.64, 0.48]
 window = [[-4, 1, -2], [-4, 4, -2], [-4, 4, 2], [-4, 1, 2]]
 """
-# place pixel-format: what is predicted
 PUT = {"depth": ("[view]\n", "[view]\nvisibility = \"depth\"\n"), "ferns": ("\n[path]", FERNS + "\n[path]"),
        "texels": ('name = "bricks"\n', 'name = "bricks"\nbits = 16\n'), "beam": ("\n[[objects]]", BEAM + "\n[[objects]]"), "rgb565": ("[view]\n", "[view]\npixels = \"rgb565\"\n")}
 # A scene of the repository, and what is put into it.

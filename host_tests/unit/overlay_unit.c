@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "overlay_unit.h"
 
-/* place pixel-format: an overlay over a band of the format */
 uint8_t overlay_drawn[OVERLAY_HEIGHT][OVERLAY_STRIDE];
 uint8_t overlay_wanted[OVERLAY_HEIGHT][OVERLAY_STRIDE];
 uint16_t overlay_drawn_565[OVERLAY_HEIGHT][OVERLAY_STRIDE];

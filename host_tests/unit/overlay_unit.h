@@ -14,7 +14,6 @@ enum {
     OVERLAY_GROUND = 0xEE
 };
 
-/* place pixel-format: an overlay over a band of the format */
 extern uint8_t overlay_drawn[OVERLAY_HEIGHT][OVERLAY_STRIDE];
 extern uint8_t overlay_wanted[OVERLAY_HEIGHT][OVERLAY_STRIDE];
 extern uint16_t overlay_drawn_565[OVERLAY_HEIGHT][OVERLAY_STRIDE];

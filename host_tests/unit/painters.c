@@ -90,7 +90,6 @@ static bool paint_under(fxl_workspace *workspace, const fxl_screen_polygon *poly
     return paint(span_under, polygon, band);
 }
 
-/* place pixel-format: a target of the format */
 const fxl_target *painter_under(uint8_t background)
 {
     static const fxl_target under = {.pixel_bits = 8,

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "rgb565_scene.h"
 
-/* place pixel-format: walls in the format */
 rgb565_walls walls;
 
 static const fxl_point vertices[] = {

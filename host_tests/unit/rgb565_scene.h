@@ -11,7 +11,6 @@ enum {
     BACKGROUND = 3
 };
 
-/* place pixel-format: walls in the format */
 /* Three walls one behind the other, each of a model of its own and of the colours 20, 21 and 22.
  * The first one has the texture, and the second one may have surface[1]. */
 typedef struct {

@@ -23,7 +23,6 @@ void setUp(void)
     }
 }
 
-/* place pixel-format: the CRC of a band of the format */
 static fxl_band band_of(bool is_rgb565, uint16_t first_row, uint16_t rows)
 {
     const fxl_band band = {.pixels = is_rgb565

@@ -89,7 +89,6 @@ void test_the_lens_of_a_configuration(void)
     refuse_config("far_z", "near_z");
 }
 
-/* place pixel-format: what is said of a target and its palette */
 void test_the_target_and_the_order_of_a_configuration(void)
 {
     config.target = NULL;

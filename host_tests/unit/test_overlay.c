@@ -8,7 +8,6 @@ void setUp(void)
     overlay_begin();
 }
 
-/* place pixel-format: an overlay over a band of the format */
 /* In both formats. */
 static fxl_status rectangle(int32_t x, int32_t y, int32_t width, int32_t height, uint8_t colour)
 {

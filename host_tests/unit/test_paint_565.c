@@ -20,7 +20,6 @@ static fxl_paint paint;
 static fxl_paint_row row;
 
 /* place light: definition: left_of, the part in RGB565; rows of it */
-/* place pixel-format: the new format has a file like this one */
 void setUp(void)
 {
     memset(&gradients, 0, sizeof gradients);

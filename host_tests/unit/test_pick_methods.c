@@ -17,7 +17,6 @@ enum {
     LIST_WORDS = 60 /* a part of the frame's polygons */
 };
 
-/* place pixel-format: picking in a frame of the format */
 static uint8_t frame[HEIGHT][WIDTH];
 static uint16_t row_565[WIDTH], palette[256];
 static fxl_picked by_order[HEIGHT][WIDTH];

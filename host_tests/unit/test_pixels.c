@@ -6,7 +6,6 @@
 #define ROWS   11u
 #define GUARD  0xA5u
 
-/* place pixel-format: what a band of the format is converted to */
 static uint8_t palette[768];
 static uint8_t frame[ROWS * (WIDEST + 3u) + 4u];
 static uint32_t out_words[(3u * WIDEST * ROWS + 8u) / 4u];

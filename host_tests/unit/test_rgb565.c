@@ -18,7 +18,7 @@ static fxl_band band_of(uint16_t *pixels, uint16_t first_row, uint16_t rows)
     return band;
 }
 
-/* place pixel-format: the new format has a file like this one */
+/* place pixel-format: the new format has files like this one, test_rgb565_colours.c and test_rgb565_hashes.c */
 /* The frame of the palette is drawn; that of 16 bits shows its colours. */
 static void check_against_palette(void)
 {

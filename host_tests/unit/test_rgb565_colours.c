@@ -60,7 +60,6 @@ static int sum(int above, int beneath, int largest)
     return above + beneath > largest ? largest : above + beneath;
 }
 
-/* place pixel-format: the new format has a file like this one */
 /* Without a number it is half. */
 /* rgb565 2.2 */
 void test_sixteenths_of_each_channel(void)

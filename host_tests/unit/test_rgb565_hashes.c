@@ -20,7 +20,6 @@ enum {
     KEY = 32
 };
 
-/* place pixel-format: the new format has a file like this one */
 static void make_wall(uint8_t division, uint32_t with)
 {
     walls_make();

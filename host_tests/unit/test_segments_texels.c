@@ -105,7 +105,6 @@ void test_light_beyond_the_levels_is_limited(void)
     }
 }
 
-/* place stipple: definition: the numbers of the pattern */
 /* The pixels of a kind of texels, where `plain` has those of the same texels of 8 bits, in light
  * that is the same everywhere or in none. */
 static void check_kind_in_light(const uint8_t *plain, int32_t x0, const uint8_t *colours)
@@ -209,6 +208,7 @@ void test_clamped_texels_are_held_within_the_texture(void)
     TEST_ASSERT_GREATER_THAN(5000, beyond);
 }
 
+/* place stipple: definition: the numbers of the pattern */
 /* Of 16 pixels an opacity draws so many, those whose number in the pattern is below it. */
 /* SPEC 9.6 */
 void test_which_pixels_an_opacity_draws(void)

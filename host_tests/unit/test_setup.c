@@ -248,7 +248,6 @@ static void refuse_step(uint8_t step, fxl_status status, const char *argument, c
     expect_sentence(fxl_setup_explain(&setup, &plan, HEIGHT, memory, LARGE), argument, range);
 }
 
-/* place pixel-format: an exported scene in the format */
 void test_steps_that_are_refused(void)
 {
     static const fxl_surface_set no_surfaces;

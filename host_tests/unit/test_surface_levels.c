@@ -69,7 +69,6 @@ static void check_levels(const quad_scene *quad, bool of_4_bits, int level)
     }
 }
 
-/* place light: pictures of lit surfaces */
 /* The level is that of the definition, and so is each texel of it. */
 /* SPEC 9.4, surfaces 3.1, 3.2 */
 void test_a_face_takes_the_level_of_its_nearest_vertex(void)

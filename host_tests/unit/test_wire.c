@@ -205,7 +205,6 @@ static void make(fxl_wire_clipper clipper)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_init(&wire, &tiny->scene, &lens, clipper));
 }
 
-/* place pixel-format: lines in the format */
 /* The same pixels in RGB565, each of the colour that the band's palette has for it. */
 static void assert_same_in_rgb565(void)
 {

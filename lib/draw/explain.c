@@ -10,7 +10,6 @@
 #include "../view/view.h"
 #include "renderer.h"
 
-/* place pixel-format: sentences about bands and palettes */
 #define NULL_RENDERER    "renderer must not be null"
 #define NOT_INITIALISED  "renderer was never initialised: fxl_renderer_init must answer FXL_OK first"
 #define NOT_ALIGNED_TO_2 "pixels must begin at an even address: a pixel of RGB565 takes 2 bytes"

@@ -30,7 +30,7 @@
 #define FXL_PALETTE_PIXELS 1
 #define FXL_RGB565_PIXELS  2
 
-/* place pixel-format: what a pixel of a target is, for the texts of targets */
+/* place pixel-format: what a pixel of a target is */
 #if FXL_TARGET_FORMAT == FXL_PALETTE_PIXELS
 
 #define FXL_PIXEL_BITS         8

@@ -55,7 +55,6 @@ const char fxl_light_reasons[] =
     ON_NORMAL "settings->direction must be of unit length where settings->strength is not "
     "0: FXL_Q2_30_ONE is 1\0";
 
-/* place pixel-format: what functions refuse, as sentences */
 const char fxl_render_reasons[] =
     ON_ARGUMENT "renderer, scene, lens, memory and its tables, config, config->target, "
     "clipper, workspace and band must not be null; workspace must not be the "

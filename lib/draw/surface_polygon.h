@@ -84,7 +84,6 @@ typedef struct {
     bool is_found;                /* what that is */
 } fxl_mapped_surface;
 
-/* place pixel-format: colours at corners: what a painter of the format links */
 /* fxl_find_colours: what a painter of RGB565 links. */
 typedef bool fxl_colours_finder(const fxl_surfaces *surfaces, const fxl_corner *const mapped[3],
                                 const fxl_corner_planes *planes, bool is_affine,

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-/* place pixel-format: a new file beside it */
 #define FXL_TARGET            fxl_rgb565_depth_32
 #define FXL_TARGET_FORMAT     FXL_RGB565_PIXELS
 #define FXL_TARGET_DEPTH_BITS 32

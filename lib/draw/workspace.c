@@ -183,7 +183,6 @@ FXL_COLD fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_rende
     return FXL_OK;
 }
 
-/* place pixel-format: the bytes of a band */
 /* rgb565 3.6 */
 fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *workspace,
                                const fxl_band *band)

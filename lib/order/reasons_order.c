@@ -3,7 +3,6 @@
 #include "fixel/wire.h"
 #include "../scene/reasons.h"
 
-/* place pixel-format: what functions refuse, as sentences */
 const char fxl_wire_reasons[] =
     ON_ARGUMENT "wire, scene, lens, clipper, pose, band, renderer and outlines must not be "
     "null\0"

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Opaque pixels of RGB565 whose channels are linear. A kernel of Armv7-M. Internal. */
-/* place pixel-format: colours at corners: their attributes, and the pixels between */
 #ifndef FXL_COLOUR_RUN_H
 #define FXL_COLOUR_RUN_H
 

@@ -62,7 +62,6 @@ static inline bool fxl_has_colour_words(const fxl_gradients *gradients)
 bool fxl_paint_colour_polygon(const fxl_paint *paint, const fxl_screen_point *points,
                               uint32_t count, const fxl_band *band, fxl_scan *scan);
 
-/* place pixel-format: colours at corners: their attributes, and the pixels between */
 /* fxl_paint_pixels_565 of a face with colours at its corners. */
 void fxl_paint_colours_565(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
                            int32_t x1);

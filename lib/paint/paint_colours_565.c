@@ -41,7 +41,6 @@ static inline bool is_within(const colour_run *run, int32_t count)
     return ((ends[0] | ends[2] | ends[1] >> 1) >> (FRACTION + 5)) == 0;
 }
 
-/* place pixel-format: colours at corners: their attributes, and the pixels between */
 /* rgb565 2.4 */
 static inline uint32_t hold(int32_t channel, int32_t most)
 {

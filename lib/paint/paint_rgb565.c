@@ -6,7 +6,7 @@
 #include "rgb565_colour.h"
 
 /* place sampling: the loops; paint_repeated is that for textures that repeat */
-/* place pixel-format: fxl_paint_565 and fxl_paint_pixels_565: the pixels of a surface */
+/* place pixel-format: a new file beside it: the pixels of a surface */
 /* The colour of a texel. False: it is the key. */
 /* beams 6.2, rgb565 1.3 */
 static inline bool look_up(const fxl_paint *paint, int32_t i, int32_t j, uint16_t *colour)

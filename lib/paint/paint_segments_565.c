@@ -7,7 +7,6 @@
 #if !FXL_TEXELS_IN_ASSEMBLY
 
 /* place sampling: positions in a segment, and their texels: keys, patterns, 4 bits too */
-/* place pixel-format: the kernels of opaque textures, in C and for Armv7-M */
 /* Texels that are not plain. */
 /* rgb565 1.4 */
 FXL_APART void paint_special(const fxl_segment_face *face, const fxl_paint_row *row,

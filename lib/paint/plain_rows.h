@@ -21,7 +21,6 @@ typedef struct {
     uint32_t stride; /* bytes */
 } fxl_plain_rows;
 
-/* place pixel-format: the kernels of opaque textures, in C and for Armv7-M */
 /* Paints rows from rows->row on. Returns false if it has come to end_row. Returns true at a row
  * whose weights the kernel does not take: rows->row is that row, and nothing of it is painted.
  * Requires a face without a ramp, and row.y < end_row. Pixels have 8 bits, or 16. */

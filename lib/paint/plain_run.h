@@ -11,7 +11,6 @@
 extern "C" {
 #endif
 
-/* place pixel-format: the code of such pixels for Armv6-M: fxl_texel_code_565 */
 /* What paints pixels of 8 or of 16 bits: code and its sizes, which plain_rows_armv6m.h names. A
  * program links that of the pixels it has. */
 typedef struct fxl_texel_code fxl_texel_code;

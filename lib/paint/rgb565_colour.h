@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-/* place pixel-format: the parts of a colour, how two are mixed, how light takes a part */
+/* place pixel-format: a new file beside it: how light takes a part of a colour, how two are mixed */
 /* The channels of a colour, where they are. */
 #define FXL_RED_565   0xF800u
 #define FXL_GREEN_565 0x07E0u

@@ -157,7 +157,6 @@ bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)
             find_kind(paint, flags, paint->level.key, paint->in_beam == NULL, face));
 }
 
-/* place pixel-format: the kernels of opaque textures, in C and for Armv7-M */
 bool fxl_segments_find_565(const fxl_paint *paint, fxl_segment_face *face)
 {
     const fxl_paint_565 *of = &paint->of_565;

@@ -54,7 +54,6 @@ extern "C" {
  * of its coordinates beyond those of U and V. */
 #define FXL_ROW_BITS 12
 
-/* place pixel-format: the kernels of opaque textures, in C and for Armv7-M */
 /* What a pixel does with its texel. All but plain ones have no ramp; keyed and stippled ones of 16
  * bits have texels of RGB565. */
 enum {

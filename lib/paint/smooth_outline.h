@@ -14,7 +14,6 @@ extern "C" {
 #endif
 
 /* place light: RGB565: the part of a colour that light leaves of a lit surface */
-/* place pixel-format: an outline with light and a depth buffer, for each size of a pixel */
 /* What the kernel needs of a polygon, and what it keeps from row to row. Cells are counted from the
  * first one of the band. The code and the light of a pixel are those of cell 0 in its row, and a
  * step for each cell. For pixels of 16 bits light is less the half level, and has half a part of

@@ -7,7 +7,6 @@
 #include "segments.h"
 
 /* place sampling: positions in a segment, and their texels: keys, patterns, 4 bits too */
-/* place pixel-format: the kernels of opaque textures, in C and for Armv7-M */
 /* The texel at a place: a colour of the palette, or of RGB565 where the face has wide texels.
  * Returns whether the pixel is drawn. */
 /* rgb565 1.4, surfaces 4.1 */

@@ -16,7 +16,7 @@ static uint32_t level_side(uint32_t log_side, uint32_t level, uint32_t log_least
     return 1u << (log_side > level + log_least ? log_side - level : log_least);
 }
 
-/* place pixel-format: which textures a frame of the format takes */
+/* place pixel-format: if textures or surfaces may be others than in frames of as many bits */
 /* Bytes of the texels of all levels: at most 9 times 2^17. */
 /* formats 1.12 */
 static uint32_t texel_bytes(const fxl_scene_texture *texture)

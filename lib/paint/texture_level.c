@@ -77,7 +77,6 @@ uint8_t fxl_texture_level_choose(const fxl_texture *texture, const fxl_texel_den
 }
 
 /* place sampling: the masks of a level */
-/* place pixel-format: the bytes of a level's texels */
 /* surfaces 3.1 */
 void fxl_texture_level_find(const fxl_texture *texture, uint32_t number, fxl_texture_level *level)
 {

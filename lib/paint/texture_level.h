@@ -10,7 +10,6 @@
 extern "C" {
 #endif
 
-/* place pixel-format: textures with texels of the format */
 /* Among the flags of a level: its texels are FXL_TEXTURE_565. */
 #define FXL_LEVEL_565 0x80u
 

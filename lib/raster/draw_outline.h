@@ -19,7 +19,6 @@ extern "C" {
 bool fxl_draw_outline(fxl_scan *scan, const fxl_screen_polygon *polygon, const fxl_band *band,
                       uint32_t colour);
 
-/* place pixel-format: an outline of one colour */
 /* The same with a colour of RGB565, for a band of such pixels, whose address is even. */
 bool fxl_draw_outline_rgb565(fxl_scan *scan, const fxl_screen_polygon *polygon,
                              const fxl_band *band, uint32_t colour);

@@ -2,7 +2,6 @@
 #include "fill.h"
 #include "scan.h"
 
-/* place pixel-format: a new file beside it: an outline of one colour */
 #define FXL_DRAW_OUTLINE         fxl_draw_outline_rgb565
 #define FXL_DRAW_BY_ACTIVE_EDGES fxl_draw_by_active_edges_rgb565
 #define FXL_FILL_TRAPEZOID       fxl_fill_trapezoid_rgb565

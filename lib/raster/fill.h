@@ -14,7 +14,6 @@ extern "C" {
  * of cores has its own, and all write the same bytes. */
 void fxl_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, uint8_t colour);
 
-/* place pixel-format: rows of a wider pixel */
 /* The same for a band of RGB565, whose pixels have an even address. */
 void fxl_fill_trapezoid_rgb565(const fxl_band *band, const fxl_trapezoid *trapezoid,
                                uint16_t colour);

@@ -4,7 +4,6 @@
 #include "columns.h"
 #include "fill.h"
 
-/* place pixel-format: a new file beside it: rows and trapezoids of one colour */
 /* Two pixels are one aligned word, but for the first and the last one. */
 /* rgb565 1.2, 3.7 */
 void fxl_fill_row_rgb565(uint16_t *pixel, uint16_t *end, uint16_t colour)

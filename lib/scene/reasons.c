@@ -13,7 +13,6 @@ const char fxl_camera_reasons[] =
     "screens and 4 focal lengths from the middle, without inset; a position "
     "within FXL_UNITS(-8191)..FXL_UNITS(8191)\0";
 
-/* place pixel-format: what functions refuse, as sentences */
 const char fxl_crc_reasons[] =
     ON_ARGUMENT "crc, band and band->pixels must not be null\0"
     ON_RANGE "band->width must be 1..1024, band->rows 1..1024, and band->first_column + "

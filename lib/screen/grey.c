@@ -53,7 +53,6 @@ void fxl_grey_table(uint16_t *table, const uint8_t *palette, uint32_t highest)
     }
 }
 
-/* place pixel-format: the grey of a colour of 16 bits */
 /* A channel as a byte, rounded to nearest: 255 c / 31 and 255 c / 63. A test computes all of them. */
 /* pixels 1.2 */
 uint16_t fxl_grey_of_rgb565(uint16_t colour, uint32_t highest)

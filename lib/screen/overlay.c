@@ -102,7 +102,6 @@ static size_t place_of(const fxl_band *band, int32_t row, int32_t column)
            ((size_t)column - band->first_column);
 }
 
-/* place pixel-format: what fills a row of a band, of each size of a pixel */
 /* Pixels of a row of the band, at least one. */
 /* overlay 1.3 */
 static void fill_row(const fxl_band *band, int32_t row, const fxl_stretch *columns, uint8_t colour)

@@ -14,7 +14,6 @@ const char fxl_display_reasons[] =
     ON_DISPLAY "port->send, start and wait must return true: look at the wires and the "
     "clock, then open the display again\0";
 
-/* place pixel-format: what functions refuse, as sentences */
 const char fxl_overlay_reasons[] =
     ON_ARGUMENT "band, sprite, text, style and size must not be null, nor band->pixels, "
     "sprite->pixels, style->font and its tables\0"

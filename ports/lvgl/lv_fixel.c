@@ -115,7 +115,6 @@ static bool is_transformed(const lv_draw_task_t *task)
 #endif
 }
 
-/* place pixel-format: the layers of LVGL that a renderer with it draws into */
 /* Why a draw task cannot be drawn; null: it can. */
 static const char *refusal_of(lv_fixel_t *widget, const lv_draw_task_t *task)
 {

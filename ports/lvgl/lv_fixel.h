@@ -11,7 +11,6 @@
  * (lv_fixel_get_counters), and says why (lv_fixel_get_refusal, and once in LVGL's log).
  *
  * All functions are for the thread that calls lv_timer_handler, as LVGL's own are. */
-/* place pixel-format: the layers of LVGL that a renderer with it draws into */
 #ifndef LV_FIXEL_H
 #define LV_FIXEL_H
 

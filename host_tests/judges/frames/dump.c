@@ -23,7 +23,6 @@ static void put_number(dump *to, uint64_t value, int size)
     put(to, bytes, (size_t)size);
 }
 
-/* place pixel-format: the option pixels, the targets, frames as files */
 bool dump_begin(dump *to, const char *path, const fxl_scene_image *image, uint32_t frames,
                 uint8_t pixel_bits)
 {

@@ -8,7 +8,6 @@
 #include "draw/stages.h"
 #include "fixel/all.h"
 
-/* place pixel-format: the option pixels, the targets, frames as files */
 typedef struct {
     FILE *file;
     uint32_t crc, frames;

@@ -34,7 +34,6 @@ void judge_showing_add(judge_showing *found, uint16_t colour)
     found->colours[found->count++] = colour;
 }
 
-/* place pixel-format: which colours a pixel may have */
 /* --- ranges of RGB565 ----------------------------------------------------------------------- */
 
 static judge_range range_of_colour(uint16_t colour)

@@ -18,7 +18,6 @@ typedef struct {
     double cost;
 } judge_range;
 
-/* place pixel-format: which colours a pixel may have */
 /* The colours that a polygon may show at a pixel that it covers, and whether it may be clear there.
  * In a palette they are entries, and lit; in RGB565 they are those of texels, and light leaves a
  * part of them from part[0] to part[1], or, with is_range, they are all of a range. */

@@ -21,7 +21,6 @@ static uint8_t *frame_at(const judge_dump *dump, uint32_t frame)
     return dump->bytes + HEAD_SIZE + frame * dump->frame_size;
 }
 
-/* place pixel-format: frames as files, and their twins */
 static size_t pixel_bytes(const judge_dump *dump)
 {
     return (size_t)dump->width * (size_t)dump->height * (size_t)(dump->pixel_bits / 8);

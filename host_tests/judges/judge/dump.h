@@ -9,7 +9,6 @@
 /* Frame dumps (docs/formats.md, section 2): reads a whole dump, and writes that of the reference
  * renderer. */
 
-/* place pixel-format: frames as files, and their twins */
 typedef struct {
     int width, height, pixel_bits; /* 8: entries of the palette; 16: RGB565 */
     uint32_t frame_count;

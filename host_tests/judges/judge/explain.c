@@ -98,7 +98,6 @@ typedef struct {
 } span;
 
 /* place sampling: add_texels: each texel that a place may be in, rounded down by itself */
-/* place pixel-format: which colours a pixel may have */
 /* One texel at every level of light. */
 static void add_texel(const ref_surface_view *look, const span *values, int texel,
                       judge_showing *found)
@@ -126,7 +125,6 @@ static void add_texels(const ref_surface_view *look, const span *values, judge_s
     }
 }
 
-/* place pixel-format: which colours a pixel may have */
 /* What is to be explained at the centre of a pixel. */
 typedef struct {
     int x, y;
@@ -166,7 +164,6 @@ static void add_other_texels(const ref_surface_view *look, const ref_lens *lens,
     }
 }
 
-/* place light: the parts that a pixel may have in RGB565 */
 /* The parts of its colour that light may leave at a place of an RGB565 frame. */
 static void find_parts(const ref_surface_view *look, const span *values, double part,
                        judge_showing *found)
@@ -404,7 +401,6 @@ judge_box *judge_boxes_of(const ref_display_list *list)
     return boxes;
 }
 
-/* place pixel-format: which colours a pixel may have */
 judge_reason judge_pixel(const ref_renderer *renderer, const judge_box *boxes, uint8_t background,
                          int line, int x, int y, uint16_t colour, double limit)
 {

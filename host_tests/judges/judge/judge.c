@@ -19,7 +19,6 @@
 #include "judge/explain.h"
 #include "judge/verdict.h"
 #include "lights/named.h"
-/* place pixel-format: which colours a pixel may have */
 #include "reference/light.h"
 #include "judge/dump.h"
 
@@ -218,7 +217,6 @@ static int open_inputs(const options *wanted, session *run)
     return 0;
 }
 
-/* place pixel-format: frames as files, and their twins */
 static int judge(options *wanted, session *run)
 {
     int code = open_inputs(wanted, run);

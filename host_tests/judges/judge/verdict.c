@@ -18,7 +18,7 @@ enum {
     THREADS_MAX = 16
 };
 
-/* place pixel-format: frames as files, and their twins */
+/* place pixel-format: the record of the reference by which a frame is judged */
 /* What the threads share. Each takes the next frame under the lock. It writes only to that
  * frame's place in frames and twin. */
 typedef struct {

@@ -129,7 +129,7 @@ enum {
     IS_BEYOND_THE_BOUND
 };
 
-/* place pixel-format: the frames of the live window */
+/* place pixel-format: the record of the reference by which a frame is judged; the bytes of a pixel */
 typedef struct {
     ref_scene_image image;
     uint8_t *bytes; /* of the image */

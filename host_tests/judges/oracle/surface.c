@@ -144,7 +144,6 @@ const oracle_claim oracle_light_level = {
 
 /* corner_colour: one pixel of a triangle with colours at its corners, as the library draws it in
  * RGB565, against the exact channels there (SPEC.md, section 9.8). */
-/* place pixel-format: the claim of colours at corners */
 
 enum {
     CHANNELS = 3

@@ -118,7 +118,6 @@ int surface_sample_make_affine(surface_sample *sample)
     return sample->is_affine;
 }
 
-/* place pixel-format: the claim of colours at corners */
 /* Of RGB565. The colour of the sample's face is that of the background, so a face that is drawn
  * without its surface counts as one that is not drawn. */
 static uint16_t palette[256] = {[255] = 0xFFFF};

@@ -43,7 +43,6 @@ int surface_sample_read(const oracle_input *input, surface_sample *sample);
  * are not all on the screen, so that the face has its perspective. */
 int surface_sample_make_affine(surface_sample *sample);
 
-/* place pixel-format: the claim of colours at corners */
 /* The colour of RGB565 that the pixel shows of a face with colours at its corners, divided every 16
  * columns or more often; or -1. Colours: 65536 red + 256 green + blue. */
 int surface_sample_draw_colours(surface_sample *sample, const uint32_t colours[3]);

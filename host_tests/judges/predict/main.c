@@ -27,7 +27,6 @@ enum {
     SETTINGS
 };
 
-/* place pixel-format: what is counted */
 /* What a board with these settings has no room for; or null. */
 static const char *why_no_room(const fxl_scene_image *image, const uint32_t settings[SETTINGS],
                                uint32_t taken)

@@ -39,7 +39,6 @@ static uint32_t billboard_bytes(const fxl_scene_billboards *billboards)
                : aligned(ARM_BILLBOARD_SET + (ARM_BILLBOARD + ARM_SPRITE) * billboards->count);
 }
 
-/* place pixel-format: what is counted */
 uint32_t taken_bytes(const fxl_scene_image *image)
 {
     return motion_bytes(image) + beam_bytes(&image->scene) +

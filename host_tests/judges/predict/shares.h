@@ -29,7 +29,6 @@ enum {
 /* How the walk on a board shares the display list's memory: firmware/walk/plan.c. In bytes,
  * multiples of 8, with records as an Armv6-M or Armv7-M has them. */
 
-/* place pixel-format: what is counted */
 /* What motions, beams, surfaces, billboards and a palette of RGB565 take. */
 uint32_t taken_bytes(const fxl_scene_image *image);
 

@@ -168,7 +168,6 @@ WRAPPED(bool, fxl_draw_outline,
     return __real_fxl_draw_outline(scan, polygon, band, colour);
 }
 
-/* place pixel-format: what is counted */
 /* Is under way: fxl_draw_outline_rgb565, which fills by fxl_fill_trapezoid_rgb565. */
 static bool draws_outline;
 

@@ -169,7 +169,7 @@ static uint32_t weight_of(const fxl_paint *paint, const fxl_paint_row *row, int3
 }
 
 /* place stipple: a blend: which pixels are counted as blended */
-/* place pixel-format: what is counted */
+/* place pixel-format: the painters whose pixels are counted */
 /* Opaque texels of RGB565 that repeat have a loop of their own. */
 static bool is_repeated(const fxl_paint *paint)
 {

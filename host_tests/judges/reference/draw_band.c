@@ -4,7 +4,6 @@
 #include "reference/scan.h"
 #include "reference/render.h"
 
-/* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
 uint16_t ref_pixel_of(const ref_renderer *renderer, uint8_t colour)
 {
     return renderer->rgb565 ? renderer->rgb565->palette[colour] : colour;
@@ -34,7 +33,6 @@ static bool is_plain(const ref_renderer *renderer, const ref_drawn *drawn)
     return renderer->draws_names || !drawn->look.surface;
 }
 
-/* place light: who asks the reference, and the part in RGB565 */
 static uint16_t plain_colour(const ref_renderer *renderer, const ref_drawn *drawn)
 {
     if (renderer->draws_names) {

@@ -167,7 +167,7 @@ uint16_t ref_colour_of(const int values[REF_CHANNELS])
     return (uint16_t)colour;
 }
 
-/* place pixel-format: the definition of its colours */
+/* place pixel-format: ref_rgb565: what a colour is, and how light takes a part of it; null for a palette */
 void ref_rgb565_make(ref_rgb565 *made, const uint8_t *palette, uint16_t dark)
 {
     for (int i = 0; i < 256; i++) {

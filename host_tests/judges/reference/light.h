@@ -57,7 +57,7 @@ enum {
     REF_CHANNELS = 3
 };
 
-/* place pixel-format: the definition of its colours */
+/* place pixel-format: ref_rgb565: what a colour is, and how light takes a part of it; null for a palette */
 /* What frames of 16 bits a pixel are drawn with. */
 typedef struct {
     uint16_t palette[256];

@@ -30,7 +30,6 @@ uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *instance,
 
 /* The display list of a frame (SPEC.md, section 7), in double and of any length. */
 
-/* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
 /* A polygon that was drawn: its outline in the reference renderer, the rows that it reaches, and
  * the face that it came from. */
 typedef struct {

@@ -124,7 +124,6 @@ static bool shows_surface(const ref_renderer *renderer, const ref_instance *inst
            scene->surfaces->face_map[scene->models[instance->model].first_face + face] != 0;
 }
 
-/* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
 /* 1 less the brightness of a flat face, in RGB565. */
 static double shade_of(const ref_renderer *renderer, const ref_instance *instance,
                        const ref_face *face)

@@ -7,7 +7,6 @@
 #include "reference/order.h"
 #include "reference/cull.h"
 
-/* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
 typedef struct {
     const ref_scene *scene;
     ref_lens lens;

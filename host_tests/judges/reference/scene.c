@@ -263,7 +263,7 @@ static bool read_lens(const uint8_t *bytes, ref_lens *lens)
            inset >= 0 && inset <= 1 && near_z + 2 * inset < far_z && read_centre(bytes, lens);
 }
 
-/* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
+/* place pixel-format: what the image asks for */
 static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image *image)
 {
     const char *wrong = ref_sections_check(bytes, size);

@@ -97,7 +97,7 @@ typedef struct {
     const ref_light *light;     /* light at run time; or null */
 } ref_scene;
 
-/* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
+/* place pixel-format: what the image asks for */
 typedef struct {
     ref_scene scene;
     ref_lens lens;

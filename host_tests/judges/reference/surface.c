@@ -119,7 +119,6 @@ ref_surface_view ref_surface_with_level(const ref_surface_view *view,
     return changed;
 }
 
-/* place light: who asks the reference, and the part in RGB565 */
 static int level_of(const ref_texture *texture, double twice)
 {
     int level = 0;
@@ -165,7 +164,6 @@ static void spread_values(ref_surface_view *view, double at[3][REF_VALUES])
     }
 }
 
-/* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
 /* A channel of a corner's colour, of 8 bits and a half, of which light leaves a part; the rest is the
  * middle of what is dark. */
 static void find_colours(const ref_surface_view *view, const ref_mapped_face *mapped, int corner,

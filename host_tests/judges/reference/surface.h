@@ -17,7 +17,6 @@ enum {
     REF_CLEAR = -1 /* the colour of what is not drawn */
 };
 
-/* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
 /* What varies over a face. With colours at its corners: red, green and blue in levels of RGB565, of
  * which a pixel shows the one below. */
 enum {

@@ -134,7 +134,6 @@ static double repeats_of(const ref_surface_view *view, const ref_lens *lens, int
     return 1 + floor(fabs(ends[1].values[REF_V] - ends[0].values[REF_V]) / view->level->height);
 }
 
-/* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
 /* What the steps between two divisions round, and what a position of 16 bits cuts off
  * (docs/accuracy.md, section 5.2). */
 static double steps_rounding(const ref_surface_view *view, const ref_lens *lens, int value, int x,

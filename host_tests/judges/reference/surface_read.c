@@ -36,7 +36,6 @@ static bool read_level(const texel_source *from, uint32_t at, ref_texture_level 
     return level->colours != NULL;
 }
 
-/* place pixel-format: renderer->rgb565 is null or not: the reference's form of the rule */
 static bool read_texture(const uint8_t *p, const uint8_t *texels, uint32_t bytes,
                          ref_texture *texture)
 {

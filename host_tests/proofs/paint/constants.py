@@ -78,6 +78,7 @@ def weights_of_8():
     return [ceil(Real(words) * 2 ** 16) for words in stated]
 
 
+# place stipple: definition: the numbers of the pattern, by their bits
 # [[row]]
 # id = "pattern of opacities"
 # function = "lib/paint/texel_place.h:fxl_is_stippled_away"

@@ -27,7 +27,6 @@ typedef struct {
     const uint8_t *lit; /* lit[c]: the lit variant of colour c, also of a texel */
 } fxl_beam_set;
 
-/* place pixel-format: what their comments say of a band's pixels */
 /* Attaches the beams of a set to a renderer, in any sequence with what else is attached, or, where
  * set is null, detaches them: then memory and size are ignored. memory has at least
  * fxl_beam_light_workspace_size bytes, aligned to 8. The renderer keeps pointers to memory and to

@@ -23,7 +23,6 @@ extern "C" {
  * Requires bytes not null, unless count is 0. */
 uint32_t fxl_crc(uint32_t crc, const void *bytes, size_t count);
 
-/* place pixel-format: the bytes of which a frame has the CRC */
 /* Continues *crc by the pixels of a band: rows downward, in each its columns from the left, without
  * what lies between the rows. A pixel of RGB565 has two bytes, the high one first, on every core.
  * The bands of a frame, downward, give the CRC of the frame, however the frame is cut into bands.

@@ -2,7 +2,6 @@
 /* Light and fog at run time: each flat face gets one level of a ramp of its colour, in RGB565 a
  * part of it. docs/extras/light.md. The settings, and their check, are in fixel/scene.h: an image
  * may have a light. */
-/* place pixel-format: what light leaves of a colour */
 #ifndef FXL_LIGHT_H
 #define FXL_LIGHT_H
 

@@ -23,7 +23,6 @@ extern "C" {
 /* A band is wrong if its width is 0 or above FXL_SCREEN_MAX, if its columns are beyond its width or
  * its stride, or if it has no rows. */
 
-/* place pixel-format: what their comments say of a band's pixels */
 /* Fills the pixels x <= column < x + width, y <= row < y + height. Takes any x, y, width and
  * height; a width or height of 0 or less covers nothing.
  * FXL_E_ARGUMENT: a null pointer.

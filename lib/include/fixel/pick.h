@@ -40,7 +40,6 @@ fxl_status fxl_find_on_screen(const fxl_view *view, const fxl_point *point,
 /* The number that stands for no instance. Instances of a scene have lower ones. */
 #define FXL_PICK_NONE 0xFFFFu
 
-/* place pixel-format: what their comments say of a band's pixels */
 /* What is picked at a pixel. */
 typedef struct {
     uint16_t instance; /* number in the scene, or FXL_PICK_NONE: nothing covers the pixel; in a

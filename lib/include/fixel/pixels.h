@@ -24,7 +24,6 @@ typedef struct {
     void (*convert)(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out);
 } fxl_pixel_format;
 
-/* place pixel-format: what their comments say of a band's pixels */
 /* place converter: its declaration, and the comment at the top */
 extern const fxl_pixel_format fxl_pixels_rgb565;     /* the byte with red first: displays on SPI */
 extern const fxl_pixel_format fxl_pixels_rgb565_low; /* the byte with blue first: a framebuffer of a

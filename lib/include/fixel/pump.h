@@ -29,7 +29,6 @@ typedef struct {
     bool (*wait)(void *user);
 } fxl_pump_sink;
 
-/* place pixel-format: what their comments say of a band's pixels */
 /* What a pump sends, and in which pieces. */
 typedef struct {
     const fxl_pixels *pixels; /* the format; null sends bands as they are drawn */

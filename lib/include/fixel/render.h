@@ -17,7 +17,6 @@ extern "C" {
 
 /* --- records -------------------------------------------------------------------------- */
 
-/* place pixel-format: the palette of fxl_config */
 /* What a first program chooses; fxl_config_default fills it in. */
 typedef struct fxl_config {
     uint16_t width, height;   /* pixels, 1..FXL_SCREEN_MAX */

@@ -13,7 +13,6 @@
 extern "C" {
 #endif
 
-/* place pixel-format: the palette of an exported scene */
 /* What a scene has, and the functions of the library that set each part up. A header that
  * tools/scene.py export --c writes has one, NAME_setup. A member is null where the scene lacks the
  * part, so a program links no code for it. All that it points to must outlive the setup, but for

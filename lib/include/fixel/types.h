@@ -329,7 +329,7 @@ typedef struct {
     fxl_q16_16 x, y;
 } fxl_screen_point;
 
-/* place pixel-format: fxl_band and its palette */
+/* place pixel-format: if pixels are neither bytes nor RGB565: fxl_band */
 /* A polygon of the screen: output of project, input of the display list and of scan. */
 typedef struct {
     uint8_t colour;

@@ -54,7 +54,6 @@ fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens 
  * fxl_wire_draw answers FXL_E_ORDER until a frame begins. */
 fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose);
 
-/* place pixel-format: what their comments say of a band's pixels */
 /* Draws the frame's lines over a band that the caller has cleared: of palette indices, or of RGB565
  * if the band has a palette. Each line has its face's colour. The order is that of the scene: by
  * instance, face and edge. The pixels do not depend on the bands into which the caller divides the

@@ -28,7 +28,6 @@ def palette_image(pixels, palette):
     return image
 
 
-# place pixel-format: a frame as a picture
 @functools.cache
 def rgb565_colours():
     """The 65,536 colours of RGB565 (x 3): each channel's largest value is 255, rounded to nearest."""

@@ -26,7 +26,6 @@ HEAD_SIZE = HEAD.size + PALETTE_BYTES
 FRAME_EXTRA = FRAME_HEAD.size + FRAME_TAIL.size     # bytes around a frame's pixels
 
 
-# place pixel-format: frames that are read from a dump
 @dataclasses.dataclass(frozen=True)
 class Frame:
     """One frame: its pixels, the pose they were drawn from, and what was counted."""

@@ -197,7 +197,6 @@ def _signed(value):
     return f"({value})" if value < 0 else str(value)
 
 
-# place pixel-format: the exported record of the image
 def _view(scene, name, frames):
     """The lens, the first pose, and the path if it was asked for."""
     config = ", ".join(map(str, (scene.width, scene.height, f"{scene.fov}u", scene.near, scene.far, scene.inset,

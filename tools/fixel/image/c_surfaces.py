@@ -9,7 +9,6 @@ from fixel.image import image_billboard, image_surface
 from fixel.image.c_text import braces, record, table
 
 INCLUDE = "fixel/surfaces.h"
-# place pixel-format: the exported textures
 FORMATS = {image_surface.BITS_8: "FXL_TEXTURE_8", image_surface.BITS_4: "FXL_TEXTURE_4", image_surface.RGB565: "FXL_TEXTURE_565"}
 
 

@@ -12,7 +12,6 @@ TABLE_MAX = 65535
 TEXELS_MAX = 16 << 20           # bytes of all textures
 LOG_MAX, LEVELS_MAX = 8, 9
 TEXEL_MAX = 16383 << 16         # of a texture coordinate, in 16.16
-# place pixel-format: texels: packed and checked
 BITS_8, BITS_4, RGB565 = 0, 1, 2    # formats
 CLAMP, KEYED = 1, 2             # flags of a texture
 DIVIDE_16, DIVIDE_8, DIVIDE_1, AFFINE = range(4)

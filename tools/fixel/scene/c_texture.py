@@ -23,7 +23,6 @@ def codes_of(file, size):
     return texture.codes_of(pixels, pixels[..., 3] < texture.OPAQUE_FROM), opened.notes
 
 
-# place pixel-format: texels of the format in C
 def texels_of(levels):
     """(the texels of all levels by FXL_RGB565, the value of those that are not drawn or None)."""
     codes = np.concatenate([level.ravel() for level in levels])

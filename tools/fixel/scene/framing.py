@@ -139,7 +139,6 @@ def _without_image(mesh, name, look, read_notes):
             "usemtl, and map_Kd in the MTL file; PLY: comment TextureFile), or in a scene file (texture, and mapping = \"file\")"]
 
 
-# place pixel-format: in what a model without a scene file is drawn
 def _look_of(mesh, look, moves, place, radius):
     """(the keys of the object, those of the light, notes) by which a mesh looks so. Light of the tool's own stays where every
     face has one colour, nothing moves, and the file has no lights."""

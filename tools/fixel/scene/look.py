@@ -17,7 +17,6 @@ NO_ANIMATION = "none"       # as the name of an animation
 TEXELS = (256, 128, 64, 32, 16)     # of a texture's side: the most first
 
 
-# place pixel-format: in what a model without a scene file is drawn
 @dataclass(frozen=True)
 class Look:
     """pixels: "rgb565" or "palette". depth: bits of a depth buffer, 0 without one. texels: the most of a texture's side,

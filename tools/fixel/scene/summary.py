@@ -13,7 +13,6 @@ from fixel.scene import path
 PIXELS = {"palette": "entries of the palette", "rgb565": "RGB565"}
 
 
-# place light: a new setting: what fixel info prints of light
 def summary(scene):
     """What is in an image, as plain data."""
     kinds = [scene.models[item.model].kind for item in scene.objects]

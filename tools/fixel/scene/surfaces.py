@@ -38,7 +38,6 @@ class Paint:
     own: str = ""
 
 
-# place pixel-format: surfaces whose texels are of the format
 @dataclass(frozen=True)
 class Look:
     """What a face looks like, and where three of its corners are on the texture. colours: those that the picture's

@@ -15,7 +15,6 @@ from fixel.base.reading import Beside, quoted
 SIDE_MAX = 256
 SIDES = tuple(1 << i for i in range(9))    # texels that a texture may be wide or high
 COLOURS_MAX = 255           # of a texture of palette entries
-# place pixel-format: colours of a texture of the format
 EVERY_COLOUR = 1 << 24      # room for the colours of a texture of RGB565: none is merged
 CLEAR = None                # the colour of what is not drawn
 OPAQUE_FROM = 128           # of 255: what is more clear is not drawn

@@ -16,7 +16,6 @@ from fixel.model.surface import product
 from fixel.scene.surfaces import Paint
 from fixel.scene.toml_table import Table
 
-# place pixel-format: colours of images in the format
 PLAIN_MAX = 128     # colours of images in RGB565 that faces have of the palette
 TINTED_MAX = 64     # textures that are an image times the colours of vertices: more are left without
 

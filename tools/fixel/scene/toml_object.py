@@ -45,7 +45,6 @@ def _solid_options(table):
     return {key: float(value) if isinstance(value, Fraction) else value for key, value in options.items()}
 
 
-# place light: a new setting: what reads light of an object
 class Objects:
     """Compiles the objects of one scene. files: a toml_model.Files. notes are told to the user, once each."""
 

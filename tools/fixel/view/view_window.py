@@ -20,7 +20,6 @@ from fixel.base.errors import ToolError
 from fixel.board import dump
 
 MAGIC, INVITATION, VERSION = 0x574C5846, 0x57454956, 2
-# place pixel-format: the frames of the live window
 MAGIC_AT, FORMAT_AT, FINISHED_AT, FRONT_AT, PIXEL_BITS_AT = 0, 4, 20, 24, 28
 INVITATION_AT, REQUESTED_AT, KEYS_AT, PALETTE_AT = 32, 36, 40, 48
 FORMAT = struct.Struct("<IHH2I")    # version, width, height, places of the slots
