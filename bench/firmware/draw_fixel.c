@@ -9,7 +9,7 @@
 #include "plan.h"
 #include "program.h"
 
-#define ORDER_ENTRIES 8192u /* a terrain of 8,000 faces in one model takes 8001 */
+#define ORDER_ENTRIES 9216u /* a terrain of 8,192 faces in one model takes 8,193 */
 #define CACHE_ENTRIES 256u  /* at most */
 #define LOOKS_BYTES   (4096u + FXL_DEPTH_BYTES(DRAW_PIXELS_MAX, 1, 16))
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernels of outlines in a depth buffer, of one colour and with light, and of runs in it,
- * against the rows of lib/paint/depth_row.h, painted by fxl_paint_pixels where there is light. Each
- * side has cells and pixels of its own. All of that memory must be equal, also what lies around it.
+/* The kernels of outlines in a depth buffer, of one colour, with light and with colours at corners,
+ * and of runs in it, against the rows of lib/paint/depth_row.h, painted by fxl_paint_pixels where
+ * there is light or colours. Each side has cells and pixels of its own. All of that memory must be equal, also what lies around it.
  */
 
 #include "equality.h"
@@ -31,9 +31,9 @@ typedef struct {
     fxl_screen_point points[6];
     uint32_t count;
     uint32_t pixel_bits;
-    bool is_smooth;
-    fxl_gradients light;
-    fxl_paint paint; /* of it */
+    bool is_smooth, has_colours;
+    fxl_gradients gradients; /* of light, or of colours */
+    fxl_paint paint;         /* of them */
 } polygon;
 
 typedef struct {
@@ -51,10 +51,11 @@ static void paint_run(const void *with, int32_t x0, int32_t x1, void *cells, fxl
     const row_of_pixels *row = (const row_of_pixels *)with;
     (void)cells;
     (void)line;
-    if (row->of->is_smooth) {
+    if (row->of->is_smooth || row->of->has_colours) {
         const fxl_paint_row painted = {.pixels = row->pixels, .y = row->y};
-        (row->of->pixel_bits == 16 ? fxl_paint_pixels_565 : fxl_paint_pixels)(&row->of->paint,
-                                                                              &painted, x0, x1);
+        (row->of->has_colours        ? fxl_paint_colours_565
+         : row->of->pixel_bits == 16 ? fxl_paint_pixels_565
+                                     : fxl_paint_pixels)(&row->of->paint, &painted, x0, x1);
         return;
     }
     for (int32_t x = x0; x < x1; x++) {
@@ -98,15 +99,31 @@ static bool is_clear(const polygon *of, const fxl_band *band)
     return first >= rows.end || (first >= head->clear_from && rows.end <= head->clear_to);
 }
 
-/* Draws nothing where rows are not cleared, which are some of every fourth outline. */
-static bool draw_smooth(const polygon *of, const fxl_band *band)
+/* Some rows of every fourth outline are not cleared. */
+static void clear_some(const fxl_band *band)
 {
-    fxl_smooth_outline smooth;
     const bool clears = (any_32() & 0x600u) != 0;
     const int32_t from = (int32_t)((any_32() >> 9) % band->rows) + band->first_row;
     by_core.head.clear_from = (int16_t)(clears ? FXL_DEPTH_ALL_CLEAR : from);
     by_core.head.clear_to =
         (int16_t)(clears ? INT16_MAX : from + (int32_t)((any_32() >> 9) % band->rows));
+}
+
+/* What a kernel says that draws nothing where rows are not cleared. Returns whether it drew. */
+static bool has_drawn(const polygon *of, const fxl_band *band, fxl_depth_drawn drawn)
+{
+    if (drawn == FXL_DEPTH_NOT_CLEAR || drawn == FXL_DEPTH_NOT_DRAWN) {
+        equality_case(drawn == FXL_DEPTH_NOT_DRAWN || !is_clear(of, band));
+        return false;
+    }
+    equality_case(drawn == FXL_DEPTH_NO_ROW || is_clear(of, band));
+    return true;
+}
+
+static bool draw_smooth(const polygon *of, const fxl_band *band)
+{
+    fxl_smooth_outline smooth;
+    clear_some(band);
     if (!fxl_smooth_outline_begin(&by_core, &of->plane, &of->paint, band, of->pixel_bits / 8,
                                   &smooth)) {
         return false;
@@ -114,12 +131,18 @@ static bool draw_smooth(const polygon *of, const fxl_band *band)
     const fxl_depth_drawn drawn =
         (of->pixel_bits == 16 ? fxl_draw_smooth_outline_16
                               : fxl_draw_smooth_outline_8)(of->points, of->count, band, &smooth);
-    if (drawn == FXL_DEPTH_NOT_CLEAR || drawn == FXL_DEPTH_NOT_DRAWN) {
-        equality_case(drawn == FXL_DEPTH_NOT_DRAWN || !is_clear(of, band));
+    return has_drawn(of, band, drawn);
+}
+
+static bool draw_colours(const polygon *of, const fxl_band *band)
+{
+    fxl_colour_outline outline;
+    clear_some(band);
+    if (!fxl_depth_outline_can_draw(&by_core.head, band, 2)) {
         return false;
     }
-    equality_case(drawn == FXL_DEPTH_NO_ROW || is_clear(of, band));
-    return true;
+    fxl_colour_outline_set(&by_core.head, &of->plane, &of->gradients, band, &outline);
+    return has_drawn(of, band, fxl_draw_colour_outline(of->points, of->count, band, &outline));
 }
 
 /* Draws nothing where the outline has more than two chains, or the plane is not the kernel's. */
@@ -294,7 +317,7 @@ static void any_cells(const fxl_band *band, const fxl_depth_plane *plane)
  * band it is from -128 to 128, as light_row.h says of a face. */
 static void any_light(const fxl_band *band, polygon *of)
 {
-    fxl_gradient *light = &of->light.attributes[0];
+    fxl_gradient *light = &of->gradients.attributes[0];
     const uint32_t beside = any_32() >> 9 & 1u;
     const uint32_t levels = 2u + (any_32() >> 9) % (beside ? 39u : 63u);
     const uint32_t exponent = 8u + (any_32() >> 9) % 21u; /* of 16.16 levels */
@@ -308,12 +331,12 @@ static void any_light(const fxl_band *band, polygon *of)
     light->along = (corners[1] - corners[0]) / band->width;
     light->down = (corners[2] - corners[0]) / band->rows;
     light->at = corners[0] - light->down * band->first_row;
-    of->light.count = 1;
-    of->light.shifts[0] = (int8_t)(61 - (int32_t)exponent);
+    of->gradients.count = 1;
+    of->gradients.shifts[0] = (int8_t)(61 - (int32_t)exponent);
     const uint8_t colour = (uint8_t)any_32();
     const uint16_t dark = (uint16_t)(any_32() >> 9);
     of->paint = (fxl_paint){
-        .gradients = &of->light,
+        .gradients = &of->gradients,
         .ramp = ramp,
         .levels_less_1 = (uint8_t)(levels - 1u),
         .colour = colour,
@@ -324,6 +347,22 @@ static void any_light(const fxl_band *band, polygon *of)
                    .dark = dark},
     };
     palette[colour] = (uint16_t)(any_32() >> 9);
+}
+
+/* Any words: sums wrap. The face's column is one of the band. */
+static void any_colours(const fxl_band *band, polygon *of)
+{
+    fxl_gradient *attributes = of->gradients.attributes;
+    for (uint32_t i = 0; i < 2; i++) {
+        attributes[i].at = (int64_t)any_64();
+        attributes[i].along = (int64_t)any_64();
+        attributes[i].down = (int64_t)any_64();
+    }
+    const uint32_t column = (any_32() >> 9) % band->width;
+    attributes[0].at = (int64_t)((uint64_t)column << 32 | any_32());
+    of->gradients.count = FXL_GRADIENTS_OF_WORDS;
+    of->gradients.shifts[0] = FXL_SHIFT_OF_WORDS;
+    of->paint = (fxl_paint){.gradients = &of->gradients, .has_colours = true, .opacity = 16};
 }
 
 static void fill_ramp(void)
@@ -363,6 +402,8 @@ static void compare(bool (*draw)(const polygon *of, const fxl_band *band))
     of.count = (any_32() & 1u) != 0 ? 3u : 3u + (any_32() >> 11 & 3u);
     of.pixel_bits = 8u + (any_32() >> 9 & 8u);
     of.is_smooth = draw == draw_smooth;
+    of.has_colours = draw == draw_colours;
+    of.pixel_bits = of.has_colours ? 16u : of.pixel_bits;
     for (uint32_t i = 0; i < of.count; i++) {
         of.points[i].x = (int32_t)(left << 16) + any_place(narrow);
         of.points[i].y = top + any_place(height);
@@ -374,12 +415,14 @@ static void compare(bool (*draw)(const polygon *of, const fxl_band *band))
     }
     by_core.head.scale = by_portable.head.scale = (fxl_depth_scale){octaves, mantissa};
     any_plane(&band, &of.plane);
-    if (of.is_smooth) {
+    if (of.is_smooth || of.has_colours) {
         any_linear_plane(&band, &of.plane);
     }
     any_cells(&band, &of.plane);
     if (of.is_smooth) {
         any_light(&band, &of);
+    } else if (of.has_colours) {
+        any_colours(&band, &of);
     }
     band.pixels = (uint8_t *)(by_core.pixels + AROUND);
     if (draw(&of, &band)) {
@@ -401,6 +444,13 @@ void test_smooth_outlines(uint32_t rounds)
     fill_ramp();
     for (uint32_t i = 0; i < rounds; i++) {
         compare(draw_smooth);
+    }
+}
+
+void test_colour_outlines(uint32_t rounds)
+{
+    for (uint32_t i = 0; i < rounds; i++) {
+        compare(draw_colours);
     }
 }
 

@@ -53,6 +53,7 @@ extern const equality_test equality_tests[];
     TEST("depth-rows", test_depth_rows, LARGE)                  \
     TEST("depth-outlines", test_depth_outlines, OUTLINES)       \
     TEST("smooth-outlines", test_smooth_outlines, OUTLINES)     \
+    TEST("colour-outlines", test_colour_outlines, OUTLINES)     \
     TEST("smooth-planes", test_smooth_planes, OUTLINES)         \
     TEST("depth-runs", test_depth_runs, OUTLINES)
 

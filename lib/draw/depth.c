@@ -74,10 +74,11 @@ void fxl_find_depth_by_normal(const fxl_model_view *model_view, const fxl_face *
 }
 
 void fxl_find_exact_depth(const fxl_model_view *model_view, const fxl_face *face,
-                          const fxl_traversal *traversal, fxl_corner_planes *planes,
+                          const fxl_traversal *traversal, fxl_corner_planes *planes, bool has_words,
                           fxl_depth_plane *plane)
 {
     (void)planes;
+    (void)has_words;
     fxl_find_depth_by_normal(model_view, face, traversal, plane);
 }
 

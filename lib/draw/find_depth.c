@@ -4,12 +4,12 @@
 #include "surface_polygon.h"
 
 void fxl_find_depth(const fxl_model_view *model_view, const fxl_face *face,
-                    const fxl_traversal *traversal, fxl_corner_planes *planes,
+                    const fxl_traversal *traversal, fxl_corner_planes *planes, bool has_words,
                     fxl_depth_plane *plane)
 {
-    if (planes != NULL) {
-        fxl_corner_planes_depth(planes, plane);
-    } else {
+    if (planes == NULL) {
         fxl_find_depth_by_normal(model_view, face, traversal, plane);
+    } else if (!has_words || !fxl_corner_planes_depth_words(planes, plane)) {
+        fxl_corner_planes_depth(planes, plane);
     }
 }

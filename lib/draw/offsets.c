@@ -239,6 +239,13 @@ AT(fxl_smooth_outline, last, SMOOTH_OUTLINE_LAST);
 AT(fxl_smooth_outline, border, SMOOTH_OUTLINE_BORDER);
 AT(fxl_smooth_outline, rows, SMOOTH_OUTLINE_ROWS);
 
+AT(fxl_colour_outline, at.code, COLOUR_OUTLINE_CODE);
+AT(fxl_colour_outline, at.origin, COLOUR_OUTLINE_ORIGIN);
+AT(fxl_colour_outline, down.code, COLOUR_OUTLINE_CODE_DOWN);
+AT(fxl_colour_outline, cells, COLOUR_OUTLINE_CELLS);
+AT(fxl_colour_outline, border, COLOUR_OUTLINE_BORDER);
+AT(fxl_colour_outline, rows, COLOUR_OUTLINE_ROWS);
+
 VALUE(FXL_VERTEX_UNPROJECTED, VERTEX_UNPROJECTED);
 VALUE(FXL_DEPTH_NOT_DRAWN, DEPTH_NOT_DRAWN);
 VALUE(FXL_DEPTH_NO_ROW, DEPTH_NO_ROW);

@@ -186,21 +186,19 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
         polygon->level = 0;
         return;
     }
-    const bool is_small = is_projected && fxl_corner_planes_begin(&on_screen, &view->lens,
-                                                                  FXL_SMALL_SIDE_MAX, &planes);
+    const bool has_colours = (surface->flags & FXL_SURFACE_COLOURS) != 0;
+    const bool has_planes =
+        is_projected &&
+        fxl_corner_planes_begin(&on_screen, &view->lens,
+                                has_colours ? FXL_COLOURS_SIDE_MAX : FXL_SMALL_SIDE_MAX, &planes);
+    const bool is_small = has_planes && !planes.is_for_words;
     const bool is_affine =
-        is_small && surface->division == FXL_AFFINE && are_on_screen(&on_screen, &view->lens);
-    bool is_found = false;
-    if (surface->flags & FXL_SURFACE_COLOURS) {
-        const bool has_planes =
-            is_projected && surface->division != FXL_DIVIDE_1 &&
-            (is_small ||
-             fxl_corner_planes_begin(&on_screen, &view->lens, FXL_COLOURS_SIDE_MAX, &planes));
-        const bool is_flat =
-            has_planes && surface->division == FXL_AFFINE && are_on_screen(&on_screen, &view->lens);
-        is_found = surfaces->painter->find_colours(surfaces, of, has_planes ? &planes : NULL,
-                                                   is_flat, &corners, &polygon->gradients);
-    }
+        has_planes && surface->division == FXL_AFFINE && are_on_screen(&on_screen, &view->lens);
+    const bool is_found =
+        has_colours &&
+        surfaces->painter->find_colours(
+            surfaces, of, has_planes && surface->division != FXL_DIVIDE_1 ? &planes : NULL,
+            is_affine, surface->division != FXL_DIVIDE_8, &corners, &polygon->gradients);
     /* What is divided at each pixel, or has more texels, keeps the exact planes. */
     const bool has_small_planes = is_small && surface->division != FXL_DIVIDE_1 &&
                                   (texture == NULL || has_few_texels(corners.values));
@@ -211,7 +209,8 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
                          : find_large(surface, texture, model_view, face, vertices, traversal,
                                       &corners, &polygon->gradients);
     if (find_depth != NULL) {
-        find_depth(model_view, face, traversal, is_small ? &planes : NULL, &polygon->depth);
+        find_depth(model_view, face, traversal, is_small ? &planes : NULL, is_found,
+                   &polygon->depth);
     }
 }
 

@@ -5,7 +5,7 @@
 
 /* surfaces 1.4 */
 bool fxl_find_colours(const fxl_surfaces *surfaces, const fxl_corner *const mapped[3],
-                      const fxl_corner_planes *planes, bool is_affine,
+                      const fxl_corner_planes *planes, bool is_affine, bool is_coarse,
                       fxl_gradient_corners *corners, fxl_gradients *gradients)
 {
     int32_t(*values)[3] = corners->values;
@@ -19,5 +19,6 @@ bool fxl_find_colours(const fxl_surfaces *surfaces, const fxl_corner *const mapp
         fxl_corner_colours_light(&surfaces->light->settings, light, values);
     }
     corners->count = FXL_ATTRIBUTES;
-    return planes != NULL && fxl_corner_colours_linear(planes, values, is_affine, gradients);
+    return planes != NULL &&
+           fxl_corner_colours_linear(planes, values, is_affine, is_coarse, gradients);
 }

@@ -86,12 +86,12 @@ typedef struct {
 
 /* fxl_find_colours: what a painter of RGB565 links. */
 typedef bool fxl_colours_finder(const fxl_surfaces *surfaces, const fxl_corner *const mapped[3],
-                                const fxl_corner_planes *planes, bool is_affine,
+                                const fxl_corner_planes *planes, bool is_affine, bool is_coarse,
                                 fxl_gradient_corners *corners, fxl_gradients *gradients);
 
 /* The attributes of a face with colours at its corners. On entry the first one of corners->values
- * is light, if their count is not 0. planes: of the face, where it is small and not divided at each
- * pixel; else null. Returns true if *gradients are found, as fxl_corner_colours_linear has them. */
+ * is light, if their count is not 0. planes: of the face, where it has some and is not divided at
+ * each pixel; else null. is_affine, is_coarse: as of fxl_corner_colours_linear. Returns true if *gradients are found, as fxl_corner_colours_linear has them. */
 fxl_colours_finder fxl_find_colours;
 
 /* What draws the faces that have surfaces into a target: a constant record for each target. */
@@ -176,10 +176,10 @@ void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygo
                           fxl_paint *paint);
 
 /* fxl_find_depth: what a painter with a depth buffer links. planes: of the face, where it is small;
- * else null. */
+ * else null. has_words: its attributes are words, so its depth may be words too. */
 typedef void fxl_depth_finder(const fxl_model_view *model_view, const fxl_face *face,
                               const fxl_traversal *traversal, fxl_corner_planes *planes,
-                              fxl_depth_plane *plane);
+                              bool has_words, fxl_depth_plane *plane);
 
 /* fxl_find_smooth_planes: what a painter with a depth buffer of 16 bits links. */
 typedef bool fxl_linear_finder(const fxl_screen_corners *corners, const fxl_lens *lens,

@@ -51,15 +51,44 @@ static inline bool can_draw_smooth(const fxl_workspace *workspace, const fxl_ban
                                       FXL_PIXEL_BITS / 8);
 }
 
-/* Draws any polygon in words by that kernel, where it can. */
+#if FXL_TARGET_PIXEL_BITS == 16
+
+/* The same of a polygon with colours at its corners, which is opaque. */
+static __attribute__((noinline)) fxl_depth_drawn draw_colours(fxl_workspace *workspace,
+                                                              const fxl_surface_polygon *polygon,
+                                                              const fxl_screen_point *points,
+                                                              uint32_t count, const fxl_band *band)
+{
+    const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
+    fxl_colour_outline outline;
+    fxl_colour_outline_set(head, &polygon->depth, &polygon->gradients, band, &outline);
+    fxl_depth_drawn drawn = fxl_draw_colour_outline(points, count, band, &outline);
+    if (drawn == FXL_DEPTH_NOT_CLEAR) {
+        fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+        fxl_colour_outline_set(head, &polygon->depth, &polygon->gradients, band, &outline);
+        drawn = fxl_draw_colour_outline(points, count, band, &outline);
+    }
+    return drawn;
+}
+
+#endif
+
+/* Draws any polygon in words by the kernel for it, where that can. */
 static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_workspace *workspace,
                                           const fxl_surface_polygon *polygon,
                                           const fxl_screen_point *points, uint32_t count,
                                           const fxl_band *band)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
-    if (surface->opacity != 16 || is_blended(surface) || polygon->is_in_beam ||
-        !fxl_surface_is_lit(surfaces, surface) || !can_draw_smooth(workspace, band)) {
+    if (surface->opacity != 16 || is_blended(surface) || !can_draw_smooth(workspace, band)) {
+        return FXL_DEPTH_NOT_DRAWN;
+    }
+#if FXL_TARGET_PIXEL_BITS == 16
+    if (surface->flags & FXL_SURFACE_COLOURS) {
+        return draw_colours(workspace, polygon, points, count, band);
+    }
+#endif
+    if (polygon->is_in_beam || !fxl_surface_is_lit(surfaces, surface)) {
         return FXL_DEPTH_NOT_DRAWN;
     }
     return clear_and_draw_words(surfaces, workspace, polygon, polygon->colour, points, count, band);

@@ -244,6 +244,13 @@
 #define SMOOTH_OUTLINE_BORDER     60
 #define SMOOTH_OUTLINE_ROWS       64
 
+#define COLOUR_OUTLINE_CODE      0
+#define COLOUR_OUTLINE_ORIGIN    16
+#define COLOUR_OUTLINE_CODE_DOWN 20
+#define COLOUR_OUTLINE_CELLS     40
+#define COLOUR_OUTLINE_BORDER    60
+#define COLOUR_OUTLINE_ROWS      64
+
 /* FXL_VERTEX_UNPROJECTED, FXL_PLANES_ALL, some of fxl_depth_drawn and of fxl_clip_result */
 #define PLANES_ALL         0x3F
 #define VERTEX_UNPROJECTED 0x80

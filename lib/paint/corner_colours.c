@@ -66,17 +66,44 @@ static inline bool is_near(const fxl_corner_planes *planes)
     return planes->weight_range <= (planes->weight_most - planes->weight_range) >> 7;
 }
 
-/* Whether it is for these. */
-static bool change_little(const fxl_corner_planes *planes, int32_t (*values)[3])
+/* Whether a channel that begins `more` away from its values is as far from what no pixel shows as
+ * the values of corners are: 1/16. */
+static inline bool stays_within(const int32_t values[3], int32_t more, int32_t end)
 {
-    uint32_t most = 0;
-    for (uint32_t k = 0; k < 3; k++) {
-        const uint32_t range = range_of_channel(values[k]);
-        most = range > most ? range : most;
+    for (uint32_t i = 0; i < 3; i++) {
+        const int32_t value = values[i] + more;
+        if (value < 4096 || value > end - 4096) {
+            return false;
+        }
     }
-    return fxl_product_unsigned(most, planes->weight_range) <=
-           fxl_product_unsigned(planes->weight_most - planes->weight_range,
-                                4u * FXL_AFFINE_ERROR_LIGHT);
+    return true;
+}
+
+/* What is added to each channel, where a constant weight may be asked for: the mean of what it
+ * takes off. False: it changes a channel too much. Ranges are below 2^22 and weights below 2^30. */
+/* SPEC 9.1.1 */
+static bool find_means(const fxl_corner_planes *planes, int32_t (*values)[3], bool is_coarse,
+                       int32_t means[3])
+{
+    const uint32_t least = planes->weight_most - planes->weight_range;
+    for (uint32_t k = 0; k < 3; k++) {
+        const int32_t *of = values[k];
+        const uint64_t error = fxl_product_unsigned(range_of_channel(of), planes->weight_range);
+        means[k] = 0;
+        if (error <= fxl_product_unsigned(least, 4u * FXL_AFFINE_ERROR_LIGHT)) {
+            continue;
+        }
+        if (!is_coarse || error > fxl_product_unsigned(least, 4u * FXL_WORDS_ERROR_COLOUR)) {
+            return false;
+        }
+        const int32_t mean = fxl_corner_planes_mean(planes, of[1] - of[0], of[2] - of[0]);
+        if (stays_within(of, mean, k == 1 ? 64 << 16 : 32 << 16)) {
+            means[k] = mean;
+        } else if (error > fxl_product_unsigned(least, 3u * FXL_WORDS_ERROR_COLOUR)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* What all channels of a face share: how much of a difference between corners a pixel along and a
@@ -195,25 +222,28 @@ bool fxl_corner_colours_unlit(const fxl_corner *const corners[3], const fxl_corn
     return true;
 }
 
-static inline channel_words channel_of_values(const shared_planes *shared, const int32_t values[3])
+static inline channel_words channel_of_values(const shared_planes *shared, const int32_t values[3],
+                                              int32_t more)
 {
-    return find_channel(shared, (uint32_t)values[0] << 6,
+    return find_channel(shared, (uint32_t)(values[0] + more) << 6,
                         (int32_t)((uint32_t)(values[1] - values[0]) << 9),
                         (int32_t)((uint32_t)(values[2] - values[0]) << 9));
 }
 
 bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values)[3],
-                               bool is_affine, fxl_gradients *gradients)
+                               bool is_affine, bool is_coarse, fxl_gradients *gradients)
 {
     const int32_t column = planes->corners->points[0].x >> 16;
     shared_planes shared;
-    if (!planes->is_triangle || !(is_affine || is_near(planes) || change_little(planes, values)) ||
+    int32_t means[3] = {0, 0, 0};
+    if (!planes->is_triangle ||
+        !(is_affine || is_near(planes) || find_means(planes, values, is_coarse, means)) ||
         !share(planes, column, &shared)) {
         return false;
     }
-    const channel_words channels[3] = {channel_of_values(&shared, values[0]),
-                                       channel_of_values(&shared, values[1]),
-                                       channel_of_values(&shared, values[2])};
+    const channel_words channels[3] = {channel_of_values(&shared, values[0], means[0]),
+                                       channel_of_values(&shared, values[1], means[1]),
+                                       channel_of_values(&shared, values[2], means[2])};
     set_words(column, channels, gradients);
     return true;
 }

@@ -154,20 +154,6 @@ static inline void find_words(const fxl_corner_planes *planes, uint32_t value, i
     gradient->at = (int32_t)(value - fxl_lower_of_shifted(off, 16));
 }
 
-/* The mean of what a constant weight takes off light in the triangle, of which corners 1 and 2 have
- * d1 and d2 more than corner 0. With a and b the same differences of weights, and s the sum of the
- * three weights, it is (d1 (2 a - b) + d2 (2 b - a)) / 4 s. Any two weights differ by less than
- * 2^30, so factors are below 2^31; light differs by less than 2^22, so products are below 2^53.
- * Here s is that of weights whose middle one is midway. It costs at most 1/4 of the mean. */
-static int32_t mean_of_error(const fxl_corner_planes *planes, int32_t d1, int32_t d2)
-{
-    const int32_t *weights = planes->weights;
-    const int32_t a = weights[1] - weights[0], b = weights[2] - weights[0];
-    const int64_t sum = fxl_product(d1, 2 * a - b) + fxl_product(d2, 2 * b - a);
-    const uint32_t twice = 2u * planes->weight_most - planes->weight_range;
-    return (int32_t)fxl_lower_of_shifted(sum, 24) / (int32_t)((twice + twice / 2u) >> 22);
-}
-
 /* The upper word of a magnitude, but for a unit of the lowest bit. */
 static inline uint32_t upper_size(int64_t value)
 {
@@ -179,46 +165,22 @@ static inline uint32_t upper_size(int64_t value)
  * depth_code.h. A weight changes by at most 16 / s of its range a pixel along a side of s pixels,
  * where the range is at most s / 16 of the largest weight, which is below 2^length: so a code
  * changes by less than 2^(mantissa + 17), at most 2^31. Where that is not so, or the face is thin,
- * it is tested. Drops are from 10 to 38; of light, from 6 to 28. */
-bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t light[3],
-                              fxl_gradients *gradients, fxl_depth_plane *depth)
+ * it is tested. Drops are from 10 to 38. */
+bool fxl_corner_planes_depth_words(const fxl_corner_planes *planes, fxl_depth_plane *depth)
 {
-    static const fxl_gradient constant = {FXL_CONSTANT_WEIGHT, 0, 0};
-    const int32_t *weights = planes->weights;
+    const int32_t *weights = planes->weights, *across = planes->along, *below = planes->down;
     const fxl_depth_scale scale = fxl_depth_scale_of(planes->lens);
     const unsigned zeros = fxl_leading_zeros(planes->weight_most);
     const int number = planes->weight_exponent + (int)zeros - 32;
     const int crossed =
         (int)fxl_leading_zeros(planes->weight_most - planes->weight_range) - (int)zeros;
-    const uint32_t least = planes->weight_most - planes->weight_range;
-    const uint64_t error = fxl_product_unsigned(fxl_range_of(light), planes->weight_range);
     if (!planes->is_triangle || scale.mantissa > 14 || number < 0 || crossed > 1 ||
-        number + crossed >= scale.octaves ||
-        error > fxl_product_unsigned(least, 4u * FXL_WORDS_ERROR_LIGHT)) {
+        number + crossed >= scale.octaves) {
         return false;
     }
-    const int32_t *across = planes->along, *below = planes->down;
-    int32_t d1 = light[1] - light[0], d2 = light[2] - light[0];
-    int64_t along = fxl_product(d1, across[0]) + fxl_product(d2, across[1]);
-    int64_t down = fxl_product(d1, below[0]) + fxl_product(d2, below[1]);
-    const unsigned drop = (unsigned)planes->exponent - 8u;
-    if ((upper_size(along) | upper_size(down)) >> (drop - 1u) != 0) {
-        return false;
-    }
-    const int32_t more = error > fxl_product_unsigned(least, 4u * FXL_AFFINE_ERROR_LIGHT)
-                             ? mean_of_error(planes, d1, d2)
-                             : 0;
-    find_words(planes, (uint32_t)(light[0] + more) << 8, along, down, drop,
-               &gradients->attributes[0]);
-    gradients->shifts[0] = 53;
-    gradients->count = 1;
-    gradients->weight = constant;
-    gradients->weight_min[0] = gradients->weight_min[1] = 1;
-
-    d1 = weights[1] - weights[0];
-    d2 = weights[2] - weights[0];
-    along = fxl_product(d1, across[0]) + fxl_product(d2, across[1]);
-    down = fxl_product(d1, below[0]) + fxl_product(d2, below[1]);
+    const int32_t d1 = weights[1] - weights[0], d2 = weights[2] - weights[0];
+    const int64_t along = fxl_product(d1, across[0]) + fxl_product(d2, across[1]);
+    const int64_t down = fxl_product(d1, below[0]) + fxl_product(d2, below[1]);
     const unsigned length = 32u - zeros, bits = scale.mantissa + 17u; /* 28 to 31 */
     if (planes->may_be_steep &&
         (upper_size(along) | upper_size(down)) >> ((unsigned)planes->exponent + length - 33u) !=
@@ -232,4 +194,33 @@ bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t lig
                (unsigned)planes->exponent + length - bits, &depth->gradient);
     depth->one = crossed ? FXL_DEPTH_IS_BENT + number : FXL_DEPTH_IS_LINEAR;
     return true;
+}
+
+/* Drops of light are from 6 to 28. */
+bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t light[3],
+                              fxl_gradients *gradients, fxl_depth_plane *depth)
+{
+    static const fxl_gradient constant = {FXL_CONSTANT_WEIGHT, 0, 0};
+    const uint32_t least = planes->weight_most - planes->weight_range;
+    const uint64_t error = fxl_product_unsigned(fxl_range_of(light), planes->weight_range);
+    if (error > fxl_product_unsigned(least, 4u * FXL_WORDS_ERROR_LIGHT)) {
+        return false;
+    }
+    const int32_t d1 = light[1] - light[0], d2 = light[2] - light[0];
+    const int64_t along = fxl_product(d1, planes->along[0]) + fxl_product(d2, planes->along[1]);
+    const int64_t down = fxl_product(d1, planes->down[0]) + fxl_product(d2, planes->down[1]);
+    const unsigned drop = (unsigned)planes->exponent - 8u;
+    if ((upper_size(along) | upper_size(down)) >> (drop - 1u) != 0) {
+        return false;
+    }
+    const int32_t more = error > fxl_product_unsigned(least, 4u * FXL_AFFINE_ERROR_LIGHT)
+                             ? fxl_corner_planes_mean(planes, d1, d2)
+                             : 0;
+    find_words(planes, (uint32_t)(light[0] + more) << 8, along, down, drop,
+               &gradients->attributes[0]);
+    gradients->shifts[0] = 53;
+    gradients->count = 1;
+    gradients->weight = constant;
+    gradients->weight_min[0] = gradients->weight_min[1] = 1;
+    return fxl_corner_planes_depth_words(planes, depth);
 }

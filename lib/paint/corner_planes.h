@@ -16,8 +16,10 @@
 #define FXL_CORNER_PLANES_H
 
 #include "../math/arith.h"
+#include "../math/product.h"
 #include "depth_code.h"
 #include "gradients.h"
+#include "light_row.h"
 #include "texture_level.h"
 
 #ifdef __cplusplus
@@ -102,6 +104,28 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
  * Corners are off by 0.52/65536 pixel, which moves the plane by so much times its slope. */
 void fxl_corner_planes_depth(fxl_corner_planes *planes, fxl_depth_plane *plane);
 
+/* The depth of a triangle of one octave or two in words: fxl_depth_plane that
+ * FXL_DEPTH_IS_LINEAR, or FXL_DEPTH_IS_BENT. Returns false where the face is not a triangle, or has
+ * more octaves, or may be steep and its depth changes much; or where the lens has a single octave.
+ * Error in the triangle, given the corners: that of fxl_corner_planes_depth, and 2048 2^-16 code,
+ * or 4096 2^-16 beyond the end of an octave. */
+bool fxl_corner_planes_depth_words(const fxl_corner_planes *planes, fxl_depth_plane *depth);
+
+/* The mean of what a constant weight takes off a value in the triangle, of which corners 1 and 2
+ * have d1 and d2 more than corner 0. With a and b the same differences of weights, and s the sum of
+ * the three weights, it is (d1 (2 a - b) + d2 (2 b - a)) / 4 s. Any two weights differ by less than
+ * 2^30, so factors are below 2^31; values differ by less than 2^22, so products are below 2^53.
+ * Here s is that of weights whose middle one is midway. It costs at most 1/4 of the mean. */
+static inline int32_t fxl_corner_planes_mean(const fxl_corner_planes *planes, int32_t d1,
+                                             int32_t d2)
+{
+    const int32_t *weights = planes->weights;
+    const int32_t a = weights[1] - weights[0], b = weights[2] - weights[0];
+    const int64_t sum = fxl_product(d1, 2 * a - b) + fxl_product(d2, 2 * b - a);
+    const uint32_t twice = 2u * planes->weight_most - planes->weight_range;
+    return (int32_t)fxl_lower_of_shifted(sum, 24) / (int32_t)((twice + twice / 2u) >> 22);
+}
+
 /* The depth of a triangle of one octave, and its light, in words: fxl_depth_plane that
  * FXL_DEPTH_IS_LINEAR, and gradients of a constant weight with light alone, whose lower words are
  * those of light_row.h: for what fxl_paint.has_light_rows alone. Returns false where the face is
@@ -141,6 +165,7 @@ void fxl_corner_planes_density(const fxl_corner_planes *planes, bool is_affine, 
 #define FXL_AFFINE_ERROR_TEXEL 1024u
 #define FXL_AFFINE_ERROR_LIGHT 8192u
 #define FXL_WORDS_ERROR_LIGHT  16384u /* of fxl_corner_planes_linear: 1/4 */
+#define FXL_WORDS_ERROR_COLOUR 26208u /* of fxl_corner_colours_linear: below 0.4, a multiple of 4 */
 
 #ifdef __cplusplus
 }

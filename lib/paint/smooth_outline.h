@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* An outline of one colour whose light and depth codes are linear on the screen, in a depth buffer
- * of 16 bits, front to back: survey, edges, depth test, light and pixels in one call. Only Armv7-M
- * has this, as depth_outline.h says. Internal. */
+/* An outline whose depth codes are linear on the screen, in a depth buffer of 16 bits, front to
+ * back: of one colour and with light that is linear too, or with such colours at its corners.
+ * Survey, edges, depth test and pixels are one call. Only Armv7-M has this, as depth_outline.h
+ * says. Internal. */
 #ifndef FXL_SMOOTH_OUTLINE_H
 #define FXL_SMOOTH_OUTLINE_H
 
+#include "corner_colours.h"
 #include "depth_outline.h"
 #include "light_row.h"
 #include "rgb565_colour.h"
@@ -98,6 +100,63 @@ static inline bool fxl_smooth_outline_begin(const void *memory, const fxl_depth_
     }
     fxl_smooth_outline_set(head, plane, paint, band, pixel_bytes, smooth);
     return true;
+}
+
+/* place pixel-format: colours at corners: their attributes, and the pixels between */
+/* What is linear over the rows, at one of them: the code of cell 0; red, green and blue in the
+ * face's column (corner_colours.h); and the cell of that column. */
+typedef struct {
+    uint32_t code, red, green, blue, origin;
+} fxl_colour_row;
+
+/* What the kernel of colours needs of a polygon, and what it keeps from row to row. Cells are
+ * counted from the first one of the band. */
+typedef struct {
+    fxl_colour_row at;   /* of row 0, less its change a row; then of a row: the kernel's own */
+    fxl_colour_row down; /* what a row adds */
+    uint16_t *cells;     /* of the band */
+    uintptr_t pixels;    /* as of fxl_depth_outline: of the cell after the pixel's */
+    uint32_t step, green_step; /* what a column adds: fxl_colour_words */
+    uint32_t code_along;
+    uint32_t border; /* as of fxl_depth_border */
+    uint32_t rows;   /* the kernel's own */
+} fxl_colour_outline;
+
+#if FXL_DRAWS_DEPTH_OUTLINES
+
+/* Draws an outline of count points, as fxl_draw_smooth_outline_16 does. Writes what
+ * fxl_depth_paint_row and fxl_paint_colours_565 write of opaque pixels. Requires points whose
+ * columns are within 128 of the face's. */
+fxl_depth_drawn fxl_draw_colour_outline(const fxl_screen_point *points, uint32_t count,
+                                        const fxl_band *band, fxl_colour_outline *outline);
+
+#endif
+
+/* Prepares a polygon with colours at its corners whose colours and plane are in words. Requires
+ * fxl_depth_outline_can_draw. */
+static inline void fxl_colour_outline_set(const fxl_depth_head *head, const fxl_depth_plane *plane,
+                                          const fxl_gradients *gradients, const fxl_band *band,
+                                          fxl_colour_outline *outline)
+{
+    const fxl_gradient *of = gradients->attributes;
+    const uint32_t along = (uint32_t)plane->gradient.along, code_row = band->width * along;
+    fxl_colour_row *at = &outline->at, *down = &outline->down;
+    down->code = (uint32_t)plane->gradient.down - code_row;
+    down->red = (uint32_t)of[0].down;
+    down->green = (uint32_t)((uint64_t)of[0].down >> 32);
+    down->blue = (uint32_t)of[1].down;
+    down->origin = band->width;
+    at->code = (uint32_t)plane->gradient.at + band->first_row * code_row - down->code;
+    at->red = (uint32_t)of[0].at - down->red;
+    at->green = (uint32_t)of[1].at - down->green;
+    at->blue = (uint32_t)((uint64_t)of[1].at >> 32) - down->blue;
+    at->origin = (uint32_t)((uint64_t)of[0].at >> 32) - (band->first_row + 1u) * band->width;
+    outline->cells = (uint16_t *)(uintptr_t)(head + 1);
+    outline->pixels = fxl_depth_outline_pixels(head, band, 2) - 2u;
+    outline->step = (uint32_t)of[0].along;
+    outline->green_step = (uint32_t)((uint64_t)of[0].along >> 32);
+    outline->code_along = along;
+    outline->border = fxl_depth_border(head->scale, plane);
 }
 
 #ifdef __cplusplus

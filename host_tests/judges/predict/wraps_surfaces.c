@@ -233,11 +233,12 @@ static void count_slow(const fxl_paint *paint, const fxl_paint_row *row, int32_t
 
 WRAPPED(bool, fxl_find_colours,
         (const fxl_surfaces *surfaces, const fxl_corner *const mapped[3],
-         const fxl_corner_planes *planes, bool is_affine, fxl_gradient_corners *corners,
-         fxl_gradients *gradients))
+         const fxl_corner_planes *planes, bool is_affine, bool is_coarse,
+         fxl_gradient_corners *corners, fxl_gradients *gradients))
 {
     counted.wide_colours_found += corners->count != 0 ? 2 : 1; /* light takes as much again */
-    return __real_fxl_find_colours(surfaces, mapped, planes, is_affine, corners, gradients);
+    return __real_fxl_find_colours(surfaces, mapped, planes, is_affine, is_coarse, corners,
+                                   gradients);
 }
 
 /* The segments of a row whose weight is not constant. Pixels that are no part of a run are each

@@ -50,6 +50,10 @@ static double linear_error(const ref_surface_view *view, int value, double scale
     if (view->texture && value < REF_BRIGHTNESS) {
         return scale / 64;
     }
+    const bool is_exact = view->surface->division == REF_DIVIDE_8 || view->is_affine;
+    if (view->surface->has_colours && !is_exact) {
+        return 0.3;
+    }
     return has_coarse_light(view) ? 3.0 / 16 : 1.0 / 8;
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "paint/corner_colours.c"
 #include "paint/colour_run.c"
+#include "paint/smooth_outline.h"
 #include "proof.h"
 
 /* The most by which corners differ, in 7.25, and the most of a coefficient. */
@@ -23,6 +24,71 @@ void prove_range_of_channel(void)
            (uint32_t)(values[1] - values[0] + (int32_t)range) <= 2 * range &&
                (uint32_t)(values[2] - values[0] + (int32_t)range) <= 2 * range &&
                (uint32_t)(values[2] - values[1] + (int32_t)range) <= 2 * range);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "stays_within"
+ * property = "exactly where all corners stay 1/16 away from both ends, and nothing overflows"
+ * checks = 28
+ * unwind = 4
+ */
+void prove_stays_within(void)
+{
+    const int32_t values[3] = {nondet_s32(), nondet_s32(), nondet_s32()};
+    const int32_t more = nondet_s32(), end = nondet_u8() != 0 ? 64 << 16 : 32 << 16;
+    bool stays = true;
+    ASSUME(more >= -(1 << 16) && more <= 1 << 16);
+    for (int i = 0; i < 3; i++) {
+        ASSUME(values[i] >= 0 && values[i] <= end);
+        stays = stays && values[i] + more >= 4096 && values[i] + more + 4096 <= end;
+    }
+    ASSERT("exactly there", stays_within(values, more, end) == stays);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "lib/paint/corner_planes.h:fxl_corner_planes_mean"
+ * property = "nothing overflows, for all weights of a face and values that differ by at most 2^22"
+ * checks = 66
+ * unwind = 4
+ */
+void prove_corner_planes_mean(void)
+{
+    fxl_corner_planes planes;
+    const int32_t d1 = nondet_s32(), d2 = nondet_s32();
+    ASSUME(WITHIN(d1, 1 << 22) && WITHIN(d2, 1 << 22));
+    ASSUME(planes.weight_most >= 1u << 26 && planes.weight_most < 1u << 30);
+    ASSUME(planes.weight_range < planes.weight_most);
+    for (int i = 0; i < 3; i++) {
+        ASSUME(planes.weights[i] >= (int32_t)(planes.weight_most - planes.weight_range) &&
+               planes.weights[i] <= (int32_t)planes.weight_most);
+    }
+    (void)fxl_corner_planes_mean(&planes, d1, d2);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "lib/paint/smooth_outline.h:fxl_colour_outline_set"
+ * property = "nothing is undefined, for any words"
+ * checks = 317
+ */
+void prove_colour_outline_set(void)
+{
+    static FXL_ALIGN_8 uint8_t memory[sizeof(fxl_depth_head) + 8];
+    fxl_depth_head *head = (fxl_depth_head *)(void *)memory;
+    fxl_depth_plane plane;
+    fxl_gradients gradients;
+    fxl_band band;
+    fxl_colour_outline outline;
+    uint8_t pixel[2];
+    band.pixels = pixel;
+    ASSUME(band.width <= 1024 && band.first_row < 1024);
+    ASSUME(head->scale.octaves >= 1 && head->scale.octaves <= 24);
+    ASSUME(head->scale.mantissa >= 11 && head->scale.mantissa <= 15);
+    ASSUME(fxl_depth_is_in_words(&plane));
+    ASSUME(plane.one < FXL_DEPTH_IS_BENT + head->scale.octaves);
+    fxl_colour_outline_set(head, &plane, &gradients, &band, &outline);
     PROOF_ENDS();
 }
 
@@ -136,7 +202,7 @@ void prove_channel_of_colours(void)
 /* [[row]]
  * function = "channel_of_values"
  * property = "nothing overflows, for all levels from 1/16 to 63 15/16"
- * checks = 93
+ * checks = 96
  * unwind = 4
  */
 void prove_channel_of_values(void)
@@ -146,7 +212,9 @@ void prove_channel_of_values(void)
     for (int i = 0; i < 3; i++) {
         ASSUME(values[i] >= 1 << 12 && values[i] <= (1 << 22) - (1 << 12));
     }
-    (void)channel_of_values(&shared, values);
+    int32_t more = nondet_s32(); /* stays_within */
+    ASSUME(more >= (1 << 12) - values[0] && more <= (1 << 22) - (1 << 12) - values[0]);
+    (void)channel_of_values(&shared, values, more);
     PROOF_ENDS();
 }
 
@@ -219,6 +287,8 @@ void prove_paint_colour_run(void)
     const uint16_t behind = pixels[count];
     fxl_paint_colour_run(&words, pixels, count);
     ASSERT("no pixel behind the last one", pixels[count] == behind);
-    ASSERT("the first one's levels", count == 0 || pixels[0] == (uint16_t)(words.both >> 27 << 11 | words.green >> 26 << 5 | (words.both >> 11 & 31u)));
+    ASSERT("the first one's levels",
+           count == 0 || pixels[0] == (uint16_t)(words.both >> 27 << 11 | words.green >> 26 << 5 |
+                                                 (words.both >> 11 & 31u)));
     PROOF_ENDS();
 }
