@@ -97,6 +97,16 @@ def test_a_palette_shows_no_colours_at_corners(tmp_path):
         in_a_scene(tmp_path, text % '[view]\npixels = "rgb565"\n' + 'colour = "red"\n', "vertex_colours.obj")
 
 
+def test_colours_at_corners_have_a_division(tmp_path):
+    text = '[view]\npixels = "rgb565"\n[[objects]]\nmodel = "vertex_colours.obj"\n%sdivision = %s\n'
+    for words, kind in (("16", image_surface.DIVIDE_16), ("8", image_surface.DIVIDE_8), ("1", image_surface.DIVIDE_1),
+                        ('"affine"', image_surface.AFFINE)):
+        made, _ = in_a_scene(tmp_path, text % ("vertex_colours = true\n", words), "vertex_colours.obj")
+        assert {each.division for each in made.surfaces.surfaces if each.flags & image_surface.COLOURS} == {kind}
+    with pytest.raises(ToolError, match=r"division.*texture"):
+        in_a_scene(tmp_path, text % ("", "8"), "vertex_colours.obj")
+
+
 def test_an_image_that_is_not_there():
     made, notes = compiled("missing_image.obj")
     red, green, blue = max(colours(made))

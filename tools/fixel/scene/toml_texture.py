@@ -138,7 +138,8 @@ class Wish:
         self.by_file = images is not None or self._goes_by_file(table)
         self.offset = table["texel_offset"]
         if self.paints == (None,):
-            table.refuse(("mapping", "texels_per_unit", "tiles", "texel_offset", "division"), "means nothing without a texture")
+            table.refuse(("mapping", "texels_per_unit", "tiles", "texel_offset", *(() if self.corner_colours else ("division",))),
+                         "means nothing without a texture")
 
     def _check_light(self, table, baked):
         if baked and (self.lit or self.smooth):
