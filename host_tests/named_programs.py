@@ -10,28 +10,36 @@ import sys
 BUILD = pathlib.Path(__file__).resolve().parents[1] / "build"
 NAMED = "FIXEL_BUILT_PROGRAMS"    # of the environment, which the tools that a test starts get too
 MADE = {".elf", ".a", ".so", ".json"}
+READ = (".elf", ".a", ".so")      # a program that is opened, not run, must be named too
 
 
-_module = None
+_module, _asked_for = None, set()
 
 
 def of(module):
     """What the tests of a module may run. For one without BUILT_PROGRAMS everything is built."""
     global _module
     if module is _module:
-        return      # what its tests have asked make for since then may be run too
+        return
     _module = module
     programs = getattr(module, "BUILT_PROGRAMS", None)
     if programs is None:
         os.environ.pop(NAMED, None)
     else:
-        os.environ[NAMED] = " ".join(programs)
+        os.environ[NAMED] = " ".join([*programs, *_asked_for])
 
 
 def add(file):
-    """A test has asked make for a file."""
+    """A test has asked make for a file: it may be run too, also by the next module, whose test does not ask again."""
+    name = os.path.relpath(file, BUILD)
+    _asked_for.add(name)
     if NAMED in os.environ:
-        os.environ[NAMED] += f" {os.path.relpath(file, BUILD)}"
+        os.environ[NAMED] += f" {name}"
+
+
+def missing():
+    """The programs that are named and not built."""
+    return [name for name in os.environ.get(NAMED, "").split() if not (BUILD / name).exists()]
 
 
 def below_build(word, folder):
@@ -43,9 +51,14 @@ def below_build(word, folder):
 
 
 def _refuse(event, arguments):
-    if event != "subprocess.Popen" or NAMED not in os.environ:
+    if event == "subprocess.Popen":
+        _, words, folder, _ = arguments
+    elif event == "open" and isinstance(arguments[0], str) and arguments[0].endswith(READ):
+        words, folder = arguments[0], None
+    else:
         return
-    _, words, folder, _ = arguments
+    if NAMED not in os.environ:
+        return
     for word in [words] if isinstance(words, (str, bytes, os.PathLike)) else words:
         name = below_build(word, folder)
         if name and name not in os.environ[NAMED].split():

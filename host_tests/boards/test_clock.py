@@ -8,6 +8,7 @@ import pytest
 from board_programs import BOARD, EVERY_BOARD, built
 from fixel.board import emulator
 
+BUILT_PROGRAMS = ()
 WRAP = 40               # instructions that the interrupt of a wrap takes, at most
 
 

@@ -6,6 +6,7 @@ import shlex
 import subprocess
 import zlib
 
+import named_programs
 import numpy
 import pytest
 from conftest import CHECKOUT, run_cli, run_make
@@ -13,6 +14,7 @@ from conftest import CHECKOUT, run_cli, run_make
 from fixel.scene import making
 from test_hello import WHOLE
 
+BUILT_PROGRAMS = ("boards/host/walk", "host/judge", "host/raycast", "host/predict")
 PAGE = (CHECKOUT / "docs" / "crc.md").read_text(encoding="utf-8")
 BLOCKS = {re.search(r"\w+\.c\b", text).group(0): text for text in re.findall(r"```c\n(.*?)```", PAGE, re.DOTALL)}
 COMMANDS = [line.strip() for line in re.sub(r"```.*?```", "", PAGE, flags=re.DOTALL).splitlines() if re.match(r" {4,6}\S", line)]
@@ -72,6 +74,7 @@ def page(tmp_path_factory):
         (folder / name).symlink_to(CHECKOUT / name)
     making.export(str(CHECKOUT / "examples/cube/cube.obj"), str(folder / "cube_scene.h"), frames=60)
     assert run_make("lib", "CORE=host").returncode == 0
+    named_programs.add(HOST / "libfixel.a")
     return folder
 
 

@@ -12,6 +12,7 @@ from conftest import CHECKOUT
 from fixel.board import controllers, grey, wires
 from fixel.board.wires import rgb565
 
+BUILT_PROGRAMS = ()
 PAGE = (CHECKOUT / "docs" / "displays.md").read_text(encoding="utf-8")
 MOCK = CHECKOUT / "host_tests" / "boards" / "displays"
 WARNINGS = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wpedantic", "-Werror"]

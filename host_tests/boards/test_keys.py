@@ -23,6 +23,7 @@ from fixel.image import image
 from fixel.board.programs import HostPrograms
 from fixel.board.session import Session, touch_keys
 
+BUILT_PROGRAMS = ("host/judge",)
 BOARD = "lm3s6965evb"
 FRAMES = 800
 PAUSE = 24              # frames for which a state of the keys lasts at least

@@ -12,6 +12,7 @@ from conftest import CHECKOUT
 from fixel.board import controllers, wires
 from test_displays import LIBRARY, SCREEN
 
+BUILT_PROGRAMS = ()
 HEADER = (CHECKOUT / "lib/include/fixel/display.h").read_text(encoding="utf-8")
 NAMES = re.findall(r"fxl_display_module fxl_module_(\w+);", HEADER)
 DRIVERS = re.findall(r"fxl_display_driver (fxl_\w+);\s*/\* (.*?) of (.*?), (.*?) \*/", HEADER)

@@ -13,6 +13,9 @@ from conftest import CHECKOUT
 from fixel.base.errors import ToolError
 from fixel.board import dump, emulator, grey, session
 
+BUILT_PROGRAMS = ()
+
+
 # --- lm3s6965evb: 128x64, 16 greys --------------------------------------------------
 
 LARGE = "lm3s6965evb"

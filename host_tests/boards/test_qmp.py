@@ -13,6 +13,8 @@ from PIL import Image
 from fixel.board import emulator, qemu as qmp
 from fixel.base.errors import ToolError
 
+BUILT_PROGRAMS = ()
+
 
 @pytest.fixture
 def qemu():

@@ -10,6 +10,7 @@ from conftest import CHECKOUT
 
 from fixel.report import examples
 
+BUILT_PROGRAMS = ("host/libfixel.a",)
 PAGE = (CHECKOUT / "docs" / "setup.md").read_text(encoding="utf-8")
 ROWS = re.findall(r"^\| (\d+) \| `(fxl_\w+)` \| [^|]+ \| ([\d, ]*) ?\| (?:`(FXL_E_\w+)`)? ?\|$", PAGE, re.MULTILINE)
 DECLARED = re.compile(r"^fxl_status (fxl_\w+)\(", re.MULTILINE)

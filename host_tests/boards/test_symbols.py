@@ -13,6 +13,7 @@ from board_programs import BOARD, ROOT, built
 from fixel.board import emulator, execute, flash_memory
 from fixel.board.symbols import Symbols
 
+BUILT_PROGRAMS = ()
 SOURCE = "firmware/faults/core_cases.c"
 ENDLESS = "firmware/faults/ending_cases.c"
 

@@ -317,19 +317,23 @@ def test_a_job_that_cannot_be_done_is_a_failure_of_each_of_its_suites(capsys):
 
 
 def test_a_test_that_runs_what_its_file_does_not_name_fails(monkeypatch, tmp_path):
-    """A program below build/, and one that is handed to another: a sentence names it. What the test had made may run."""
+    """A program below build/, and one that is handed to another or read: a sentence names it. What a test had made may run."""
     monkeypatch.setattr(named_programs, "BUILD", tmp_path)
     monkeypatch.setattr(named_programs, "_module", None)
+    monkeypatch.setattr(named_programs, "_asked_for", set())
     monkeypatch.setenv(named_programs.NAMED, "")
     program, image = tmp_path / "host" / "judge", tmp_path / "board" / "walk.elf"
     write_files(tmp_path, {"host/judge": "#!/bin/sh\n", "board/walk.elf": ""})
     program.chmod(0o755)
     named_programs.of(types.SimpleNamespace(BUILT_PROGRAMS=("host/judge",)))
     subprocess.run([program], check=True)
-    with pytest.raises(RuntimeError, match=r"build/board/walk\.elf, which the BUILT_PROGRAMS"):
-        subprocess.run(["true", image], check=True)
+    for use in (lambda: subprocess.run(["true", image], check=True), image.read_bytes):
+        with pytest.raises(RuntimeError, match=r"build/board/walk\.elf, which the BUILT_PROGRAMS"):
+            use()
     named_programs.add(image)
     subprocess.run(["true", image], check=True)
+    named_programs.of(types.SimpleNamespace(BUILT_PROGRAMS=()))     # the next file, whose test does not ask again
+    image.read_bytes()
     named_programs.of(types.SimpleNamespace())
     subprocess.run(["true", image], check=True)
 

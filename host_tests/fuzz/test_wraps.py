@@ -15,6 +15,7 @@ import subprocess
 import pytest
 from conftest import CHECKOUT
 
+BUILT_PROGRAMS = ()
 LIST = CHECKOUT / "host_tests" / "fuzz" / "wraps.txt"
 # A definition begins a line with its type, whose name may stand on the next one, and is followed by a body, before which
 # contracts may stand.

@@ -14,6 +14,7 @@ from fixel.board import dump
 from fixel.image import image, image_surface
 from fixel.report import report_claims
 
+BUILT_PROGRAMS = ("host/frames", "host/judge")
 FRAMES = 12     # of a path, at most
 PLAN = bench_plan.Plan(CHECKOUT / "build")
 RECORD = report_claims.record()

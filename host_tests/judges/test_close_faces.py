@@ -8,6 +8,7 @@ from fixel.scene import making
 from fixel.image import image
 from fixel.model import close_faces
 
+BUILT_PROGRAMS = ()
 UNIT = close_faces.UNIT
 
 

@@ -7,6 +7,8 @@ from conftest import run_make
 from PIL import Image
 import pytest
 
+BUILT_PROGRAMS = ()
+
 
 @pytest.mark.parametrize("scene, least", [("tiny", 500), ("w1", 10_000), ("adversarial", 4_000), ("window", 2_000)])
 def test_wireframes_are_the_twins(scene, least, tmp_path):

@@ -20,6 +20,7 @@ from fixel.model.mesh import DENT_MAX, Mesh, UNIT, cross, dot, is_convex_outline
 from fixel.model.solids import make
 from fixel.scene.toml_object import matrix
 
+BUILT_PROGRAMS = ()
 ONE = 65536
 SQUARE_NORMAL = (0, 1 << 30, 0)
 

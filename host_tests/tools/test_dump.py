@@ -15,6 +15,7 @@ from conftest import COUNTERS_OF_A_FRAME, assert_one_sentence, dump_bytes, rando
 from fixel.base.errors import ToolError
 from fixel.board import dump, crc
 
+BUILT_PROGRAMS = ()
 FRAMES = random_frames(3, 5, 7)
 WHOLE = dump_bytes(FRAMES)
 HEAD = 16 + 768

@@ -15,6 +15,7 @@ from fixel.base.errors import ToolError
 from fixel.scene import making
 from model_files import gltf, png, stl
 
+BUILT_PROGRAMS = ()
 OBJ = "mtllib {}\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"
 MTL = "newmtl red\nKd 1 0 0\n"
 PATH = "[path]\nkeys = [{{ position = [0, 0, -4] }}]\n"

@@ -13,6 +13,7 @@ from fixel.model.mesh import UNIT
 from fixel.scene import compiler
 from model_files import SQUARE, TETRAHEDRON, glb, gltf as make, gltf_text, png
 
+BUILT_PROGRAMS = ()
 TREE = [{"children": [1, 2], "translation": [3, -2, 1], "rotation": [0, 0.6, 0, 0.8]},
         {"mesh": 0, "name": "left", "scale": [2, 1, 0.5], "children": [3]},
         {"matrix": [0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1], "mesh": 0},

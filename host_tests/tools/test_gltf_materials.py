@@ -15,6 +15,7 @@ from fixel.scene import compiler, look, toml_scene
 from model_files import File, SQUARE, TETRAHEDRON, glb, gltf as make, png
 from test_gltf import read
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "host/frames", "host/judge", "host/raycast", "host/predict")
 STRIPES = png([[(200, 0, 0)] * 4 + [(0, 100, 0)] * 4] * 8)
 
 

@@ -15,6 +15,7 @@ from fixel.scene import framing, look
 from model_files import File, TETRAHEDRON, about_x, assert_refused, glb, gltf as make, png
 from test_gltf import read as read_file
 
+BUILT_PROGRAMS = ()
 LOOKS = (look.Look(), look.Look(camera="*", animation="*", keep="*"))
 FRAMED = ("animations", "cameras", "extensions", "nodes", "skins")
 SHARE = 5

@@ -17,6 +17,8 @@ from fixel.model.quantity import matrix
 from fixel.scene import compiler, look, toml_scene, tracks
 from model_files import CORNERS, File, WHEELS, about_x, car
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "host/frames", "host/judge", "host/raycast", "host/predict")
+
 
 def compiled(path, **wanted):
     """(scene, notes) of a model as its author made it."""

@@ -13,6 +13,7 @@ from fixel.image import image
 from fixel.scene import compiler, look, toml_scene
 from model_files import File, about_x, car
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "host/frames", "host/judge", "host/raycast", "host/predict")
 LIGHTS = "KHR_lights_punctual"
 
 

@@ -12,6 +12,8 @@ from fixel.scene.palette import rgb565
 from model_files import glb, gltf, png
 from test_model_files import colours, compiled
 
+BUILT_PROGRAMS = ()
+
 
 def texture(pixels):
     """An image of rows of red, green, blue, alpha or of red, green, blue."""

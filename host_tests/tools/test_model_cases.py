@@ -16,6 +16,7 @@ from fixel.scene import compiler, look
 from model_files import glb, gltf, png
 from test_model_files import grid
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "host/frames", "host/judge", "host/raycast", "host/predict")
 MODELS = pathlib.Path(__file__).parent / "models"
 
 

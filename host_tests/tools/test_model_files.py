@@ -13,6 +13,7 @@ from fixel.base.notes import Usual
 from fixel.scene import compiler, surfaces
 from model_files import SQUARE, TETRAHEDRON, glb, gltf, png, stl
 
+BUILT_PROGRAMS = ()
 PATH = "[path]\nkeys = [{ position = [0, 0, -4] }]\n"
 QUADS = """\
 mtllib paint.mtl

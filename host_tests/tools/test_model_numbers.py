@@ -12,6 +12,7 @@ from fixel.model import model_text
 from fixel.scene import compiler
 from model_files import glb, gltf, png, stl, stl_text
 
+BUILT_PROGRAMS = ()
 WORDS = ["nan", "NaN", "-nan", "inf", "-inf", "Infinity", "1_0", "\u0661", "\uff11", "\u0967.5"]   # Arabic, full-width, Devanagari
 VALUES = [float("nan"), float("inf"), float("-inf")]
 OBJ = "mtllib m.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"

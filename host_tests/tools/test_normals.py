@@ -17,6 +17,7 @@ from fixel.model.mesh import UNIT, newell
 from fixel.scene import compiler, look, toml_scene
 from model_files import File
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "host/frames", "host/judge", "host/raycast", "host/predict")
 ONE = 1 << 30
 
 

@@ -16,6 +16,7 @@ from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT
 from test_scene_mesh import ONE, check_faces
 
+BUILT_PROGRAMS = ()
 MODELS = Path(__file__).resolve().parents[3] / "shared" / "models"
 
 # A cube of edge 2, right-handed, counter-clockwise from outside.

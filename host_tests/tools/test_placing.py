@@ -21,6 +21,7 @@ from fixel.base import output, placing, scratch
 from fixel.base.errors import ToolError
 from model_files import png
 
+BUILT_PROGRAMS = ()
 PATTERNS = [*output.numbered("frame_", ".png"), "summary.json"]
 
 

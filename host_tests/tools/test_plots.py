@@ -8,6 +8,7 @@ import pytest
 from fixel.bench import bench_plots, clippers_page
 from fixel.report import report_plots
 
+BUILT_PROGRAMS = ()
 PIXEL = report_plots.PIXEL
 
 

@@ -13,7 +13,7 @@ from fixel.model.mesh import UNIT
 from fixel.scene import compiler, look
 from model_files import SQUARE, TETRAHEDRON, assert_refused, png
 
-
+BUILT_PROGRAMS = ()
 RGB = ("red", "green", "blue")
 
 

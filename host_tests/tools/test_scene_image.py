@@ -18,6 +18,7 @@ from fixel.image.image_surface import BITS_4, BITS_8
 # place field: images that are broken, for the tools
 from scene_sections import bodies, entry_at, joined, replaced, section
 
+BUILT_PROGRAMS = ()
 UP = (0, 1 << 30, 0)
 SQUARE = [(-65536, 0, -65536), (-65536, 0, 65536), (65536, 0, 65536), (65536, 0, -65536)]
 

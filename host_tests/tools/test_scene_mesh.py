@@ -14,6 +14,7 @@ from fixel.scene import palette
 from fixel.model.mesh import Mesh, UNIT
 from fixel.scene.toml_object import matrix
 
+BUILT_PROGRAMS = ()
 ONE = [[Fraction(i == j) for j in range(3)] for i in range(3)]
 CLOSED = sorted(set(solids.SOLIDS) - {"tile", "disc", "floor", "band", "torus", "island"})
 turns = st.tuples(*[st.integers(-180, 180).map(Fraction)] * 3)

@@ -14,6 +14,7 @@ from model_files import build
 # place field: images that are broken, for the tools
 from scene_sections import section
 
+BUILT_PROGRAMS = ()
 BOX = '[[objects]]\nsolid = "box"\nposition = [0, 0, 5]\n'
 NAMED = BOX + 'name = "base"\nsize = 2\n'
 ONE, QUARTER = 65536, 1 << 30

@@ -11,6 +11,7 @@ from fixel.model import quantity
 from fixel.scene import path
 from fixel.scene.path import Key
 
+BUILT_PROGRAMS = ()
 TURN = 1 << 32
 
 

@@ -16,6 +16,7 @@ from fixel.base.errors import ToolError
 from scene_sections import section
 from model_files import build
 
+BUILT_PROGRAMS = ()
 TEXTURE = '[[textures]]\nname = "t"\npattern = "checker"\nsize = [16, 8]\n'
 CLAMPED = TEXTURE + 'wrap = "clamp"\n'
 BOX = '[[objects]]\nsolid = "box"\nscale = [4, 2, 6]\nposition = [0, 0, 9]\ntexture = "t"\n'

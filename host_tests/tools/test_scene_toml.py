@@ -18,6 +18,7 @@ from fixel.scene import keys, toml_motion, toml_object, toml_scene
 from fixel.base.errors import ToolError
 from fixel.scene.toml_table import REQUIRED, Table, inline
 
+BUILT_PROGRAMS = ()
 ROOT = Path(__file__).resolve().parents[2]
 BOX = '[[objects]]\nsolid = "box"\nposition = [0, 0, 5]\n'
 PATH = "[path]\nkeys = [{ position = [0, 0, 0] }]\n"

@@ -16,6 +16,7 @@ import pytest
 from conftest import CHECKOUT, TOOLS
 from fixel.base import placing, scratch
 
+BUILT_PROGRAMS = ()
 MAKER = f"""
 import pathlib, sys, time
 sys.path.insert(0, {str(TOOLS)!r})

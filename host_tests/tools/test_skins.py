@@ -15,6 +15,7 @@ from fixel.scene import framing, look, model_parts, toml_scene
 from model_files import BONES, CORNERS, File, Limbs, SIDES, about_x, binds, biped, places_of
 from test_gltf_nodes import by_name, compiled, placed, scale_of
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "host/frames", "host/judge", "host/raycast", "host/predict")
 PARTS = ["hip", "shoulder", "elbow"]
 
 

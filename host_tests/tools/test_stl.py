@@ -12,6 +12,8 @@ from fixel.model.mesh import UNIT
 from fixel.scene import compiler, look
 from model_files import assert_refused, stl as make, stl_text
 
+BUILT_PROGRAMS = ()
+
 
 def read(tmp_path, data):
     (tmp_path / "model.stl").write_bytes(data)

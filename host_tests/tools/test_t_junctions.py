@@ -14,6 +14,8 @@ from fixel.model.mesh import UNIT
 from test_model_files import compiled, glb, gltf, png
 from test_scene_mesh import ONE, check_faces
 
+BUILT_PROGRAMS = ()
+
 
 def shape_of(points, faces):
     """The shape of a mesh of decimal points, with its edges split."""
