@@ -51,7 +51,7 @@ static inline bool can_draw_smooth(const fxl_workspace *workspace, const fxl_ban
                                       FXL_PIXEL_BITS / 8);
 }
 
-#if FXL_TARGET_PIXEL_BITS == 16
+#if FXL_PIXEL_IS_MIXED
 
 /* The same of a polygon with colours at its corners, which is opaque. */
 static __attribute__((noinline)) fxl_depth_drawn draw_colours(fxl_workspace *workspace,
@@ -62,11 +62,11 @@ static __attribute__((noinline)) fxl_depth_drawn draw_colours(fxl_workspace *wor
     const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
     fxl_colour_outline outline;
     fxl_colour_outline_set(head, &polygon->depth, &polygon->gradients, band, &outline);
-    fxl_depth_drawn drawn = fxl_draw_colour_outline(points, count, band, &outline);
+    fxl_depth_drawn drawn = FXL_DRAW_COLOURS(points, count, band, &outline);
     if (drawn == FXL_DEPTH_NOT_CLEAR) {
         fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
         fxl_colour_outline_set(head, &polygon->depth, &polygon->gradients, band, &outline);
-        drawn = fxl_draw_colour_outline(points, count, band, &outline);
+        drawn = FXL_DRAW_COLOURS(points, count, band, &outline);
     }
     return drawn;
 }
@@ -83,7 +83,7 @@ static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_work
     if (surface->opacity != 16 || is_blended(surface) || !can_draw_smooth(workspace, band)) {
         return FXL_DEPTH_NOT_DRAWN;
     }
-#if FXL_TARGET_PIXEL_BITS == 16
+#if FXL_PIXEL_IS_MIXED
     if (surface->flags & FXL_SURFACE_COLOURS) {
         return draw_colours(workspace, polygon, points, count, band);
     }
