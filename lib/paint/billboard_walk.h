@@ -63,7 +63,9 @@ typedef struct {
     fxl_texel_walk along;  /* from columns.first on */
     fxl_rows columns;
     uint32_t y;
-    unsigned shift; /* of the sprite */
+    unsigned shift;   /* of the sprite */
+    bool is_repeated; /* its texels are those of the row before */
+    bool is_single;   /* they are neither those nor the ones of the next row */
 } fxl_billboard_row;
 
 /* Paints a row; with: the painter's own. */
@@ -93,11 +95,15 @@ static inline void fxl_billboard_walk_rows(const fxl_sprite *sprite,
     fxl_begin_walk(&first, left_top->x, right_bottom->x, row.columns.first, sprite->width);
     row.sprite = sprite;
     row.shift = fxl_sprite_shift(sprite);
+    row.texels = NULL;
     for (row.y = rows.first; row.y < rows.end; row.y++) {
-        row.texels = sprite->pixels + down.texel * row_bytes;
+        const uint32_t texel = down.texel;
+        fxl_take_step(&down);
+        row.is_repeated = row.texels == sprite->pixels + texel * row_bytes;
+        row.is_single = !row.is_repeated && down.texel != texel;
+        row.texels = sprite->pixels + texel * row_bytes;
         row.along = first;
         paint(&row, with);
-        fxl_take_step(&down);
     }
 }
 
