@@ -272,6 +272,88 @@ void test_of_faces_in_one_plane_that_is_seen_which_is_drawn_later(void)
     TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
 }
 
+/* Pixels that show the nearer of two faces of a sorted model, which has the smaller number and lies
+ * within the other one. */
+static uint32_t count_of_nearer(void)
+{
+    uint32_t nearer = 0, others = 0;
+    for (uint32_t i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
+        nearer += made->frame[i] == 10;
+        others += made->frame[i] == 20;
+    }
+    TEST_ASSERT_GREATER_THAN(100, others);
+    return nearer;
+}
+
+/* The same where pixels have 16 bits: colour i is i there. */
+static void draw_wide(const fxl_target *target)
+{
+    static uint16_t palette[256], wide[DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT];
+    for (uint32_t i = 0; i < 256; i++) {
+        palette[i] = (uint16_t)i;
+    }
+    made->config.palette = palette;
+    depth_scene_start_with(made, target);
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_render(&made->renderer, &depth_scene_eye, wide, DEPTH_SCENE_WIDTH));
+    for (uint32_t i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
+        made->frame[i] = (uint8_t)wide[i];
+    }
+}
+
+/* place pixel-format: the targets with a depth buffer */
+/* The two faces share a corner, so that their codes are equal. Sorted by distance the nearer one is
+ * seen; by number the other one hides it: at once, by a list, in bands, turned, at each target. */
+/* SPEC 6.3, 6.4, 10.4 */
+void test_of_equal_codes_of_a_sorted_model_that_of_the_greater_number_is_seen(void)
+{
+    static const fxl_point corners[] = {{-131072, -131072, 262144}, {-131072, 131072, 262144},
+                                        {131072, 131072, 262144},   {131072, -131072, 262144},
+                                        {-131072, 196608, 262144},  {655360, 196608, 262144},
+                                        {655360, -131072, 262144}};
+    static const uint16_t indices[] = {0, 1, 2, 3, 0, 4, 5, 6};
+    static const fxl_face walls[] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 4, 10, 0},
+                                     {{0, 0, -FXL_Q2_30_ONE}, 4, 4, 20, 0}};
+    static const fxl_model model = {
+        .vertex_count = 7, .face_count = 2, .kind = FXL_MODEL_SORTED, .radius = 12 * 65536};
+    static const fxl_instance instance = {{0, 0, 0}, 0, 0, 0};
+    static const fxl_placement placement = FXL_PLACEMENT_NONE;
+    static const fxl_cluster_code *const codes[] = {NULL, &fxl_clusters};
+    static const fxl_target *const targets[] = {&fxl_palette_depth_16, &fxl_palette_depth_32};
+    static const uint8_t table[FXL_BLEND_TABLE_BYTES(1)];
+    made->scene.vertices = corners;
+    made->scene.vertex_count = 7;
+    made->scene.indices = indices;
+    made->scene.index_count = 8;
+    made->scene.faces = walls;
+    made->scene.face_count = 2;
+    made->scene.models = &model;
+    made->scene.instances = &instance;
+    made->scene.model_count = made->scene.instance_count = 1;
+    depth_scene_start(made);
+    depth_scene_draw(made, made->frame);
+    TEST_ASSERT_GREATER_THAN(100, count_of_nearer());
+    for (uint32_t i = 0; i < 8; i++) {
+        made->scene.cluster_code = codes[i / 2 % 2];
+        made->scene.placements = i < 4 ? NULL : &placement;
+        made->scene.placement_code = i < 4 ? NULL : &fxl_turned_instances;
+        depth_scene_start_with(made, targets[i % 2]);
+        depth_scene_check_bands(made, targets[i % 2]);
+        TEST_ASSERT_EQUAL(0, count_of_nearer());
+    }
+    draw_wide(&fxl_rgb565_depth_16);
+    TEST_ASSERT_EQUAL(0, count_of_nearer());
+    draw_wide(&fxl_rgb565_depth_32);
+    TEST_ASSERT_EQUAL(0, count_of_nearer());
+    made->surface = (fxl_surface){.flags = FXL_SURFACE_BLEND, .opacity = 16};
+    made->set.blend = table;
+    made->set.blend_count = 1;
+    made->is_mapped = true;
+    depth_scene_start_with(made, &fxl_palette_depth_16);
+    depth_scene_draw(made, made->frame);
+    TEST_ASSERT_GREATER_THAN(100, count_of_nearer());
+}
+
 /* Another core's workspace, with a depth buffer of its own. */
 void test_two_workspaces_draw_halves_of_a_frame(void)
 {

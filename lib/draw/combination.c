@@ -32,16 +32,11 @@ void fxl_renderer_attach(fxl_renderer *renderer, uint32_t rank, fxl_shader *shad
 /* place pixel-format: what cannot be drawn together */
 /* The first that a renderer has is named. */
 static const fxl_conflict conflicts[] = {
-    {FXL_HAS_TREE, FXL_HAS_DEPTH},
-    {FXL_HAS_STUDY, FXL_HAS_SURFACES},
-    {FXL_HAS_STUDY, FXL_HAS_BILLBOARDS},
-    {FXL_HAS_STUDY, FXL_HAS_OUTLINES},
-    {FXL_HAS_OUTLINES, FXL_HAS_DEPTH},
-    {FXL_HAS_OUTLINES, FXL_HAS_BEAMS},
-    {FXL_HAS_OUTLINES, FXL_HAS_MOVERS},
-    {FXL_HAS_TEXELS_565, FXL_HAS_BEAMS},
-    {FXL_HAS_COLOURS, FXL_HAS_BEAMS},
-    {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET},
+    {FXL_HAS_TREE, FXL_HAS_DEPTH},       {FXL_HAS_STUDY, FXL_HAS_SURFACES},
+    {FXL_HAS_STUDY, FXL_HAS_BILLBOARDS}, {FXL_HAS_STUDY, FXL_HAS_OUTLINES},
+    {FXL_HAS_OUTLINES, FXL_HAS_DEPTH},   {FXL_HAS_OUTLINES, FXL_HAS_BEAMS},
+    {FXL_HAS_OUTLINES, FXL_HAS_MOVERS},  {FXL_HAS_TEXELS_565, FXL_HAS_BEAMS},
+    {FXL_HAS_COLOURS, FXL_HAS_BEAMS},    {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET},
 };
 
 /* Whether another instance is on the layer of the tree's, which cuts it. */
@@ -94,7 +89,8 @@ static uint32_t parts_of(const fxl_renderer *renderer)
     return bit_if(has_tree, FXL_HAS_TREE) |
            bit_if(has_tree && has_movers(renderer->scene), FXL_HAS_MOVERS) |
            bit_if(target->depth_bits != 0, FXL_HAS_DEPTH) |
-           bit_if(target->pixel_bits == 8 && target->depth_bits == 0 && !target->draws_over, FXL_HAS_STUDY) |
+           bit_if(target->pixel_bits == 8 && target->depth_bits == 0 && !target->draws_over,
+                  FXL_HAS_STUDY) |
            bit_if(surfaces != NULL, FXL_HAS_SURFACES) |
            bit_if(has_texels_565(surfaces), FXL_HAS_TEXELS_565) |
            bit_if(have_flag(surfaces, FXL_SURFACE_COLOURS), FXL_HAS_COLOURS) |
@@ -138,9 +134,9 @@ fxl_status fxl_check_combination(fxl_renderer *renderer)
         surfaces->light_code = is_lit ? lit->code : NULL;
     }
     renderer->dark = light != NULL ? ((const fxl_light *)(const void *)light)->settings.dark : 0;
-    renderer->near_first =
-        renderer->target->near_first && !(renderer->target->depth_bits != 0 &&
-                                 have_flag(surfaces, FXL_SURFACE_BLEND | FXL_SURFACE_ADD));
+    fxl_set_direction(renderer, renderer->target->near_first &&
+                                    !(renderer->target->depth_bits != 0 &&
+                                      have_flag(surfaces, FXL_SURFACE_BLEND | FXL_SURFACE_ADD)));
     renderer->check = NULL;
     return FXL_OK;
 }

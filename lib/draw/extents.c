@@ -147,7 +147,7 @@ static uint32_t measure_instance(const fxl_traversal *traversal, const fxl_draw_
     }
     const fxl_model *model = &traversal->renderer->scene
                                   ->models[fxl_view_instance(traversal, entry, &model_view)->model];
-    if (model->kind != FXL_MODEL_SORTED) {
+    if (!fxl_lists_faces(traversal->renderer, model)) {
         return measure_convex(traversal, &model_view, model, to);
     }
     (void)fxl_submit_sorted(traversal, &model_view, model, fxl_list_model, true);
@@ -166,7 +166,7 @@ static void measure_instances(const fxl_traversal *traversal, const fxl_frame *f
     }
 }
 
-void fxl_extents_measure(const fxl_traversal *filling, fxl_frame *frame)
+FXL_COLD void fxl_extents_measure(const fxl_traversal *filling, fxl_frame *frame)
 {
     const fxl_renderer *renderer = filling->renderer;
     fxl_resume_point resume = {filling->resume->instances, filling->resume->faces};
@@ -224,7 +224,7 @@ static bool draw_instance(const fxl_traversal *traversal, const fxl_draw_entry *
     const fxl_renderer *renderer = traversal->renderer;
     const fxl_model *model =
         &renderer->scene->models[renderer->scene->instances[entry->index].model];
-    const bool is_sorted = model->kind == FXL_MODEL_SORTED;
+    const bool is_sorted = fxl_lists_faces(renderer, model);
     if (fxl_placement_code_of(renderer->scene, entry->index) != NULL ||
         (!is_sorted && (entry->faces & UINT16_MAX) == NO_FACES)) {
         return fxl_submit_any_instance(traversal, entry);

@@ -154,6 +154,24 @@ static fxl_status check_memory(const void *memory, uint32_t size, uint32_t neede
     return memory != NULL ? FXL_OK : FXL_E_ARGUMENT;
 }
 
+/* SPEC 6.3, 10.4 */
+FXL_COLD void fxl_set_direction(fxl_renderer *renderer, bool near_first)
+{
+    const fxl_scene *scene = renderer->scene;
+    const bool had_list = renderer->by_number != FXL_FACES_AT_ONCE;
+    const uint32_t faces = scene->draw_list_needed - fxl_list_instances_most(scene);
+    renderer->near_first = near_first;
+    renderer->by_number = !near_first || renderer->target->depth_bits == 0 ? FXL_FACES_SORTED
+                          : FXL_IS_COMPACT || scene->cluster_code != NULL  ? FXL_FACES_LISTED
+                                                                           : FXL_FACES_AT_ONCE;
+    const bool has_list = renderer->by_number != FXL_FACES_AT_ONCE;
+    const uint32_t more = (uint32_t)had_list * faces - (uint32_t)has_list * faces;
+    renderer->workspace.face_list += (int32_t)more;
+    if (renderer->instance_capacity != 0) { /* of a world it is 0 until it attaches the renderer */
+        renderer->instance_capacity += more;
+    }
+}
+
 FXL_COLD fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_config *config)
 {
     const fxl_target *target = config->target;
@@ -176,7 +194,7 @@ FXL_COLD fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_con
     }
     renderer->order = order;
     renderer->target = target;
-    renderer->near_first = target->near_first;
+    fxl_set_direction(renderer, target->near_first);
     renderer->check = NULL;
     renderer->palette = target->has_palette ? config->palette : NULL;
     if (target->extras != NULL) {

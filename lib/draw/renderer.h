@@ -45,6 +45,11 @@ static inline fxl_status fxl_begin_one_band(fxl_renderer *renderer, const fxl_po
     return status;
 }
 
+/* Sets whether faces are submitted near to far. A depth buffer then finds which face of a model is
+ * seen, so they are not sorted. Without a list of them its memory is a part of the instances' order,
+ * which keeps in it the rows that faces reach (extents.c). */
+void fxl_set_direction(fxl_renderer *renderer, bool near_first);
+
 /* fxl_target.choose, and what that of an order calls: gives a renderer the order, the target and
  * the memory of a configuration. Requires a target. FXL_E_ARGUMENT, FXL_E_ALIGNMENT,
  * FXL_E_CAPACITY: its order and target are untouched. */

@@ -44,10 +44,10 @@ static inline bool fxl_submit_convex(const fxl_traversal *traversal,
     const fxl_face *faces = traversal->renderer->scene->faces;
     const bool reverse = traversal->renderer->near_first;
     const uint32_t first = traversal->resume->faces, step = reverse ? UINT32_MAX : 1;
-    uint32_t at = reverse ? model->face_count - 1 - first : first;
+    uint32_t left = model->face_count - first, backfacing = 0;
+    uint32_t at = reverse ? left - 1 : first;
     at += model->first_face; /* not before: a scene without faces may have no table */
-    uint32_t number, backfacing = 0;
-    for (number = first; number < model->face_count; number++) {
+    for (; left != 0; left--) {
         if (!is_front(model_view, &faces[at])) {
             backfacing++;
         } else if (!fxl_submit_face(model_view, &faces[at], traversal)) {
@@ -55,10 +55,11 @@ static inline bool fxl_submit_convex(const fxl_traversal *traversal,
         }
         at += step;
     }
+    const uint32_t number = model->face_count - left;
     traversal->resume->faces = (uint16_t)number;
     traversal->counters->in += number - first;
     traversal->counters->backfacing += backfacing;
-    return number == model->face_count;
+    return left == 0;
 }
 
 /* fxl_submit_all. */

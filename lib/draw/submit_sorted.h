@@ -73,7 +73,19 @@ static inline void fxl_list_found_faces(const fxl_traversal *traversal,
     if (!FXL_IS_SMALL) {
         workspace->face_rows_known = false;
     }
-    fxl_sort_faces(workspace->face_list, workspace->sorted_count, &workspace->work.sort);
+    fxl_sort_work *work = &workspace->work.sort;
+    if (traversal->renderer->by_number != FXL_FACES_SORTED) {
+        work = NULL;
+    }
+    fxl_sort_faces(workspace->face_list, workspace->sorted_count, work);
+}
+
+/* Whether the faces of a model are put into a list before they are submitted. */
+static inline bool fxl_lists_faces(const fxl_renderer *renderer, const fxl_model *model)
+{
+    FXL_STATIC_ASSERT(FXL_MODEL_SORTED == 1 && FXL_MODEL_CONVEX == 0, "compared with a bit");
+    const uint32_t convex = FXL_IS_COMPACT ? 0 : renderer->by_number & FXL_FACES_AT_ONCE;
+    return model->kind > convex;
 }
 
 /* The faces that face the eye, in their order; then the others are counted. by_rows is constant

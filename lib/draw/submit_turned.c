@@ -288,7 +288,7 @@ static bool submit_turned(const fxl_traversal *traversal, const fxl_draw_entry *
     if (rounded != NULL || traversal->clipper->by_points != NULL || renderer->shader != NULL) {
         set_shader(traversal, entry, rounded, &view.model_view, &instance);
     }
-    if (model->kind == FXL_MODEL_SORTED) {
+    if (fxl_lists_faces(renderer, model)) {
         return fxl_submit_sorted_once(traversal, &view.model_view, model, order_faces);
     }
     return !FXL_IS_COMPACT && view.eye_shift == 0

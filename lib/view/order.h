@@ -34,8 +34,8 @@ uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point);
  * downward, then index upward. It is a total order, so the result is unique. */
 void fxl_sort_instances(fxl_draw_entry *entries, uint32_t count);
 
-/* Sorts faces in place: distance downward, then index upward. Then `face` of entry n is
- * the n-th face of the order; all other members have no meaning.
+/* Sorts faces in place: distance downward, then index upward; if work is null, by index alone. Then
+ * `face` of entry n is the n-th face of the order; all other members have no meaning.
  * Requires entries by rising index and of layer 0, and count <= FXL_MODEL_FACES_MAX.
  * It is fastest if the distances are spread evenly, or rise or fall in long runs: of order count
  * from 6 FXL_ORDER_CHAINS faces on. Its time is at most of order count * log(count), or

@@ -3,7 +3,7 @@
 #include "../math/arith.h"
 #include "order.h"
 
-/* Sorts faces as instances of one layer, 0. */
+/* Sorts faces as instances of one layer, 0: their entries. */
 /* SPEC 6.3 */
 static void sort_as_instances(fxl_draw_entry *entries, uint32_t count)
 {
@@ -11,9 +11,6 @@ static void sort_as_instances(fxl_draw_entry *entries, uint32_t count)
         entries[i].next = 0; /* a link of the sort by buckets, in the bytes of the layer */
     }
     fxl_sort_instances(entries, count);
-    for (uint32_t i = 0; i < count; i++) {
-        entries[i].face = entries[i].index;
-    }
 }
 
 /* The `next` of the last entry of a chain. No entry has this place. */
@@ -328,13 +325,18 @@ static bool sort_by_digits(fxl_draw_entry *entries, uint32_t count, uint16_t *ch
 void fxl_sort_faces(fxl_draw_entry *entries, uint32_t count, fxl_sort_work *work)
 {
     const bool has_digits = !FXL_IS_COMPACT && count >= DIGITS_FACES;
-    if (!FXL_IS_SMALL && (has_digits ? sort_by_digits(entries, count, work->chains)
-                                     : sort_by_buckets(entries, count, work->chains))) {
-        return;
-    }
-    if (FXL_IS_COMPACT) {
+    if (work != NULL) {
+        if (!FXL_IS_SMALL && (has_digits ? sort_by_digits(entries, count, work->chains)
+                                         : sort_by_buckets(entries, count, work->chains))) {
+            return;
+        }
+        if (!FXL_IS_COMPACT) {
+            sort_by_merging(entries, count);
+            return;
+        }
         sort_as_instances(entries, count);
-    } else {
-        sort_by_merging(entries, count);
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        entries[i].face = entries[i].index;
     }
 }

@@ -113,7 +113,7 @@ static bool cluster_is_outside(const ref_scene *scene, const ref_cluster *cluste
 
 uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *instance,
                          const ref_lattice_point *eye, const ref_camera *camera,
-                         const ref_view_frustum *frustum, ref_order_entry *entries,
+                         const ref_view_frustum *frustum, bool by_number, ref_order_entry *entries,
                          uint32_t *left_out)
 {
     const ref_model *model = &scene->models[instance->model];
@@ -135,7 +135,9 @@ uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *instance,
                 (ref_order_entry){face_distance_squared(eye, scene, instance, face), i, 0};
         }
     }
-    sort_entries(entries, count);
+    if (!by_number) {
+        sort_entries(entries, count);
+    }
     return count;
 }
 

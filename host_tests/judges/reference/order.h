@@ -25,7 +25,7 @@ uint32_t ref_order_instances(const ref_scene *scene, const ref_lattice_point *ey
                              ref_order_entry *entries);
 uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *instance,
                          const ref_lattice_point *eye, const ref_camera *camera,
-                         const ref_view_frustum *frustum, ref_order_entry *entries,
+                         const ref_view_frustum *frustum, bool by_number, ref_order_entry *entries,
                          uint32_t *left_out);
 
 /* The display list of a frame (SPEC.md, section 7), in double and of any length. */

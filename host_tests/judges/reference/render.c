@@ -70,7 +70,8 @@ static ref_clip_result clip_and_project(const ref_renderer *renderer, const ref_
     ref_depth_move_frustum(&frustum, moved);
     ref_depth_move_view_frustum(&view_frustum, moved);
     *screen = (ref_screen_polygon){.colour = whole->colour};
-    if (renderer->method.cuts != REF_CUT_ALL && is_outside(&renderer->camera, &view_frustum, whole)) {
+    if (renderer->method.cuts != REF_CUT_ALL &&
+        is_outside(&renderer->camera, &view_frustum, whole)) {
         return REF_CLIP_OUTSIDE;
     }
     ref_clip_result result = ref_clip_world_to_frustum(whole, &frustum, &clipped);
@@ -287,6 +288,18 @@ static bool submit_billboard(ref_renderer *renderer, uint32_t number)
     return ref_display_list_append(&renderer->display_list, &drawn);
 }
 
+/* Whether the faces of a sorted model come by number: with a depth buffer, and nothing blended. */
+static bool is_by_number(const ref_renderer *renderer)
+{
+    const ref_surfaces *surfaces = renderer->scene->surfaces;
+    for (uint32_t i = 0; surfaces && !renderer->method.flat && i < surfaces->surface_count; i++) {
+        if (ref_surface_mixes(&surfaces->surfaces[i])) {
+            return false;
+        }
+    }
+    return renderer->method.depth_bits != 0;
+}
+
 bool ref_submit_instance(ref_renderer *renderer, uint32_t number)
 {
     const ref_scene *scene = renderer->scene;
@@ -298,7 +311,8 @@ bool ref_submit_instance(ref_renderer *renderer, uint32_t number)
     uint32_t count = 0, left_out = 0;
     if (model->kind == REF_MODEL_SORTED) {
         count = ref_order_faces(scene, instance, &renderer->eye, &renderer->camera,
-                                &renderer->view_frustum, renderer->faces, &left_out);
+                                &renderer->view_frustum, is_by_number(renderer), renderer->faces,
+                                &left_out);
     } else {
         for (uint32_t i = 0; i < model->face_count; i++) {
             const ref_face *face = &scene->faces[model->first_face + i];

@@ -106,7 +106,7 @@ typedef struct {
     fxl_lens lens;
     uint32_t beam_size, clipper_size; /* bytes of memory that these need */
     fxl_workspace_room room;
-    uint32_t frame;                   /* fxl_view.frame */
+    uint32_t frame; /* fxl_view.frame */
     fxl_camera camera;
 } fxl_workspace_setup;
 
@@ -135,6 +135,12 @@ typedef struct fxl_workspace {
     } work;
 } fxl_workspace;
 
+enum {
+    FXL_FACES_SORTED = 0,
+    FXL_FACES_AT_ONCE = 1, /* by number, without a list of them */
+    FXL_FACES_LISTED = 2   /* by number */
+};
+
 /* A renderer, which the caller owns. On a core of 32 bits it takes 512 bytes and
  * 64 for each vertex of FXL_POLYGON_CAPACITY: 2560 where that is 32, 1280 where
  * it is 12. Several may live at once; none knows of another. Members are for
@@ -156,8 +162,9 @@ struct fxl_renderer {
     };
     /* Looks whether all that is attached goes together, before a frame begins. Null: it has. */
     fxl_status (*check)(fxl_renderer *renderer);
-    bool near_first; /* faces are submitted near to far, the reverse of the order of drawing */
-    uint16_t dark;   /* RGB565: what light leaves at least */
+    bool near_first;   /* faces are submitted near to far, the reverse of the order of drawing */
+    uint8_t by_number; /* FXL_FACES_...: whether faces of sorted models come by number */
+    uint16_t dark;     /* RGB565: what light leaves at least */
     fxl_frame frame;
     fxl_workspace workspace;
 };
