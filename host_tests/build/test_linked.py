@@ -32,7 +32,7 @@ def symbols(archive, kind):
 def test_the_library_needs_nothing_of_the_study(build):
     library, study = build / "host" / "libfixel.a", build / "host" / "libfixel_study.a"
     ours, theirs = symbols(library, DEFINED), symbols(study, DEFINED)
-    assert {"fxl_clipper_view", "fxl_line_by_codes", "fxl_split_piece", "fxl_box_planes", "fxl_plane_from_points"} <= ours
+    assert {"fxl_clipper_view", "fxl_line_by_codes", "fxl_split_edge", "fxl_box_planes", "fxl_plane_from_points"} <= ours
     assert {"fxl_clipper_near", "fxl_clipper_world", "fxl_palette_spans", "fxl_palette_box"} <= theirs
     assert not ours & theirs and not symbols(library, UNDEFINED) & theirs
 

@@ -8,6 +8,7 @@
 #include "study/clip_world.h"
 #include "study/half_space.h"
 #include "study/rectangle.h"
+#include "../unit/split_piece.h"
 #include "study/triangle.h"
 
 enum {
@@ -99,7 +100,7 @@ void fuzz_beams(fuzz_input *in)
 /* The part in front is in front, the part behind is behind: to within a unit. */
 void fuzz_split(fuzz_input *in)
 {
-    static fxl_piece piece, front, back;
+    static split_piece piece, front, back;
     fxl_pose pose = fuzz_pose(in);
     fxl_camera camera;
     DEMAND(fxl_camera_from_pose(&pose, &camera) == FXL_OK);
@@ -112,9 +113,9 @@ void fuzz_split(fuzz_input *in)
             piece.points[i] = pose.position;
         }
     }
-    const fxl_split_result parts = fxl_split_piece(&piece, &plane, &front, &back);
+    const split_result parts = split_by(&piece, &plane, &front, &back);
     record_number(parts);
-    if (parts == FXL_SPLIT_BOTH) {
+    if (parts == SPLIT_BOTH) {
         record_bytes(front.points, front.count * sizeof front.points[0]);
         record_bytes(back.points, back.count * sizeof back.points[0]);
         for (uint32_t i = 0; i < front.count; i++) {

@@ -7,6 +7,7 @@
 #include "draw/stages.h"
 #include "fixel/all.h"
 #include "stages/random.h"
+#include "unit/split_piece.h"
 
 /* Bin k counts differences <= 2^(k + TALLY_FIRST_POWER). The first bin also counts 0, the last
  * everything larger. */
@@ -106,7 +107,7 @@ void stages_measure_cover(stages_tally *tally, const fxl_screen_polygon *polygon
                           uint16_t width, fxl_rows rows, uint32_t intervals);
 
 /* Splits a piece of the world on both sides. Samples are the parts. */
-void stages_measure_split(stages_tally *tally, const fxl_plane *plane, const fxl_piece *piece);
+void stages_measure_split(stages_tally *tally, const fxl_plane *plane, const split_piece *piece);
 
 /* Splits a random face by one or two random beams on both sides. Samples are the pieces. */
 void stages_measure_light(stages_tally *tally, stages_random *random);

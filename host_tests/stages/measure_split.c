@@ -12,24 +12,22 @@ enum {
     FROM_PLANE
 };
 
-_Static_assert((int)FXL_SPLIT_FRONT == (int)REF_SPLIT_FRONT &&
-                   (int)FXL_SPLIT_BACK == (int)REF_SPLIT_BACK &&
-                   (int)FXL_SPLIT_BOTH == (int)REF_SPLIT_BOTH &&
-                   (int)FXL_SPLIT_CAPACITY == (int)REF_SPLIT_CAPACITY,
+_Static_assert((int)SPLIT_FRONT == (int)REF_SPLIT_FRONT && (int)SPLIT_BACK == (int)REF_SPLIT_BACK &&
+                   (int)SPLIT_BOTH == (int)REF_SPLIT_BOTH &&
+                   (int)SPLIT_CAPACITY == (int)REF_SPLIT_CAPACITY,
                "outcomes of splitting");
 
 const stages_tally stages_split_tally = {
     .stage = "split",
     .unit = "1/65536 world unit",
-    .measure =
-        "splitting in the world: largest coordinate difference of a point of either "
-        "part from the reference's, both given the same piece and plane; max_from_plane is "
-        "the largest distance of a new point from the exact plane",
+    .measure = "splitting in the world: largest coordinate difference of a point of either "
+               "part from the reference's, both given the same piece and plane; max_from_plane is "
+               "the largest distance of a new point from the exact plane",
     .bound = "0; 0.87 from the plane",
     .extra_names = {"max_from_plane"},
 };
 
-static ref_piece piece_of(const fxl_piece *piece)
+static ref_piece piece_of(const split_piece *piece)
 {
     ref_piece result = {.count = (int)piece->count};
     for (uint32_t i = 0; i < piece->count; i++) {
@@ -63,7 +61,7 @@ static double difference(const ref_piece *a, const ref_piece *b, int shift)
 }
 
 static void compare(stages_tally *tally, const ref_piece *in, const ref_plane *plane,
-                    const fxl_piece *fixed, const ref_piece *exact)
+                    const split_piece *fixed, const ref_piece *exact)
 {
     const ref_piece part = piece_of(fixed);
     if (part.count != exact->count) {
@@ -84,16 +82,16 @@ static void compare(stages_tally *tally, const ref_piece *in, const ref_plane *p
     stages_extra(tally, FROM_PLANE, from_plane);
 }
 
-void stages_measure_split(stages_tally *tally, const fxl_plane *plane, const fxl_piece *piece)
+void stages_measure_split(stages_tally *tally, const fxl_plane *plane, const split_piece *piece)
 {
-    fxl_piece front, back;
+    split_piece front, back;
     ref_piece exact_front, exact_back;
     const ref_piece in = piece_of(piece);
     const ref_plane exact_plane = bridge_plane(plane);
-    fxl_split_result result = fxl_split_piece(piece, plane, &front, &back);
+    split_result result = split_by(piece, plane, &front, &back);
     ref_split_result exact_result = ref_split_piece(&in, &exact_plane, &exact_front, &exact_back);
     tally->mismatched += (int)result != (int)exact_result;
-    if (result == FXL_SPLIT_BOTH && exact_result == REF_SPLIT_BOTH) {
+    if (result == SPLIT_BOTH && exact_result == REF_SPLIT_BOTH) {
         compare(tally, &in, &exact_plane, &front, &exact_front);
         compare(tally, &in, &exact_plane, &back, &exact_back);
     }
@@ -149,7 +147,8 @@ static double lit_difference(const fxl_point *points, const ref_piece *piece)
     return least;
 }
 
-static void compare_lit(stages_tally *tally, const fxl_lit_pieces *made, const ref_lit_pieces *exact)
+static void compare_lit(stages_tally *tally, const fxl_lit_pieces *made,
+                        const ref_lit_pieces *exact)
 {
     if ((int)made->piece_count != exact->count) {
         tally->mismatched++;

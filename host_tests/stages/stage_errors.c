@@ -46,17 +46,18 @@ enum {
 
 static void list_tallies(tallies *of, stages_tally *all[TALLIES])
 {
-    stages_tally *const in_order[TALLIES] = {&of->sphere,  &of->clip,  &of->clip_world, &of->transform,
-                                             &of->project, &of->list,  &of->fill,       &of->cover,
-                                             &of->split,   &of->light, &of->placement};
+    stages_tally *const in_order[TALLIES] = {
+        &of->sphere, &of->clip,  &of->clip_world, &of->transform, &of->project,  &of->list,
+        &of->fill,   &of->cover, &of->split,      &of->light,     &of->placement};
     memcpy(all, in_order, sizeof in_order);
 }
 
 static tallies tallies_for(const char *input)
 {
-    tallies made = {stages_sphere_tally,  stages_clip_tally, stages_clip_world_tally, stages_transform_tally,
-                    stages_project_tally, stages_list_tally, stages_fill_tally,       stages_cover_tally,
-                    stages_split_tally,   stages_light_tally, stages_placement_tally};
+    tallies made = {stages_sphere_tally,    stages_clip_tally,     stages_clip_world_tally,
+                    stages_transform_tally, stages_project_tally,  stages_list_tally,
+                    stages_fill_tally,      stages_cover_tally,    stages_split_tally,
+                    stages_light_tally,     stages_placement_tally};
     stages_tally *all[TALLIES];
     list_tallies(&made, all);
     for (int i = 0; i < TALLIES; i++) {
@@ -105,7 +106,7 @@ static void take_vertices(stages_tally *transform, const fxl_camera *camera,
 /* Clips by the planes of the frustum in the world, and by one plane through a vertex. */
 static void take_split(stages_tally *split, const fxl_frustum *frustum, const fxl_polygon *polygon)
 {
-    fxl_piece piece = {.count = polygon->count};
+    split_piece piece = {.count = polygon->count};
     for (uint32_t i = 0; i < piece.count; i++) {
         piece.points[i] = polygon->vertices[i].position;
     }
@@ -256,7 +257,8 @@ static void take_random_polygon(tallies *to, stages_random *random)
     fxl_polygon polygon = stages_random_polygon(random, &view.camera);
     fxl_view_polygon seen = {.colour = polygon.colour, .count = polygon.count};
     for (int i = 0; i < polygon.count; i++) {
-        fxl_transform_point(&view.camera, &polygon.vertices[i].position, &seen.vertices[i].position);
+        fxl_transform_point(&view.camera, &polygon.vertices[i].position,
+                            &seen.vertices[i].position);
     }
     if (stages_random_below(random, 8) == 0) {
         fxl_plane *plane = &view.frustum.planes[stages_random_below(random, FXL_PLANE_COUNT)];
@@ -368,7 +370,8 @@ static void print_tallies(tallies *of, const char *end)
 int main(int count, char **arguments)
 {
     options wanted = {.samples = 200000, .seed = 1};
-    const argument known[] = {{"--samples", take_count, &wanted.samples}, {"--seed", take_count, &wanted.seed}};
+    const argument known[] = {{"--samples", take_count, &wanted.samples},
+                              {"--seed", take_count, &wanted.seed}};
     if (!read_arguments(count, arguments, known, 2, &wanted.scene, 1) &&
         !read_arguments(count, arguments, known, 2, NULL, 0)) {
         return fail("usage", "stage_errors [SCENE.fxls] [--samples N] [--seed S]");

@@ -3,17 +3,18 @@
  * whichever side and in whichever direction, gets the same bits. */
 #include <math.h>
 
+#include "split_piece.h"
 #include "unit.h"
 
 /* In front is x >= 0. */
 static const fxl_plane wall = {{FXL_Q2_30_ONE, 0, 0}, 0};
 
-static fxl_piece front, back;
+static split_piece front, back;
 
 /* A piece in the plane z = 0 from whole numbers x, y. */
-static fxl_piece flat(const int *numbers, uint32_t count)
+static split_piece flat(const int *numbers, uint32_t count)
 {
-    fxl_piece piece = {.count = count};
+    split_piece piece = {.count = count};
     for (uint32_t i = 0; i < count; i++) {
         piece.points[i] = (fxl_point){numbers[2 * i] * 65536, numbers[2 * i + 1] * 65536, 0};
     }
@@ -28,9 +29,9 @@ static bool same_point(const fxl_point *a, const fxl_point *b)
 }
 
 /* The same outline, whichever point comes first. */
-static void expect_outline(const int *numbers, uint32_t count, const fxl_piece *actual)
+static void expect_outline(const int *numbers, uint32_t count, const split_piece *actual)
 {
-    fxl_piece expected = flat(numbers, count);
+    split_piece expected = flat(numbers, count);
     uint32_t first = 0;
     TEST_ASSERT_EQUAL(expected.count, actual->count);
     while (first + 1 < count && !same_point(&actual->points[first], &expected.points[0])) {
@@ -41,45 +42,13 @@ static void expect_outline(const int *numbers, uint32_t count, const fxl_piece *
     }
 }
 
-static void expect_whole(fxl_split_result result, const int *numbers, uint32_t count)
-{
-    fxl_piece piece = flat(numbers, count), untouched;
-    memset(&front, 0x5A, sizeof front);
-    memset(&back, 0x5A, sizeof back);
-    memset(&untouched, 0x5A, sizeof untouched);
-    TEST_ASSERT_EQUAL(result, fxl_split_piece(&piece, &wall, &front, &back));
-    TEST_ASSERT_EQUAL_MEMORY(&untouched, &front, sizeof front);
-    TEST_ASSERT_EQUAL_MEMORY(&untouched, &back, sizeof back);
-}
-
 static void split(const int *numbers, uint32_t count)
 {
-    fxl_piece piece = flat(numbers, count);
-    TEST_ASSERT_EQUAL(FXL_SPLIT_BOTH, fxl_split_piece(&piece, &wall, &front, &back));
+    split_piece piece = flat(numbers, count);
+    TEST_ASSERT_EQUAL(SPLIT_BOTH, split_by(&piece, &wall, &front, &back));
 }
 
-/* clippers 9.1 */
-void test_what_lies_on_one_side_is_left_alone(void)
-{
-    expect_whole(FXL_SPLIT_FRONT, NUMBERS(1, 0, 3, 0, 3, 2));
-    expect_whole(FXL_SPLIT_BACK, NUMBERS(-1, 0, -3, 0, -3, 2));
-}
-
-/* clippers 9.1 */
-void test_what_touches_belongs_to_its_own_side(void)
-{
-    expect_whole(FXL_SPLIT_FRONT, NUMBERS(0, 0, 3, 0, 3, 2));
-    expect_whole(FXL_SPLIT_FRONT, NUMBERS(0, 0, 0, 5, 3, 2));
-    expect_whole(FXL_SPLIT_BACK, NUMBERS(0, 0, -3, 0, -3, 2));
-    expect_whole(FXL_SPLIT_BACK, NUMBERS(0, 0, 0, 5, -3, 2));
-}
-
-void test_what_lies_in_the_plane_is_in_front(void)
-{
-    expect_whole(FXL_SPLIT_FRONT, NUMBERS(0, 0, 0, 5, 0, 2));
-}
-
-/* clippers 9.1, 9.2 */
+/* clippers 9.2 */
 void test_a_square_is_halved(void)
 {
     split(NUMBERS(-4, 0, 4, 0, 4, 4, -4, 4));
@@ -92,42 +61,6 @@ void test_a_corner_is_cut_off(void)
     split(NUMBERS(-2, 2, 2, 4, 2, 0));
     expect_outline(NUMBERS(0, 1, 0, 3, 2, 4, 2, 0), &front);
     expect_outline(NUMBERS(-2, 2, 0, 3, 0, 1), &back);
-}
-
-/* Through vertices: each belongs to both parts, once. */
-/* clippers 9.1 */
-void test_a_vertex_on_the_plane_belongs_to_both(void)
-{
-    split(NUMBERS(0, 4, 4, 0, 0, -4, -4, 0));
-    expect_outline(NUMBERS(0, 4, 4, 0, 0, -4), &front);
-    expect_outline(NUMBERS(0, 4, 0, -4, -4, 0), &back);
-    split(NUMBERS(0, 4, 4, 4, -4, -4));
-    expect_outline(NUMBERS(0, 4, 4, 4, 0, 0), &front);
-    expect_outline(NUMBERS(0, 4, 0, 0, -4, -4), &back);
-}
-
-/* A point that is the least bit off the plane belongs to its own side alone: two points of the
- * square are 2^-46 units in front, or behind. */
-void test_the_least_distance_counts(void)
-{
-    const fxl_piece in_front = flat(NUMBERS(0, 0, 0, 4, -4, 4, -4, 0)),
-                    behind = flat(NUMBERS(0, 0, 0, 4, 4, 4, 4, 0));
-    fxl_plane nearly = wall;
-    nearly.distance = -1;
-    TEST_ASSERT_EQUAL(FXL_SPLIT_BOTH, fxl_split_piece(&in_front, &nearly, &front, &back));
-    TEST_ASSERT_EQUAL(4, front.count); /* two of the square's, and two where it is cut */
-    TEST_ASSERT_EQUAL(4, back.count);
-    nearly.distance = 1;
-    TEST_ASSERT_EQUAL(FXL_SPLIT_BOTH, fxl_split_piece(&behind, &nearly, &front, &back));
-    TEST_ASSERT_EQUAL(4, front.count);
-    TEST_ASSERT_EQUAL(4, back.count);
-}
-
-void test_an_edge_alone_is_split(void)
-{
-    split(NUMBERS(-4, 0, 8, 12));
-    TEST_ASSERT_EQUAL(2 + 1, front.count); /* there and back: the crossing twice */
-    TEST_ASSERT_EQUAL(2 + 1, back.count);
 }
 
 /* Any edge and any plane that parts its ends, some of them passing close to one. */
@@ -215,8 +148,8 @@ void test_the_least_distance_divides(void)
 {
     for (int sign = -1; sign <= 1; sign += 2) {
         const fxl_plane plane = {{FXL_Q2_30_ONE, 0, 0}, -sign};
-        const fxl_piece piece = {3, {{0, 0, 0}, {0, Q16(1), 0}, {-sign * Q16(1), 0, 0}}};
-        TEST_ASSERT_EQUAL(FXL_SPLIT_BOTH, fxl_split_piece(&piece, &plane, &front, &back));
+        const split_piece piece = {3, {{0, 0, 0}, {0, Q16(1), 0}, {-sign * Q16(1), 0, 0}}};
+        TEST_ASSERT_EQUAL(SPLIT_BOTH, split_by(&piece, &plane, &front, &back));
     }
 }
 
@@ -225,10 +158,10 @@ void test_the_least_distance_divides(void)
 void test_halves_are_the_same_for_both_sides(void)
 {
     const fxl_point ahead = {Q16(1), 3, 0}, behind = {Q16(-1), 0, 0}, third = {Q16(9), Q16(9), 0};
-    const fxl_piece pieces[] = {{3, {ahead, behind, third}}, {3, {behind, ahead, third}}};
+    const split_piece pieces[] = {{3, {ahead, behind, third}}, {3, {behind, ahead, third}}};
     for (int k = 0; k < 2; k++) {
         bool found = false;
-        TEST_ASSERT_EQUAL(FXL_SPLIT_BOTH, fxl_split_piece(&pieces[k], &wall, &front, &back));
+        TEST_ASSERT_EQUAL(SPLIT_BOTH, split_by(&pieces[k], &wall, &front, &back));
         for (uint32_t n = 0; n < front.count; n++) {
             found |= front.points[n].x == 0 && front.points[n].y == 1; /* 1.5, away from 3 */
         }
@@ -249,12 +182,12 @@ void test_neighbours_get_the_same_bits(void)
             continue;
         }
         fxl_point c = unit_point(FXL_COORDINATE_MAX);
-        const fxl_piece one = {3, {a, b, c}}, other = {3, {b, a, c}};
+        const split_piece one = {3, {a, b, c}}, other = {3, {b, a, c}};
         int64_t da = fxl_plane_distance(&plane, &a), db = fxl_plane_distance(&plane, &b);
         fxl_point want = fxl_split_edge(&a, &b, da, db);
-        const fxl_piece *const pieces[] = {&one, &other};
+        const split_piece *const pieces[] = {&one, &other};
         for (int k = 0; k < 2; k++) {
-            TEST_ASSERT_EQUAL(FXL_SPLIT_BOTH, fxl_split_piece(pieces[k], &plane, &front, &back));
+            TEST_ASSERT_EQUAL(SPLIT_BOTH, split_by(pieces[k], &plane, &front, &back));
             int in_front = 0, behind = 0;
             for (uint32_t n = 0; n < front.count; n++) {
                 in_front += same_point(&front.points[n], &want);
@@ -271,7 +204,7 @@ void test_neighbours_get_the_same_bits(void)
 
 /* Twice the area of a piece in the plane z = 0, in units of 2^-32, exact for the
  * pieces below. */
-static int64_t area(const fxl_piece *piece)
+static int64_t area(const split_piece *piece)
 {
     int64_t sum = 0;
     for (uint32_t i = 0; i < piece->count; i++) {
@@ -287,7 +220,7 @@ void test_areas_add_up(void)
 {
     const double pi = 3.14159265358979323846;
     for (int i = 0; i < UNIT_REPEAT; i++) {
-        fxl_piece piece = {.count = 3 + unit_random() % (FXL_POLYGON_CAPACITY - 4)};
+        split_piece piece = {.count = 3 + unit_random() % (FXL_POLYGON_CAPACITY - 4)};
         double radius = unit_between(1 << 8, Q16(8000)), turn = unit_random();
         for (uint32_t n = 0; n < piece.count; n++) {
             double angle = turn + 2 * pi * n / piece.count;
@@ -297,42 +230,13 @@ void test_areas_add_up(void)
         fxl_plane plane = wall;
         plane.distance = (int64_t)unit_between((int32_t)-radius, (int32_t)radius) * (1 << 30) +
                          unit_between(-(1 << 29), 1 << 29);
-        fxl_split_result result = fxl_split_piece(&piece, &plane, &front, &back);
-        if (result != FXL_SPLIT_BOTH) {
+        split_result result = split_by(&piece, &plane, &front, &back);
+        if (result != SPLIT_BOTH) {
             continue;
         }
         TEST_ASSERT_TRUE(front.count >= 3 && back.count >= 3);
         TEST_ASSERT_TRUE(front.count + back.count <= piece.count + 4);
         double side = 2 * radius * sin(pi / piece.count) + 2;
         TEST_ASSERT_NEAR(area(&front) + area(&back), area(&piece), 2 * 0.75 * side + 2);
-    }
-}
-
-/* Teeth through the wall: each part keeps half of the points and every crossing. */
-void test_more_than_the_capacity_is_refused(void)
-{
-    static struct {
-        fxl_piece part;
-        uint8_t guard[64];
-    } rooms[2];
-    memset(rooms, 0x5A, sizeof rooms);
-    for (uint32_t count = 4; count <= FXL_POLYGON_CAPACITY; count += 2) {
-        fxl_piece piece = {.count = count};
-        for (uint32_t i = 0; i < count; i++) {
-            piece.points[i] = (fxl_point){i % 2 ? Q16(-9) : Q16(9), (int32_t)i * 65536, 0};
-        }
-        uint32_t left = count / 2 + count;
-        fxl_split_result result = fxl_split_piece(&piece, &wall, &rooms[0].part, &rooms[1].part);
-        if (left > FXL_POLYGON_CAPACITY) {
-            TEST_ASSERT_EQUAL(FXL_SPLIT_CAPACITY, result);
-        } else {
-            TEST_ASSERT_EQUAL(FXL_SPLIT_BOTH, result);
-            TEST_ASSERT_EQUAL(left, rooms[0].part.count);
-            TEST_ASSERT_EQUAL(left, rooms[1].part.count);
-        }
-        for (size_t i = 0; i < sizeof rooms[0].guard; i++) {
-            TEST_ASSERT_EQUAL_HEX8(0x5A, rooms[0].guard[i]);
-            TEST_ASSERT_EQUAL_HEX8(0x5A, rooms[1].guard[i]);
-        }
     }
 }
