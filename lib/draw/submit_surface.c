@@ -71,7 +71,7 @@ static bool are_on_screen(const fxl_screen_corners *corners, const fxl_lens *len
  * corners are known to be all vertices of the face. */
 /* SPEC 9.4, surfaces 3.2 */
 static fxl_q18_46 nearest_depth(const fxl_model_view *model_view, const fxl_face *face,
-                                const uint16_t *corners, const fxl_traversal *traversal,
+                                const fxl_corner *const corners[3], const fxl_traversal *traversal,
                                 const fxl_q18_46 z[3], bool has_others)
 {
     const fxl_q18_46 nearer = z[0] < z[1] ? z[0] : z[1];
@@ -83,7 +83,8 @@ static fxl_q18_46 nearest_depth(const fxl_model_view *model_view, const fxl_face
         count = face->whole_count;
     }
     for (uint32_t i = 0; i < count; i++) {
-        if (indices[i] != corners[0] && indices[i] != corners[1] && indices[i] != corners[2]) {
+        if (indices[i] != corners[0]->vertex && indices[i] != corners[1]->vertex &&
+            indices[i] != corners[2]->vertex) {
             fxl_view_point vertex;
             fxl_find_corner(model_view, indices[i], traversal, &vertex);
             nearest = vertex.z < nearest ? vertex.z : nearest;
@@ -94,7 +95,7 @@ static fxl_q18_46 nearest_depth(const fxl_model_view *model_view, const fxl_face
 
 /* The gradients of a small face. Returns the level of its texture. */
 static uint8_t find_small(const fxl_texture *texture, const fxl_model_view *model_view,
-                          const fxl_face *face, const uint16_t *vertices,
+                          const fxl_face *face, const fxl_corner *const of[3],
                           const fxl_traversal *traversal, fxl_corner_planes *planes,
                           fxl_gradient_corners *corners, bool is_affine, fxl_gradients *gradients)
 {
@@ -103,7 +104,7 @@ static uint8_t find_small(const fxl_texture *texture, const fxl_model_view *mode
     if (has_levels) {
         density.texels = fxl_texel_area(corners->values);
         fxl_corner_planes_density(planes, is_affine,
-                                  nearest_depth(model_view, face, vertices, traversal,
+                                  nearest_depth(model_view, face, of, traversal,
                                                 planes->corners->depths, !planes->is_triangle),
                                   &density);
     }
@@ -114,7 +115,7 @@ static uint8_t find_small(const fxl_texture *texture, const fxl_model_view *mode
 /* The gradients of any other face. */
 static uint8_t find_large(const fxl_surface *surface, const fxl_texture *texture,
                           const fxl_model_view *model_view, const fxl_face *face,
-                          const uint16_t *vertices, const fxl_traversal *traversal,
+                          const fxl_corner *const of[3], const fxl_traversal *traversal,
                           fxl_gradient_corners *corners, fxl_gradients *gradients)
 {
     const fxl_view *view = model_view->view;
@@ -123,11 +124,11 @@ static uint8_t find_large(const fxl_surface *surface, const fxl_texture *texture
     fxl_texel_density density;
     fxl_q18_46 nearest = 0;
     for (uint32_t i = 0; i < 3; i++) {
-        fxl_find_corner(model_view, vertices[i], traversal, &corners->corners[i]);
+        fxl_find_corner(model_view, of[i]->vertex, traversal, &corners->corners[i]);
     }
     if (has_levels) {
         const fxl_q18_46 z[3] = {p[0].z, p[1].z, p[2].z};
-        nearest = nearest_depth(model_view, face, vertices, traversal, z, true);
+        nearest = nearest_depth(model_view, face, of, traversal, z, true);
     }
     if (surface->division == FXL_AFFINE && fxl_corners_make_affine(corners, view)) {
         nearest = p[0].z; /* of all of the face: it is in the plane of the screen */
@@ -168,10 +169,8 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     fxl_corner_planes planes;
     fxl_gradient_corners corners;
     const fxl_corner *of[3];
-    fxl_find_mapped_corners(surfaces->set, mapped, of);
-    const uint16_t vertices[3] = {of[0]->vertex, of[1]->vertex, of[2]->vertex};
-    const bool is_projected =
-        fxl_find_screen_corners(model_view, face, vertices, traversal, &on_screen);
+    fxl_find_mapped_corners(surfaces->set, surface, mapped, of);
+    const bool is_projected = fxl_find_screen_corners(model_view, face, of, traversal, &on_screen);
     corners.count = find_values(surfaces, model_view, surface, of, traversal, corners.values);
     find_even_light(corners.values[FXL_SEGMENT_LIGHT], &corners.count, polygon);
     polygon->surface = mapped->surface;
@@ -204,10 +203,10 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
                                   (texture == NULL || has_few_texels(corners.values));
     polygon->level = is_found ? 0
                      : has_small_planes
-                         ? find_small(texture, model_view, face, vertices, traversal, &planes,
-                                      &corners, is_affine, &polygon->gradients)
-                         : find_large(surface, texture, model_view, face, vertices, traversal,
-                                      &corners, &polygon->gradients);
+                         ? find_small(texture, model_view, face, of, traversal, &planes, &corners,
+                                      is_affine, &polygon->gradients)
+                         : find_large(surface, texture, model_view, face, of, traversal, &corners,
+                                      &polygon->gradients);
     if (find_depth != NULL) {
         find_depth(model_view, face, traversal, is_small ? &planes : NULL, is_found,
                    &polygon->depth);

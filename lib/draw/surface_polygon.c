@@ -32,7 +32,8 @@ FXL_STATIC_ASSERT(sizeof(fxl_gradient) == GRADIENT_WORDS * sizeof(uint32_t), "no
 FXL_STATIC_ASSERT(FXL_TEXTURE_LOG_MAX < 16, "bits of the first word");
 FXL_STATIC_ASSERT(offsetof(fxl_gradients, count) == offsetof(fxl_gradients, shifts) + 3,
                   "the second word");
-FXL_STATIC_ASSERT(offsetof(fxl_gradients, shifts) % sizeof(uint32_t) == 0, "it is copied as a word");
+FXL_STATIC_ASSERT(offsetof(fxl_gradients, shifts) % sizeof(uint32_t) == 0,
+                  "it is copied as a word");
 FXL_STATIC_ASSERT(FXL_POLYGON_CAPACITY + (FIRST_WORDS + SURFACE_WORDS + UNIT_WORDS +
                                           GRADIENT_WORDS * (2 + FXL_ATTRIBUTES)) /
                                              2 <=
@@ -224,13 +225,13 @@ static inline void begin_box(screen_box *box, const fxl_screen_point *a, const f
 /* The corners of a triangle whose vertices are the given ones, where the clipper has projected all
  * of them, and they are in the cache: mostly. */
 static inline bool find_projected(const fxl_model_view *model_view, const fxl_face *face,
-                                  const uint16_t *vertices, fxl_screen_corners *corners)
+                                  const fxl_corner *const of[3], fxl_screen_corners *corners)
 {
     screen_box box;
     const uint16_t *indices = model_view->indices + face->first_index;
     const fxl_cached_vertex *entries = model_view->entries;
     const uint32_t mask = model_view->mask, tag = model_view->tag;
-    const uint32_t a = vertices[0], b = vertices[1], c = vertices[2];
+    const uint32_t a = of[0]->vertex, b = of[1]->vertex, c = of[2]->vertex;
     if (face->count != 3 || face->whole_count != 0 || indices[0] != a || indices[1] != b ||
         indices[2] != c) {
         return false;
@@ -264,12 +265,12 @@ static bool has_vertex(const uint16_t *indices, uint32_t count, uint32_t number)
 }
 
 /* Any face. Not inline: what it has would stay on the stack of triangles. */
-static __attribute__((noinline)) bool find_corners(const fxl_model_view *model_view,
-                                                   const fxl_face *face, const uint16_t *vertices,
-                                                   const fxl_traversal *traversal,
-                                                   fxl_screen_corners *corners)
+static __attribute__((noinline)) bool
+find_corners(const fxl_model_view *model_view, const fxl_face *face, const fxl_corner *const of[3],
+             const fxl_traversal *traversal, fxl_screen_corners *corners)
 {
     const uint16_t *indices = model_view->indices + face->first_index;
+    const uint16_t vertices[3] = {of[0]->vertex, of[1]->vertex, of[2]->vertex};
     uint32_t count = face->count;
     screen_box box;
     if (face->whole_count != 0) {
@@ -304,14 +305,14 @@ static __attribute__((noinline)) bool find_corners(const fxl_model_view *model_v
 }
 
 bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *face,
-                             const uint16_t *vertices, const fxl_traversal *traversal,
+                             const fxl_corner *const of[3], const fxl_traversal *traversal,
                              fxl_screen_corners *corners)
 {
     if (!FXL_IS_COMPACT && traversal->clipper->by_clip_flags &&
-        find_projected(model_view, face, vertices, corners)) {
+        find_projected(model_view, face, of, corners)) {
         return true;
     }
-    return find_corners(model_view, face, vertices, traversal, corners);
+    return find_corners(model_view, face, of, traversal, corners);
 }
 
 void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,

@@ -111,12 +111,12 @@ struct fxl_painter {
     fxl_colours_finder *find_colours; /* null where no surface has colours at corners */
 };
 
-/* The three corners of a mapped face. */
-static inline void fxl_find_mapped_corners(const fxl_surface_set *set,
+/* The three corners of a mapped face of a surface. */
+static inline void fxl_find_mapped_corners(const fxl_surface_set *set, const fxl_surface *surface,
                                            const fxl_mapped_face *mapped,
                                            const fxl_corner *corners[3])
 {
-    const fxl_corner *first = set->corners + set->surfaces[mapped->surface].first_corner;
+    const fxl_corner *first = set->corners + surface->first_corner;
     for (uint32_t i = 0; i < 3; i++) {
         corners[i] = &first[mapped->corners[i]];
     }
@@ -134,7 +134,7 @@ void fxl_find_corner(const fxl_model_view *model_view, uint32_t number,
  * given three are some of them: these three on the screen, and the box of all; false otherwise, and
  * *corners is undefined. Requires the model view of the face's instance. */
 bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *face,
-                             const uint16_t *vertices, const fxl_traversal *traversal,
+                             const fxl_corner *const of[3], const fxl_traversal *traversal,
                              fxl_screen_corners *corners);
 
 /* Appends a polygon that reaches the given rows of the screen to the display list. Returns false if

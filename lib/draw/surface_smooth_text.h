@@ -96,11 +96,10 @@ static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_work
 
 /* Whether what the clipper leaves of a mapped face is drawn at once, as one polygon, by the kernel
  * of smooth outlines if its planes are in words. */
-static inline bool may_be_smooth(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
+static inline bool may_be_smooth(const fxl_surfaces *surfaces, const fxl_surface *surface,
                                  const fxl_traversal *traversal)
 {
-    return surfaces->light != NULL &&
-           fxl_has_light_alone(surfaces, &surfaces->set->surfaces[mapped->surface]) &&
+    return surfaces->light != NULL && fxl_has_light_alone(surfaces, surface) &&
            traversal->display_list == NULL && traversal->mode != FXL_SUBMIT_MEASURE &&
            traversal->clipper->next == NULL &&
            can_draw_smooth(traversal->workspace, traversal->band);
@@ -109,7 +108,7 @@ static inline bool may_be_smooth(const fxl_surfaces *surfaces, const fxl_mapped_
 /* Such a face, from its corners to its pixels. False if its planes are no words, or the kernel
  * cannot scan it: then nothing is drawn or counted. */
 static __attribute__((noinline)) bool draw_smooth_face(const fxl_surfaces *surfaces,
-                                                       const fxl_mapped_face *mapped,
+                                                       const fxl_corner *const of[3],
                                                        const fxl_model_view *model_view,
                                                        const fxl_face *face,
                                                        const fxl_traversal *traversal)
@@ -121,14 +120,11 @@ static __attribute__((noinline)) bool draw_smooth_face(const fxl_surfaces *surfa
     const fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
     fxl_surface_polygon polygon;
     fxl_screen_corners corners;
-    const fxl_corner *of[3];
     int32_t light[3];
     if (cut > FXL_CLIP_CUT) {
         return fxl_count_outcome(traversal, (fxl_outcome)1 << cut, 0);
     }
-    fxl_find_mapped_corners(surfaces->set, mapped, of);
-    const uint16_t vertices[3] = {of[0]->vertex, of[1]->vertex, of[2]->vertex};
-    if (!fxl_find_screen_corners(model_view, face, vertices, traversal, &corners)) {
+    if (!fxl_find_screen_corners(model_view, face, of, traversal, &corners)) {
         return false;
     }
     surfaces->light_code->light_corners(surfaces, renderer, model_view->instance, of, light);

@@ -161,18 +161,24 @@ static inline fxl_q2_30 brightness_of(const fxl_light_settings *settings,
                              from_direction(&settings->direction, settings->strength, normal));
 }
 
+/* The level at a corner. */
+static inline int32_t level_at(const fxl_direction *normal, const fxl_direction *direction,
+                               fxl_q2_30 strength, uint32_t ambient, uint32_t levels_less_1)
+{
+    const uint32_t sum = sum_of(ambient, from_direction(direction, strength, normal));
+    return fxl_light_corner_level((fxl_q2_30)sum, levels_less_1);
+}
+
 void fxl_light_corners_of(const fxl_light_settings *settings, const fxl_direction *normals,
                           const fxl_corner *const corners[3], int32_t values[3])
 {
     /* Copies, which the compiler knows that no value changes. */
-    const fxl_direction direction = settings->direction;
+    const fxl_direction d = settings->direction;
     const fxl_q2_30 strength = settings->strength;
-    const uint32_t ambient = (uint32_t)settings->ambient, levels_less_1 = settings->levels - 1u;
-    for (uint32_t i = 0; i < 3; i++) {
-        const uint32_t sum =
-            sum_of(ambient, from_direction(&direction, strength, &normals[corners[i]->normal]));
-        values[i] = fxl_light_corner_level((fxl_q2_30)sum, levels_less_1);
-    }
+    const uint32_t ambient = (uint32_t)settings->ambient, most = settings->levels - 1u;
+    values[0] = level_at(&normals[corners[0]->normal], &d, strength, ambient, most);
+    values[1] = level_at(&normals[corners[1]->normal], &d, strength, ambient, most);
+    values[2] = level_at(&normals[corners[2]->normal], &d, strength, ambient, most);
 }
 
 fxl_q2_30 fxl_light_brightness(const fxl_light_settings *settings, const fxl_camera *camera,

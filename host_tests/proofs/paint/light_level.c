@@ -5,7 +5,7 @@
 /* [[row]]
  * function = "fxl_light_corners_of"
  * property = "any checked settings and normals: nothing overflows or is out of bounds"
- * checks = 120
+ * checks = 192
  */
 void prove_light_corners_of(void)
 {
