@@ -301,7 +301,6 @@ static void draw_wide(const fxl_target *target)
     }
 }
 
-/* place pixel-format: the targets with a depth buffer */
 /* The two faces share a corner, so that their codes are equal. Sorted by distance the nearer one is
  * seen; by number the other one hides it: at once, by a list, in bands, turned, at each target. */
 /* SPEC 6.3, 6.4, 10.4 */

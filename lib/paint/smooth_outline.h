@@ -102,7 +102,6 @@ static inline bool fxl_smooth_outline_begin(const void *memory, const fxl_depth_
     return true;
 }
 
-/* place pixel-format: colours at corners: their attributes, and the pixels between */
 /* What is linear over the rows, at one of them: the code of cell 0; red, green and blue in the
  * face's column (corner_colours.h); and the cell of that column. */
 typedef struct {
