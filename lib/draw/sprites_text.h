@@ -154,7 +154,6 @@ typedef struct {
     sprite_columns *columns;
 } sprite_painting;
 
-/* place sampling: if billboards change too: the texels of a row */
 /* The texel of each column; all rows have the same ones. */
 static void find_texels(const fxl_billboard_row *row, sprite_columns *columns)
 {
