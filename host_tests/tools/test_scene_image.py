@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Scene images: round trips, what a damaged one is told, and its checks at the last value that each takes and the first that it refuses."""
 
+import dataclasses
 import math
 import struct
 import types
@@ -296,6 +297,25 @@ def test_a_billboard_reaches_as_far_as_its_model_and_no_farther(monkeypatch):
     refuses("radius", read, 26)
     refuses("index", image_billboard.read, {**found, "billboard map": [2]}, [model], [5])
     refuses("count", image_billboard.read, found, [types.SimpleNamespace(kind=None, faces=[None, None])], [5])
+
+
+def test_face_bounds_are_written_where_faces_are_sorted():
+    """With a depth buffer only if a surface is mixed with what is beneath, or if clusters find faces by them."""
+    def bounds(**changes):
+        made = scene(**changes)
+        made.models = [dataclasses.replace(model, kind=image.SORTED) for model in made.models]
+        assert image.unpack(image.pack(made)) == made
+        return section(image.pack(made), "keys")[1]
+
+    def looks(flags):
+        return image_surface.Surfaces(surfaces=[image_surface.Surface(flags=flags, opacity=16)])
+
+    assert bounds() and not bounds(depth_bits=16) and not bounds(depth_bits=32)
+    flagged = {flags: image_models.has_keys(types.SimpleNamespace(depth_bits=16, surfaces=looks(flags), models=[]))
+               for flags in (0, image_surface.LIT, image_surface.BLENDED, image_surface.ADDED | image_surface.LIT)}
+    assert list(flagged.values()) == [False, False, True, True]
+    clustered = types.SimpleNamespace(clusters=["a cluster"])
+    assert image_models.has_keys(types.SimpleNamespace(depth_bits=16, surfaces=None, models=[clustered]))
 
 
 # --- surfaces -----------------------------------------------------------------------

@@ -322,7 +322,8 @@ typedef struct {
 } fxl_scene_billboards;
 
 /* A scene: tables that the caller owns and that must outlive it. A scene without face bounds gives
- * the same frames; its sorted models take longer. */
+ * the same frames; its sorted models take longer where their faces are sorted: not with a depth
+ * buffer where no surface is blended or added. */
 typedef struct {
     const fxl_point *vertices;
     const uint16_t *indices;

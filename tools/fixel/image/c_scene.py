@@ -20,7 +20,7 @@ class _Tables:
     """The scene's tables as text, and what a model says of its place in them."""
 
     def __init__(self, scene, name):
-        self.scene, self.name = scene, name
+        self.scene, self.name, self.has_bounds = scene, name, image_models.has_keys(scene)
         self.vertices, self.indices, self.faces, self.models, self.bounds, self.clusters = [], [], [], [], [], []
         for model in scene.models:
             self._add(model)
@@ -35,7 +35,7 @@ class _Tables:
         for face in model.faces:
             self.faces.append(braces(braces(*face.normal), len(self.indices), len(face.corners), face.colour, len(face.whole)))
             self.indices += map(str, face.corners + face.whole)
-            if model.kind == SORTED:
+            if self.has_bounds and model.kind == SORTED:
                 height, *box = image_models.key_of(model, face)
                 self.bounds.append(braces(*split64(height), *box))
 

@@ -76,7 +76,7 @@ def pack(image):
               "objects": [image_models.OBJECT.pack(*item.centre, item.model, item.layer, 0) for item in image.objects]}
     kind, entry = ("poses", image_tables.POSE) if image.path_kind == POSES else ("strides", image_tables.STRIDE)
     tables[kind] = [entry.pack(*one) for one in image.path]
-    tables |= image_models.tables(image.models) | image_placement.tables(image.placements, image.motions)
+    tables |= image_models.tables(image.models, image_models.has_keys(image)) | image_placement.tables(image.placements, image.motions)
     tables |= image_surface.tables(image.surfaces, image.models) | image_billboard.tables(image.billboards)
     tables["nodes"] = [node.pack() for node in image.tree.nodes] if image.tree else []
     tables["beams"] = [beam.pack() for beam in image.beams]

@@ -98,7 +98,15 @@ def radius_of(vertices):
     return 1 + isqrt(square - 1) if square else 0
 
 
-def tables(models_of_scene):
+def has_keys(scene):
+    """Whether the faces of sorted models have keys: a renderer that does what the scene asks for sorts them, or finds them by clusters.
+    With a depth buffer it does neither, unless a surface is mixed with what is beneath."""
+    surfaces = scene.surfaces.surfaces if scene.surfaces else ()
+    is_mixed = any(one.flags & (image_surface.BLENDED | image_surface.ADDED) for one in surfaces)
+    return not scene.depth_bits or is_mixed or any(model.clusters for model in scene.models)
+
+
+def tables(models_of_scene, with_keys=True):
     """Vertices, corners, faces and models as packed bytes, the keys of sorted models' faces, and the clusters, by name."""
     vertices, corners, faces, models, keys, clusters = [], [], [], [], [], []
     for model in models_of_scene:
@@ -110,7 +118,7 @@ def tables(models_of_scene):
         for face in model.faces:
             faces.append(FACE.pack(*face.normal, len(corners), len(face.corners), face.colour, len(face.whole)))
             corners += face.corners + face.whole
-        if model.kind == SORTED:
+        if with_keys and model.kind == SORTED:
             keys += [KEY.pack(*key) for key in keys_of(model)]
         clusters += [cluster.pack() for cluster in model.clusters]
     return {"vertices": vertices, "corners": struct.pack(f"<{len(corners)}H", *corners), "faces": faces, "models": models,
