@@ -17,6 +17,7 @@ from conftest import LAUNCHER
 from fixel.board import emulator, firmware, flash_memory
 from fixel.base.errors import ToolError
 
+BUILT_PROGRAMS = ()
 FRAMES = 3
 
 

@@ -21,6 +21,7 @@ from fixel.base import limits
 from fixel.scene import making
 from fixel.board import gdb, flash_memory, qemu
 
+BUILT_PROGRAMS = ()
 ELSEWHERE = "stm32vldiscovery"  # its flash does not begin at 0
 
 

@@ -13,6 +13,7 @@ from elftools.elf.elffile import ELFFile
 from board_programs import BOARD, EVERY_BOARD, built
 from fixel.board import emulator
 
+BUILT_PROGRAMS = ()
 ARMV6M, ARMV7M, ARMV8M = "microbit", BOARD, "mps2-an505"
 CORES = [ARMV6M, ARMV7M, ARMV8M]
 NOWHERE = 0xE8000000    # of firmware/faults

@@ -17,6 +17,7 @@ from conftest import LAUNCHER, assert_one_sentence, environment, run_cli
 from fixel.scene import making
 from fixel.board import firmware, probe
 
+BUILT_PROGRAMS = ()
 DONE = "** Programming Started **\n** Programming Finished **\n** Verified OK **\n"
 
 

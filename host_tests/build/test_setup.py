@@ -15,6 +15,7 @@ from conftest import CHECKOUT, dry_run, environment
 
 import apt_mirror
 
+BUILT_PROGRAMS = ()
 SOURCES = """\
 # A comment
 Types: deb

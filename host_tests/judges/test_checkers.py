@@ -16,6 +16,7 @@ from fixel.scene import making
 from fixel.image import fields, image
 from fixel.base.errors import ToolError
 
+BUILT_PROGRAMS = ("host/loader",)
 SEED, MUTANTS = 13, 600     # mutants of each image
 SCENES = (("host_tests/fuzz/scenes/beam_surfaces", "all"), ("scenes/tiny", None), ("scenes/cube", None), ("scenes/w2", None), ("scenes/beam", None),
           ("scenes/knot", "none"), ("scenes/knot", "all"), ("scenes/beam", "all"), ("host_tests/fuzz/scenes/clusters", None),

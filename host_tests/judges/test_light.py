@@ -5,6 +5,7 @@ import host_frames
 import pytest
 from host_frames import pixels
 
+BUILT_PROGRAMS = ("host/frames", "host/judge")
 LIGHTS = ("day", "lamps", "dusk")
 EXPLAINED = 1 / 8192  # pixels from an edge: that of make run
 

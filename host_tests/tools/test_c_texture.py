@@ -9,6 +9,9 @@ from PIL import Image
 from conftest import assert_one_sentence, run_cli
 from test_export import COMPILERS, compiled, printed
 
+BUILT_PROGRAMS = ()
+
+
 # Values of the texels, and members of the record.
 PRINTER = """#include <stdio.h>
 #include "made.h"

@@ -16,6 +16,7 @@ from fixel.report import compare as comparison
 from fixel.base import picture
 from fixel.base.errors import ToolError
 
+BUILT_PROGRAMS = ()
 GREY = bytes(value for entry in range(256) for value in (entry, entry, entry))
 
 

@@ -23,6 +23,7 @@ from fixel.report import showcase_models
 from fixel.scene import command as scene_command, compiler, look, making, target
 from test_export import CUBE, compiled, looks_of, printed
 
+BUILT_PROGRAMS = ("boards/mps2-an385/walk.elf", "boards/microbit/walk.elf", "boards/stm32vldiscovery/walk.elf", "host/predict")
 SCENES = sorted(file.stem for file in (CHECKOUT / "scenes").glob("*.toml"))
 FRAMES = 2
 

@@ -18,6 +18,7 @@ from fixel.base.errors import ToolError
 from fuzzing import fuzzed, short_refusals, taken
 from test_export import COMPILERS, compiled, printed
 
+BUILT_PROGRAMS = ()
 HEAD = """STARTFONT 2.1
 FONT -made-for-the-test
 SIZE 9 75 75

@@ -23,6 +23,7 @@ from fixel.scene import making, parts
 from model_files import SQUARE, TETRAHEDRON, glb, gltf, gltf_text, png
 from test_input_bounds import PATH, assert_ended, run_bounded
 
+BUILT_PROGRAMS = ()
 CORNERS = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
 FACES = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
 LARGE = png([[(1, 2, 3)] * 2048] * 2048)     # 17 kB

@@ -19,6 +19,7 @@ from fixel.scene import compiler
 from scene_sections import replaced
 from test_input_bounds import BOX, LITTLE, PATH, assert_built, assert_ended, assert_refused, run_bounded
 
+BUILT_PROGRAMS = ()
 PARTED = '[[objects]]\nsolid = "floor"\ncells = [100, 100]\nparts = [64, 64]\nrepeat = {{ count = [{}, 1, 1], step = [0, 0, 0] }}\n'
 
 

@@ -17,6 +17,7 @@ from fixel.scene import compiler, corner_normals, look, making, target, toml_sce
 from model_files import glb, gltf, png, stl, stl_text
 from test_model_files import grid
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "boards/microbit/walk.elf", "boards/netduino2/walk.elf", "host/judge", "host/raycast", "host/predict")
 CASES = CHECKOUT / "host_tests" / "tools" / "models"
 CUBE = CHECKOUT / "examples" / "cube" / "cube.obj"
 IMAGE = png([[(4 * x, 4 * y, 40) for x in range(64)] for y in range(64)])

@@ -18,6 +18,7 @@ from fixel.base.errors import ToolError
 from scene_sections import entry_at, replaced, section
 from test_scene_image import patched
 
+BUILT_PROGRAMS = ("host/frames", "host/judge")
 ROOM = """
 [[beams]]
 direction = [3, -4, 0]
