@@ -20,6 +20,9 @@ from conftest import LAUNCHER
 from fixel.base.errors import ToolError
 from fixel.board import dump, emulator, firmware, flash_memory, qemu
 
+BUILT_PROGRAMS = ()
+
+
 @pytest.fixture(scope="module")
 def elf():
     return built(f"{BOARD}/faults.elf")

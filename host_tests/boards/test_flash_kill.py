@@ -17,6 +17,9 @@ from conftest import LAUNCHER, environment, run_cli
 from fixel.scene import making
 from fixel.board import emulator, flash_memory
 
+BUILT_PROGRAMS = ()
+
+
 # fixel flash, which gets SIGKILL before its Nth line in the files that write the image.
 KILLED_AT_LINE = """
 import os, signal, sys

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from conftest import run_cli
 
+BUILT_PROGRAMS = ()
 ROOT = Path(__file__).resolve().parents[2]
 SMALL, USUAL = 12, 32
 STRICT = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wpedantic", "-Werror"]

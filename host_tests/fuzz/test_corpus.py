@@ -17,6 +17,7 @@ from conftest import CHECKOUT, LAUNCHER, assert_one_sentence, environment
 from fixel.base.errors import ToolError
 from fixel.check import corpus
 
+BUILT_PROGRAMS = ()
 INPUTS = [b"", b"one", bytes(range(256)) * 3]
 # SHA-256 of the archive of these inputs.
 ARCHIVE = "7e6bafb75e19c54d4516d0e6a2f9291aafac49b51d89ffb9b9d176432802d132"

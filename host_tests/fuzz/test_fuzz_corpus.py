@@ -15,6 +15,7 @@ from conftest import CHECKOUT
 from fixel.base.errors import ToolError
 from fixel.check import corpus, fuzz
 
+BUILT_PROGRAMS = ("host/fuzz/replay_scene", "host/fuzz/replay_pipeline", "host/fuzz/branches_scene", "host/fuzz/branches_pipeline")
 TARGETS = list(corpus.HARNESSES)
 LEAST = 90          # per cent of the branches of lib/
 SIZE_MAX = 1 << 20  # bytes, so that a clone stays small

@@ -23,6 +23,8 @@ from model_files import glb, gltf, png, stl, stl_text
 from test_checkers import mutant
 from test_ply import binary as ply_binary, text as ply_text
 
+BUILT_PROGRAMS = ()
+
 
 def check(name, data, *beside, layers=None):
     """Compiles a file of these bytes, or reads it as an image. beside: (name, bytes) of other files of its folder.

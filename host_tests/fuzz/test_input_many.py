@@ -10,6 +10,7 @@ from fuzzing import EXAMPLES, SEED
 from test_input_bounds import LITTLE, run_bounded
 from test_input_work import noise
 
+BUILT_PROGRAMS = ()
 ANGLES = ["30", '"1/7"', "90", '"3/512 turn"', "-0.001"]
 TOP = """
 background = "#203040"

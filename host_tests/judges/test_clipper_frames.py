@@ -16,6 +16,7 @@ from host_frames import judged, pixels
 from fixel.scene import making
 from fixel.image import image, image_header
 
+BUILT_PROGRAMS = ("host/frames", "host/judge")
 CLIPPERS = (*clipper_names(), "near-box")
 SCENES = ("tiny", "cube", "plaza", "w1", "w3", "adversarial", "beam")
 DISTANCE = 1 / 8192                                 # that explains a pixel (docs/accuracy.md, section 4)

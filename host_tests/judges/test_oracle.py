@@ -8,6 +8,7 @@ import pytest
 
 from fixel.report import report_claims
 
+BUILT_PROGRAMS = ("host/oracle",)
 BOUNDS = {claim.id: claim.bound for claim in report_claims.CLAIMS if claim.id not in ("frame", "scale")}
 
 

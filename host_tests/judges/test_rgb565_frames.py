@@ -13,6 +13,7 @@ from test_surface_frames import built, drawn, judged
 
 from fixel.board import dump
 
+BUILT_PROGRAMS = ("host/frames", "host/judge", "boards/host/walk", "host/raycast", "host/predict")
 # Textures, levels and smooth light; holes; blended glass; billboards; texels of RGB565, some added to what is beneath.
 SCENES = (*(f"scenes/{name}" for name in ("gallery", "room", "car", "grove")), "host_tests/fuzz/scenes/texels")
 METHODS = ((), ("--hidden", "depth"), ("--hidden", "depth-32"))

@@ -14,6 +14,7 @@ from scene_head import head
 
 from fixel.board import dump
 
+BUILT_PROGRAMS = ("host/frames", "host/judge")
 SCENES = ("scenes/room.toml", "host_tests/fuzz/scenes/surfaces.toml")
 FRAMES = "12"
 # A floor to the horizon, whose texels are two units wide each.

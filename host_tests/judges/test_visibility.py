@@ -16,6 +16,7 @@ from fixel.board import dump
 from fixel.image import image
 from fixel.scene import making, toml_scene, tree
 
+BUILT_PROGRAMS = ("host/hidden", "host/frames", "host/judge", "host/raycast")
 FRAMES = 30
 SCENES = ("tiny", "cube", "plaza", "w1", "w3", "beam")
 WITH_TREE = ("plaza", "w1", "knot")

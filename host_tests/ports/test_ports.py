@@ -15,6 +15,7 @@ from fixel.board import controllers, wires
 from fixel.report import examples
 from fixel.scene import making
 
+BUILT_PROGRAMS = ("host/libfixel.a",)
 PORTS, TESTS = CHECKOUT / "ports", CHECKOUT / "host_tests" / "ports"
 FRAMES, WIDTH, HEIGHT = 3, 320, 240
 CC = ["-O1", "-g", "-fsanitize=undefined", "-fno-sanitize-recover", "-Wall", "-Wextra", "-Werror"]

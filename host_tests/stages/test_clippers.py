@@ -6,6 +6,7 @@ import subprocess
 
 import pytest
 
+BUILT_PROGRAMS = ("host/clipper_errors",)
 SAMPLES = 20_000
 # place clipper: the errors that are claimed
 # Claims hold as they stand; a face that is not quite flat has no corners to within a unit, and

@@ -7,6 +7,7 @@ import subprocess
 import pytest
 from conftest import CHECKOUT
 
+BUILT_PROGRAMS = ()
 PROGRAM = r"""
 #include <pthread.h>
 #include <stdio.h>

@@ -8,6 +8,9 @@ import pytest
 from conftest import CHECKOUT, environment, run_cli
 from fixel.commands import COMMANDS
 
+BUILT_PROGRAMS = ()
+
+
 # What bash does at a Tab: it calls the function that `complete` names, and reads COMPREPLY.
 COMPLETE = """
 source "$1"; shift

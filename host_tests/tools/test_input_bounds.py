@@ -25,6 +25,7 @@ from fixel.model import obj
 from fixel.scene import making, toml_table
 from fixel.base.errors import ToolError
 
+BUILT_PROGRAMS = ()
 PATH = "[path]\nkeys = [{ position = [0, 0, 0] }]\n"
 BOX = '[[objects]]\nsolid = "box"\n'
 SQUARE = [(0, 0, 0), (0, 0, 65536), (65536, 0, 65536), (65536, 0, 0)]

@@ -19,6 +19,8 @@ from model_files import gltf
 from test_input_bounds import BOX, PATH, assert_ended, run_bounded
 from test_input_work import box, item, scene, textures
 
+BUILT_PROGRAMS = ()
+
 
 def build(folder, file, code, *more):
     """A file is compiled, or refused, within the limits; what was said."""

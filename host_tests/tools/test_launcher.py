@@ -14,6 +14,7 @@ import warm_start
 from conftest import CHECKOUT, LAUNCHER, TOOLS, environment
 from fixel import commands
 
+BUILT_PROGRAMS = ()
 SCRIPTS = {"apt_mirror.py", "scene.py"}     # what set-up calls, and SCENE by another name
 
 

@@ -16,6 +16,7 @@ from fixel.scene.target import VALUES
 from scene_sections import section
 from model_files import build
 
+BUILT_PROGRAMS = ("host/frames", "host/judge")
 BOARD = '[[billboards]]\nname = "b"\npattern = "tree"\npixels = [5, 6]\nsize = [2, 3]\n'
 OBJECT = '[[objects]]\nbillboard = "b"\nposition = [0, 0, 9]\n'
 ONE = 65536

@@ -21,6 +21,7 @@ from fixel.board.programs import run_program
 from scene_sections import entry_at, replaced, section
 from test_scene_image import patched
 
+BUILT_PROGRAMS = ("host/frames", "host/judge")
 GLOBE = """
 [[objects]]
 solid = "sphere"

@@ -20,6 +20,7 @@ from model_files import build, glb, gltf, png
 from scene_sections import section
 from test_model_files import grid
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "host/judge", "host/raycast", "host/predict")
 BOX = '[[objects]]\nsolid = "box"\nposition = [0, 0, 5]\ncolour = "#e08040"\n'
 LIGHT = "[light]\nlevels = 9\n"
 ONE, Q30 = 65536, 1 << 30

@@ -17,6 +17,9 @@ from fixel.base.errors import ToolError
 from fixel.board.programs import HostPrograms
 from test_scene_mesh import ONE
 
+BUILT_PROGRAMS = ("host/frames", "host/judge")
+
+
 # A bar through a ball, and a ring about it.
 SOLIDS = head(96, 72, ["near = 1", "far = 32"]) + """
 %s

@@ -14,6 +14,8 @@ from fixel.image import image
 from fixel.report import showcase_models, showcase
 from fixel.scene import compiler, look
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "host/frames", "host/judge", "host/raycast", "host/predict")
+
 
 def of(name):
     """The model of a name."""

@@ -19,6 +19,7 @@ from fixel.model.mesh import UNIT
 from fixel.scene import compiler, look, toml_model
 from model_files import png
 
+BUILT_PROGRAMS = ()
 SET_UP = pytest.mark.skipif(simplify.module() is None, reason="tools/setup.sh simplify has not set up meshoptimizer")
 
 

@@ -22,6 +22,7 @@ from fixel.scene import compiler, look, surfaces, texture_size
 from fixel.scene.target import Target
 from model_files import SQUARE, build, glb, gltf, png
 
+BUILT_PROGRAMS = ()
 PICTURE = Image.fromarray(numpy.array([[(250, 0, 0), (0, 250, 0), (0, 0, 250)], [(90, 90, 90), (0, 0, 0), (250, 250, 250)]], dtype=numpy.uint8))
 
 

@@ -9,6 +9,7 @@ from conftest import CHECKOUT, write_files
 from fixel.base.errors import ToolError
 from fixel.check import lines, mutants, mutate_python, mutate, tool_mutants
 
+BUILT_PROGRAMS = ()
 CODE = '''"""A text with 1 + 1."""
 LIMIT = 1 + 1
 def f(a, b):

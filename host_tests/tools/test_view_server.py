@@ -17,6 +17,8 @@ from fixel.view.view_board import Pump
 from fixel.view.view_server import MESSAGE_MAX, Server, UNSEEN_MAX
 from fixel.view.view_reference import Answer
 
+BUILT_PROGRAMS = ()
+
 
 # --- who may look on ----------------------------------------------------------------
 

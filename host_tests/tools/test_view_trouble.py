@@ -18,6 +18,7 @@ from fixel.view import view_guard
 from fixel.view.view_server import MESSAGE_MAX
 from fixel.view.view_guard import Troubles
 
+BUILT_PROGRAMS = ()
 KEY = base64.b64encode(bytes(16))
 UPGRADE = (b"Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: " + KEY +
            b"\r\n")

@@ -9,6 +9,8 @@ import warm_start
 from conftest import CHECKOUT, LAUNCHER, TOOLS, environment, without_progress
 from fixel.commands import COMMANDS
 
+BUILT_PROGRAMS = ()
+
 
 def both(words, program=None, folder=CHECKOUT, **changes):
     """What a command from the server, and one from nothing, end with and say."""
