@@ -19,6 +19,7 @@ from test_compilers import PICTURE, PROGRAM, WARNINGS, clang_named
 WALK = CHECKOUT / "build" / "boards" / "host"
 LINKED = [("gcc", "c11"), ("g++", "c++11"), (clang_named("clang++"), "c++20")]
 OTHERS = [(clang_named("clang"), "c11"), ("gcc", "c2x"), ("g++", "c++14"), ("g++", "c++17"), ("g++", "c++20"), (clang_named("clang++"), "c++11")]
+SECTIONS = ["-ffunction-sections", "-fdata-sections"]
 # A scene of colours, and one each of textures, a depth buffer, a tree and billboards.
 SCENES = ("plaza", "room", "gallery", "knot", "grove")
 
@@ -48,11 +49,11 @@ def command(compiler, standard):
 
 @pytest.fixture(scope="module", name="compiled")
 def fixture_compiled(folder):
-    """By a compiler and a standard: fixel.c as an object."""
+    """By a compiler and a standard: fixel.c as an object, each function in a section of its own."""
     @functools.cache
     def compiled(compiler, standard):
         out = folder / f"{compiler}-{standard}.o"
-        assert run(*command(compiler, standard), "-O1", "-c", "fixel.c", "-o", out, cwd=folder) == ""
+        assert run(*command(compiler, standard), "-O1", *SECTIONS, "-c", "fixel.c", "-o", out, cwd=folder) == ""
         return out
     return compiled
 
@@ -108,10 +109,10 @@ def test_it_exports_what_the_library_exports(build, compiled):
     assert len(library) > 200 and exported(compiled("gcc", "c11")) == library
 
 
-def test_only_what_is_called_is_linked(folder, tmp_path):
+def test_only_what_is_called_is_linked(folder, compiled, tmp_path):
     """With sections, a program has no more of the library than with the archive, but for what a kernel's sections hold."""
-    sections = ["-O1", "-ffunction-sections", "-fdata-sections", f"-I{folder}", f"-I{PROGRAM}"]
-    run("gcc", *sections, PROGRAM / "cube.c", PROGRAM / "hosted.c", folder / "fixel.c", "-Wl,--gc-sections", "-o", tmp_path / "cube")
+    run("gcc", "-O1", *SECTIONS, f"-I{folder}", f"-I{PROGRAM}", PROGRAM / "cube.c", PROGRAM / "hosted.c", compiled("gcc", "c11"), "-Wl,--gc-sections",
+        "-o", tmp_path / "cube")
     linked = {name for name in exported(tmp_path / "cube") if name.startswith("fxl_")}
     assert "fxl_frame_draw" in linked and not linked & {"fxl_crc", "fxl_surfaces_open", "fxl_display_init", "fxl_world_init"}
 

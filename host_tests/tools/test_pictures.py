@@ -17,7 +17,7 @@ from fixel.report import pictures
 from fixel.view import record
 from viewers import plaza_image, ready, ready_board  # noqa: F401, fixtures
 
-BUILT_PROGRAMS = ()
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "host/live")
 PALETTE = numpy.array([[number, 255 - number, 7] for number in range(256)], dtype=numpy.uint8)
 
 

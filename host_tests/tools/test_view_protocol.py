@@ -13,6 +13,7 @@ from fixel.board import firmware
 from fixel.view.view_window import KeyFile, Stream, Window
 from view_bench import HELLO, bench_test, frame, read_frame, settled
 
+BUILT_PROGRAMS = ()
 WIDTH, HEIGHT = 32, 24
 SLOTS = (4096, 8192)
 PALETTE = bytes((5 * i) & 255 for i in range(768))
