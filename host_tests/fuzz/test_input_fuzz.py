@@ -211,12 +211,13 @@ VALUES = st.recursive(SCALARS, lambda inner: st.one_of(
 # Values that keys take by their kinds (keys.py), small ones, and those in which one part must suit another or a name is that of something.
 # place key: only if the fuzzer must know a name or parts that suit one another
 SAID = {
-    "name": ['"a"', '"the car"'], "texture": ['"t"'], "textures": ['["t", ""]'], "billboard": ['"b"'], "parent": ['"car"'], "file": ['"t.png"'],
+    "name": ['"a"', '"the car"'], "texture": ['"t"'], "billboard": ['"b"'], "parent": ['"car"'], "file": ['"t.png"'],
     "obj": ['"t.obj"'], "model": ['"t.obj"'], "group": ['"g"', '"t"'], "without": ['"g"', '["t"]'], "tree": ['"all"', '"0"'],
     "spin": ["{ yaw = 3 }", "{ axis = [1, 1, 0], degrees = 2 }"], "fog": ["{ near = 2, far = 9 }"],
     "motion": ["{ circle = 3, degrees = 4 }", "{ by = [1, 0, 0], frames = 9, back = true }", "{ keys = [{ frames = 2 }, { turn = 9 }] }"],
     "keys": ["[{ position = [0, 0, 0] }, { position = [1, 0, 0], frames = 3 }]", "[{ frames = 3 }, {}]", '["forward"]'],
-    "steps": ['[{ keys = ["forward"], frames = 9 }]']}
+    "steps": ['[{ keys = ["forward"], frames = 9 }]'], "orbit": ["{ radius = 4 }"], "start": ["30", "{ position = [0, 1, 0] }"],
+    "parts": ["[2, 1]"], "textures": ['["t", ""]']}
 SOUND_VALUES = {name: SAID.get(name) or sorted({inline(value) for table in TABLES_OF_KEYS if name in table
                                                 for value in table[name].kind.sound()}) for name in EVERY_KEY}
 

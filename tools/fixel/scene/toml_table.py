@@ -77,8 +77,8 @@ class Number:
         return number if self.low is None else min(max(Fraction(number), self.low), self.high)
 
     def sound(self):
-        """Values that are read."""
-        return [self._near(number) for number in (2, 5, Fraction(1, 2))] + ([self.high] if self.low is not None else [])
+        """Small values that are read."""
+        return [self._near(number) for number in (2, 5, Fraction(1, 2))]
 
     def wrong(self):
         """Values that are refused."""
