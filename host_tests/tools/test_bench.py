@@ -215,6 +215,22 @@ def test_the_head_s_frames_have_the_counts_that_its_scene_states(plan, tmp_path)
     assert abs(sum(int((frame.pixels != 0).sum()) for frame in frames) / 12 - 2000) <= 200
 
 
+def test_the_coloured_sphere_is_closed_and_has_a_colour_at_each_vertex(tmp_path):
+    """Its rings end at the poles, where all vertices of a ring are one place."""
+    bench_changes.write_sphere(tmp_path)
+    rows = [line.split() for line in (tmp_path / bench_changes.SPHERE).read_text().splitlines()]
+    places = [tuple(map(float, words[1:4])) for words in rows if words[0] == "v"]
+    faces = [tuple(places[int(number) - 1] for number in words[1:]) for words in rows if words[0] == "f"]
+    edges = {(face[i], face[(i + 1) % 3]) for face in faces for i in range(3)}
+    assert len(faces) == 720 and len(edges) == 3 * 720 and {(b, a) for a, b in edges} == edges
+    assert {len(words) for words in rows if words[0] == "v"} == {7}
+
+
+def test_a_scene_of_rgb565_is_drawn_to_nothing_else(plan):
+    ways = [(entry["name"], way) for _, entry, _, way in bench_rgb565._jobs(plan, ["m3"])]
+    assert ("vcold", "RGB565") in ways and ("vcold", "palette, converted") not in ways and ("tqa", "palette, converted") in ways
+
+
 @pytest.mark.parametrize("change", [name for name in bench_changes.CHANGES if name != "textured"])
 def test_a_change_changes_the_scene(tmp_path, change):
     if change in ("smooth", *bench_changes.POINTS):

@@ -27,6 +27,8 @@ POINTS = {"a point": [(0, 8)], "four points": [(0, 8)] * 4, "a point behind": [(
 HEAD = "head.obj"
 SIDES, RINGS = 22, 23       # 2 x 22 x 22 triangles
 HEAD_WIDTH, HEAD_HEIGHT, HEAD_DEPTH = 0.82, 1.2, 1.15
+SPHERE = "coloured_sphere.obj"
+SPHERE_SIDES, SPHERE_RINGS = 24, 16     # 2 x 24 x 15 triangles
 ONE = 65536                     # 16.16
 NONE = Placement((1 << 30, 0, 0, 0, 1 << 30, 0, 0, 0, 1 << 30), ONE)
 YAW, PITCH = (range(-3, 4), range(-2, 3))       # steps a frame, in 256ths of a turn; instances take them in turn
@@ -110,15 +112,21 @@ def has_textures(path):
     return "textures" in toml_table.read(path)
 
 
+def is_rgb565(path):
+    """Whether a scene file asks for pixels of RGB565, and so is drawn to nothing else."""
+    return toml_table.read(path)["view"].get("pixels") == "rgb565"
+
+
 def compile_file(path, names, folder):
     """The scene of a file, changed. folder: for the models that are generated."""
     data = toml_table.read(path)
     for name in names:
         CHANGES.get(name, lambda _: None)(data)
     here = pathlib.Path(path).parent
-    if any(row.get("obj") == HEAD for row in data["objects"]):
-        here = pathlib.Path(folder)
-        write_head(here)
+    for model, write in ((HEAD, write_head), (SPHERE, write_sphere)):
+        if any(row.get("obj") == model for row in data["objects"]):
+            here = pathlib.Path(folder)
+            write(here)
     screen = next((SCREENS[name] for name in names if name in SCREENS), None)
     compiled, _ = toml_scene.compile_data(data, pathlib.Path(path).name, str(here), screen=screen)
     return compiled
@@ -156,6 +164,34 @@ def write_head(folder):
     lines = ["v " + " ".join(f"{value / 10000:.4f}" for value in point) for point in points]
     lines += [f"f {a} {b} {c}" for a, b, c in _faces_of_head()]
     (pathlib.Path(folder) / HEAD).write_text("\n".join(lines) + "\n", encoding="ascii")
+
+
+# --- a sphere with a colour at each vertex ------------------------------------------
+
+def _vertex_of_sphere(ring, side):
+    """A place and a colour of the sphere of radius 1."""
+    down, around = math.pi * ring / SPHERE_RINGS, math.tau * side / SPHERE_SIDES
+    x, y, z = math.sin(down) * math.cos(around), math.cos(down), math.sin(down) * math.sin(around)
+    return x, y, z, (1 + math.sin(3 * x)) / 2, (1 + math.cos(5 * y)) / 2, (1 + z) / 2
+
+
+def _faces_of_sphere():
+    for ring in range(SPHERE_RINGS):
+        for side in range(SPHERE_SIDES):
+            upper, right = [1 + ring * SPHERE_SIDES + each % SPHERE_SIDES for each in (side, side + 1)]
+            lower, lower_right = upper + SPHERE_SIDES, right + SPHERE_SIDES
+            if ring > 0:
+                yield upper, right, lower_right
+            if ring < SPHERE_RINGS - 1:
+                yield upper, lower_right, lower
+
+
+def write_sphere(folder):
+    """Writes the model into a folder."""
+    lines = ["v " + " ".join(f"{value:.4f}" for value in _vertex_of_sphere(ring, side))
+             for ring in range(SPHERE_RINGS + 1) for side in range(SPHERE_SIDES)]
+    lines += [f"f {a} {b} {c}" for a, b, c in _faces_of_sphere()]
+    (pathlib.Path(folder) / SPHERE).write_text("\n".join(lines) + "\n", encoding="ascii")
 
 
 # --- turned instances --------------------------------------------------------------

@@ -36,13 +36,13 @@ def pixels_of(variant):
 def _jobs(plan, cores):
     """(core, entry, variant, way) of what is drawn."""
     for entry in plan.rgb565.values():
-        textured = bench_changes.has_textures(entry["scene"])
+        textured, wide = bench_changes.has_textures(entry["scene"]), bench_changes.is_rgb565(entry["scene"])
         variants = [*plan.rgb565_variants["moved"], *(plan.rgb565_variants["textured"] if textured else ())] \
             if plan.kept else ()
         for core in entry.get("cores", [CORE]):
             for variant in [None, *(variants if core == CORE else ())]:
                 for way, (_, changes) in WAYS.items():
-                    if core in cores and not (TEXELS in changes and (not textured or variant == BITS)):
+                    if core in cores and not (TEXELS in changes and (not textured or variant == BITS)) and (changes or not wide):
                         yield core, entry, variant, way
 
 
