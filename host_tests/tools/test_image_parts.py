@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Faces that show one colour of an image need no texture, and of others a texture has the part that faces show."""
 
+import random
+
 import numpy
 import pytest
 from PIL import Image
@@ -263,6 +265,23 @@ def test_parts_that_lie_far_apart_are_textures_of_their_own():
     assert len(cut_of(pixels, [*two, rectangle(20, 30, 920, 1010, 1024, 1024)])[0] or [0]) == 1
     near = [rectangle(10, 20, 40, 50, 1024, 1024), rectangle(40, 20, 70, 50, 1024, 1024)]
     assert len(cut_of(pixels, near)[0]) == 1
+
+
+def test_rectangles_that_touch_at_a_side_or_a_corner_are_one_island():
+    """By definition: rectangles touch where neither ends before the other begins, and those of a chain of such are together."""
+    chance, side = random.Random(3), image_cut._CELLS
+    shapes = ((1, 1), (2, 3), (9, 4), (30, 1), (1, 40))
+    for count in (1, 2, 5, 20, 60, 200):
+        boxes = [((x, x + w), (y, y + h)) for w, h in chance.choices(shapes, k=count)
+                 for x, y in [(chance.randrange(side - w + 1), chance.randrange(side - h + 1))]]
+        groups = []
+        for box in boxes:
+            near = [group for group in groups if any(all(a <= d and c <= b for (a, b), (c, d) in zip(box, other)) for other in group)]
+            groups = [group for group in groups if group not in near] + [sum(near, [box])]
+        labels = image_cut._labels(boxes)
+        found = [{int(labels[top, left]) for (left, _), (top, _) in group} for group in groups]
+        assert all(len(each) == 1 and 0 not in each for each in found) and len(set.union(*found)) == len(groups)
+        assert (labels > 0).sum() == len({(x, y) for (a, b), (c, d) in boxes for x in range(a, b) for y in range(c, d)})
 
 
 def test_an_image_that_clamps_is_cut_and_flat_too():
