@@ -242,7 +242,9 @@ def test_for_people(tmp_path):
     for word in ("flash", "RAM of the walk", "RAM of your program", "without a display list", "stack", "instructions a frame",
                  "most of them for"):
         assert word in done.stdout
-    assert json.loads(out.read_text(encoding="utf-8"))["instructions_per_frame"]["mean"] > 0
+    found = json.loads(out.read_text(encoding="utf-8"))
+    assert found["instructions_per_frame"]["mean"] > 0 and found["faces"] == 33
+    assert f"a face takes {found['flash']['scene'] / 33:.0f}" in done.stdout
 
 
 def test_boards_and_scenes_without_costs():

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Scene files with textures: what becomes of each key, and each refusal."""
 
-import zlib
+import dataclasses
+import math
 import struct
+import zlib
 
 import numpy as np
 import pytest
@@ -10,6 +12,7 @@ from PIL import Image
 
 from conftest import CHECKOUT, run_cli
 from fixel.image import image, image_surface
+from fixel.image.fields import entry
 from fixel.scene import palette, surfaces, texture, toml_scene
 from fixel.base.errors import ToolError
 # place field: images that are broken, for the tools
@@ -53,6 +56,25 @@ def everywhere(model, face):
 
 
 # --- the image -----------------------------------------------------------------------------------
+
+def test_a_textured_lit_triangle_takes_at_most_60_bytes_with_a_depth_buffer(tmp_path):
+    """Of a terrain of 800 triangles: what its sections have for each. Face bounds are 20 more."""
+    side = 21
+    rows = [f"v {x} {math.sin(x) + math.cos(z)} {z}\n" for z in range(side) for x in range(side)]
+    rows += [f"vt {x / 8} {z / 8}\n" for z in range(side) for x in range(side)]
+    for at in (z * side + x + 1 for z in range(side - 1) for x in range(side - 1)):
+        rows += [f"f {a}/{a} {b}/{b} {c}/{c}\n" for a, b, c in ((at, at + side, at + 1), (at + 1, at + side, at + side + 1))]
+    (tmp_path / "terrain.obj").write_text("".join(rows), encoding="utf-8")
+    made = build(tmp_path, LEVELS + TEXTURE + '[[objects]]\nobj = "terrain.obj"\nkind = "sorted"\ntexture = "t"\nmapping = "file"\n'
+                                              'smooth = true\nposition = [0, -4, 9]\n')
+    names = ("vertices", "corners", "faces", "mapped faces", "face map", "mapped corners", "normals of corners", "keys")
+
+    def taken(scene):
+        return sum(section(image.pack(scene), name)[1] * entry(name).size for name in names)
+
+    deep = dataclasses.replace(made, depth_bits=16)
+    assert len(faces_of(made)) == 800 and taken(deep) <= 60 * 800 and taken(made) == taken(deep) + 20 * 800
+
 
 def test_textures_make_an_image_with_surfaces(tmp_path):
     plain = build(tmp_path, BOX.replace('texture = "t"\n', ""))

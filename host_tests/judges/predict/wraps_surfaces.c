@@ -60,12 +60,12 @@ WRAPPED_COUNT_VOID(void, fxl_gradients_find,
                    counted.attributes_found += face->count)
 
 WRAPPED(bool, fxl_find_screen_corners,
-        (const fxl_model_view *model_view, const fxl_face *face, const uint16_t *vertices,
+        (const fxl_model_view *model_view, const fxl_face *face, const fxl_corner *const of[3],
          const fxl_traversal *traversal, fxl_screen_corners *corners))
 {
     const uint32_t count = face->whole_count != 0 ? face->whole_count : face->count;
     counted.corners_on_screen += count;
-    return __real_fxl_find_screen_corners(model_view, face, vertices, traversal, corners);
+    return __real_fxl_find_screen_corners(model_view, face, of, traversal, corners);
 }
 
 WRAPPED(bool, fxl_corner_planes_begin,

@@ -156,7 +156,7 @@ def predict(options, file):
     board, core = board_of(options, known)
     scene, size = image.load(file), pathlib.Path(file).stat().st_size
     result = {"board": options.board, "core": core, "scene": options.scene, "frames": scene.frames,
-              "why_not": None, **frame_costs.memory(board, size, has_looks(scene)), "instructions_per_frame": None,
+              "faces": sum(len(model.faces) for model in scene.models), "why_not": None, **frame_costs.memory(board, size, has_looks(scene)), "instructions_per_frame": None,
               "ram_of_your_program": memory_needed.of_program(scene), "your_memory": [], "parts": []}
     try:
         names, counts = count(options, scene, size, board, file)
@@ -177,7 +177,8 @@ def print_prediction(result):
     rows = [["board", f"{result['board']}, costs of core {result['core']}"],
             ["scene", f"{one_line(result['scene'])}, {count_of(result['frames'], 'frame')}"],
             ["flash", f"{flash['program']:,} program + {flash['scene']:,} scene = {flash['program'] + flash['scene']:,} of "
-                      f"{flash['of']:,} bytes; the scene's part has {flash['scene_room']:,}"],
+                      f"{flash['of']:,} bytes; the scene's part has {flash['scene_room']:,}, and a face takes "
+                      f"{flash['scene'] / result['faces']:.0f}"],
             ["RAM of the walk", f"{ram['program']:,} of {ram['of']:,} bytes, with stacks"],
             ["RAM of your program", "renderer and memory {without_list:,} bytes without a display list; {moderate:,} with NAME_MEMORY "
                                     "of the exported header; {with_list:,} with a list of every polygon; and the pixels".format(
