@@ -12,6 +12,7 @@
 
 #include "../raster/fill.h"
 #include "../raster/scan.h"
+#include "../raster/tiny.h"
 #include "../view/model_view.h"
 #include "pixel_row.h"
 #include "renderer.h"
@@ -59,6 +60,7 @@ static inline __attribute__((always_inline)) void paint_rows(const fxl_screen_po
 
 #include "surface_polygon.h"
 #include "../paint/depth_outline.h"
+#include "depth_plane.h"
 
 /* A polygon of one colour, and its depth. */
 typedef struct {
@@ -101,8 +103,7 @@ static inline fxl_depth_drawn draw_outline(const fxl_workspace *workspace,
                                  &outline)) {
         return FXL_DEPTH_NOT_DRAWN;
     }
-    outline.filling =
-        fxl_filling_word(fxl_filling_of(band, colour, shade, workspace->dark));
+    outline.filling = fxl_filling_word(fxl_filling_of(band, colour, shade, workspace->dark));
     return FXL_DRAW_DEPTH_OUTLINE(points, count, band, &outline);
 #else
     (void)workspace;
@@ -219,6 +220,83 @@ static bool draws_one_polygon(const fxl_traversal *traversal)
            traversal->clipper->next == NULL;
 }
 
+/* The depth of the face that is drawn now: fxl_find_depth_by_normal, whose usual case is here. */
+static inline void find_depth(const fxl_model_view *model_view, const fxl_face *face,
+                              const fxl_traversal *traversal, fxl_depth_plane *plane)
+{
+    const fxl_view *view = model_view->view;
+    if (!FXL_IS_COMPACT && traversal->clipper->by_clip_flags && view->lens.off_centre == NULL) {
+        const uint32_t number = model_view->indices[face->first_index];
+        fxl_find_depth_plane(&face->normal, model_view->axes,
+                             &fxl_fetch_vertex(model_view, number)->position, view, plane);
+        return;
+    }
+    fxl_find_depth_by_normal(model_view, face, traversal, plane);
+}
+
+/* Whether to try a face as a tiny one. Most are higher. Where a kernel draws outlines, those of
+ * FXL_TINY_SIDE pixels and more are not tried: few of them are tiny, which saves less than the
+ * others cost. */
+static inline bool may_be_tiny(const fxl_screen_polygon *screen)
+{
+    const uint32_t end = (FXL_DRAWS_DEPTH_OUTLINES ? FXL_TINY_SIDE : FXL_TINY_SIDE + 1) * 65536;
+    const fxl_screen_point *points = screen->points;
+    const uint32_t x = end - (uint32_t)points[0].x, y = end - (uint32_t)points[0].y;
+    return FXL_HAS_TINY && screen->count == 3 && (uint32_t)points[1].y + y < 2 * end &&
+           (uint32_t)points[2].y + y < 2 * end && (uint32_t)points[1].x + x < 2 * end &&
+           (uint32_t)points[2].x + x < 2 * end;
+}
+
+/* What became of a face that may be tiny. */
+typedef enum {
+    TINY_IS_NOT,
+    TINY_HAS_NO_PIXEL, /* in the band */
+    TINY_IS_DRAWN
+} tiny_drawn;
+
+/* Draws the pixels of a tiny triangle, and finds its depth if it has some. */
+static __attribute__((noinline)) tiny_drawn
+draw_tiny(const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *traversal)
+{
+    fxl_workspace *workspace = traversal->workspace;
+    const fxl_band *band = traversal->band;
+    const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
+    const fxl_depth_rule rule = {FXL_TARGET_DEPTH_BITS == 32, head->or_equal};
+    fxl_depth_plane plane;
+    fxl_tiny tiny;
+    if (!fxl_tiny_find(workspace->screen.points, band, &tiny)) {
+        return TINY_IS_NOT;
+    }
+    if (tiny.pixels == 0) {
+        return TINY_HAS_NO_PIXEL;
+    }
+    if (head->pass == FXL_DEPTH_BLENDED) {
+        return TINY_IS_DRAWN;
+    }
+    find_depth(model_view, face, traversal, &plane);
+    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+    const fxl_filling filling = fxl_filling_of(
+        band, face->material, FXL_PIXEL_IS_MIXED ? workspace->screen.shade : 0, workspace->dark);
+    uint32_t pixels = tiny.pixels;
+    for (int32_t y = tiny.row; pixels != 0; y++, pixels >>= FXL_TINY_SIDE) {
+        const int64_t depth = plane.gradient.at + plane.gradient.down * y;
+        void *cells = (uint8_t *)(uintptr_t)(head + 1) +
+                      (size_t)(y - band->first_row) * band->width * (FXL_TARGET_DEPTH_BITS / 8);
+        for (int32_t i = 0; i < FXL_TINY_SIDE; i++) {
+            if ((pixels >> i & 1u) == 0) {
+                continue;
+            }
+            const int32_t x = tiny.column + i;
+            const uint32_t code = fxl_depth_code_at(head->scale, &plane, depth, x);
+            if (fxl_depth_passes(cells, x, code, rule)) {
+                fxl_depth_keep(cells, x, code, rule.wide);
+                fxl_pixels_of_row(band, (uint32_t)y)[x] = (fxl_pixel)filling;
+            }
+        }
+    }
+    return TINY_IS_DRAWN;
+}
+
 /* Draws the polygon that the clipper has left of a face. Returns whether it reaches a row of the
  * screen. */
 static inline bool draw_polygon(const fxl_model_view *model_view, const fxl_face *face,
@@ -228,9 +306,19 @@ static inline bool draw_polygon(const fxl_model_view *model_view, const fxl_face
     const fxl_screen_polygon *screen = &workspace->screen;
     const uint8_t shade = FXL_PIXEL_IS_MIXED ? screen->shade : 0;
     fxl_depth_plane plane;
-    fxl_find_depth_by_normal(model_view, face, traversal, &plane);
-    return paint_flat_here(workspace, &plane, screen->points, screen->count, face->material, shade,
-                           traversal->band) ||
+    bool draws = true;
+    if (may_be_tiny(screen)) {
+        const tiny_drawn drawn = draw_tiny(model_view, face, traversal);
+        if (drawn == TINY_IS_DRAWN) {
+            return true;
+        }
+        draws = drawn == TINY_IS_NOT;
+    }
+    if (draws) {
+        find_depth(model_view, face, traversal, &plane);
+    }
+    return (draws && paint_flat_here(workspace, &plane, screen->points, screen->count,
+                                     face->material, shade, traversal->band)) ||
            fxl_outline_has_rows(screen, traversal->renderer->frame.view.lens.height);
 }
 
