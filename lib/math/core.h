@@ -58,31 +58,9 @@ static inline int64_t fxl_multiply_s64_u16(int64_t a, uint32_t b)
     return (int64_t)((uint64_t)a * b);
 }
 
-/* floor(numerator / denominator); *rest becomes the remainder. Requires denominator > 0. */
-static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *remainder)
-    FXL_REQUIRES(denominator > 0 && FXL_OBJECT(remainder)) FXL_ASSIGNS(*remainder)
-        FXL_EQUATES(*remainder < denominator && *remainder <= numerator && FXL_RESULT <= numerator)
-{
-    uint32_t quotient = numerator / denominator;
-    *remainder = numerator - quotient * denominator;
-    return quotient;
-}
-
-/* floor(numerator / denominator). Requires 2^15 <= denominator <= 2^16. */
-static inline uint32_t fxl_divide_half(uint32_t numerator, uint32_t denominator)
-{
-    return numerator / denominator;
-}
-
-/* The number of 0 bits above the highest 1 of value. Requires value > 0. */
-static inline unsigned fxl_leading_zeros(uint32_t value)
-{
-    return (unsigned)__builtin_clz(value);
-}
-
 #else
 
-/* Without long products, UDIV and CLZ. The products are four of 16 by 16 bits. They are in
+/* Without long products. They are four of 16 by 16 bits. They are in
  * assembly because the compiler's code is twice as long. Each fits 32 bits, also if one or both
  * factors are signed, because 2^15 (2^16 - 1) < 2^31. */
 
@@ -168,6 +146,28 @@ static inline int64_t fxl_multiply_s64_u16(int64_t a, uint32_t b)
     return (int64_t)((uint64_t)high << 32 | (middle << 16 | (lowest & 0xFFFFu)));
 }
 
+#endif
+
+#if FXL_HAS_DIVIDER
+
+/* floor(numerator / denominator); *rest becomes the remainder. Requires denominator > 0. */
+static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *remainder)
+    FXL_REQUIRES(denominator > 0 && FXL_OBJECT(remainder)) FXL_ASSIGNS(*remainder)
+    FXL_EQUATES(*remainder < denominator && *remainder <= numerator && FXL_RESULT <= numerator)
+{
+    uint32_t quotient = numerator / denominator;
+    *remainder = numerator - quotient * denominator;
+    return quotient;
+}
+
+/* floor(numerator / denominator). Requires 2^15 <= denominator <= 2^16. */
+static inline uint32_t fxl_divide_half(uint32_t numerator, uint32_t denominator)
+{
+    return numerator / denominator;
+}
+
+#else
+
 /* floor(numerator / denominator); *rest becomes the remainder. Requires denominator > 0. It
  * takes a step for each bit of the quotient; the quotients of an edge's slope have few. */
 static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *remainder)
@@ -230,6 +230,18 @@ static inline uint32_t fxl_divide_half(uint32_t numerator, uint32_t denominator)
     }
     return quotient;
 }
+
+#endif
+
+#if FXL_HAS_LEADING_ZEROS
+
+/* The number of 0 bits above the highest 1 of value. Requires value > 0. */
+static inline unsigned fxl_leading_zeros(uint32_t value)
+{
+    return (unsigned)__builtin_clz(value);
+}
+
+#else
 
 /* The number of 0 bits above the highest 1 of value. Requires value > 0. It halves the range of
  * bits three times, then looks up four of them. */

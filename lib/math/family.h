@@ -1,16 +1,29 @@
 /* SPDX-License-Identifier: MIT */
-/* The family of the core for which a file is compiled, and so the kernels that it has. Only
- * kernels use this, in C and in assembly. The compiler's own macros decide, so every file
- * of lib/ may be compiled for any core: exactly one file of each kernel has contents.
+/* What the core for which a file is compiled has, and so which texts and kernels. Only kernels use
+ * this, in C and in assembly. The compiler's own macros decide, so every file of lib/ may be
+ * compiled for any core: of each kernel exactly one file has contents, and of each inline kernel one
+ * text. All texts give the same bits.
  *
- *   FXL_CORE_ARMV6M  Thumb-1 (Cortex-M0, M0+, M1, M23): no long product, no division
- *   FXL_CORE_ARMV7M  Thumb-2 (Cortex-M3, M4, M7, M33 and above): long products, UDIV, CLZ
- *   FXL_DIVIDES_WIDE  a division of 64 bits is an instruction, as on a host or in WebAssembly
+ * A text in C asks for properties, each of which is 0 or 1:
  *
- * Each is 0 or 1. Inline kernels depend on these, and on this one, which is 0 in a library built
- * with FXL_SMALL:
+ *   FXL_HAS_LONG_PRODUCT   a product of 32 by 32 bits into 64 takes an instruction, or two
+ *   FXL_HAS_DIVIDER        a division of 32 bits is an instruction
+ *   FXL_HAS_LONG_DIVIDER   so is one of 64 bits
+ *   FXL_HAS_LEADING_ZEROS  so is the count of leading zeros
+ *   FXL_HAS_DSP            sums of two halfwords or four bytes, saturated: Arm's DSP extension
+ *   FXL_HAS_MVE            vectors: Arm's Helium
  *
- *   FXL_ESTIMATES_ARMV6M  what takes more bytes in place to save products
+ * FXL_CORE_HAS is the sum of what a core has. A test may define it, and so have the text of another
+ * core.
+ *
+ * Assembly, inline too, asks for the instruction set, each 0 or 1:
+ *
+ *   FXL_CORE_ARMV6M  Thumb-1 (Cortex-M0, M0+, M1, M23)
+ *   FXL_CORE_ARMV7M  Thumb-2 (Cortex-M3, M4, M7, M33 and above)
+ *
+ * Inline kernels depend on these, and on this one, which is 0 in a library built with FXL_SMALL:
+ *
+ *   FXL_ESTIMATES  what takes more bytes in place to save long products
  *
  * Kernels in assembly are fast and take many bytes, so a library built with FXL_SMALL has none;
  * nor has one of FXL_WITHOUT_ASSEMBLY, which is one file. They depend on these:
@@ -22,6 +35,66 @@
 #define FXL_FAMILY_H
 
 #include "../include/fixel/config.h"
+
+#define FXL_LONG_PRODUCT  1
+#define FXL_DIVIDER       2
+#define FXL_LONG_DIVIDER  4
+#define FXL_LEADING_ZEROS 8
+#define FXL_DSP           16
+#define FXL_MVE           32
+
+/* Of an Arm core of 32 bits the compiler says most. Thumb-1 alone has no long product. */
+#if defined __thumb__ && defined __ARM_ARCH_ISA_THUMB && __ARM_ARCH_ISA_THUMB == 1
+#define FXL_ARM_LONG_PRODUCT 0
+#else
+#define FXL_ARM_LONG_PRODUCT FXL_LONG_PRODUCT
+#endif
+#ifdef __ARM_FEATURE_IDIV
+#define FXL_ARM_DIVIDER FXL_DIVIDER
+#else
+#define FXL_ARM_DIVIDER 0
+#endif
+#ifdef __ARM_FEATURE_CLZ
+#define FXL_ARM_LEADING_ZEROS FXL_LEADING_ZEROS
+#else
+#define FXL_ARM_LEADING_ZEROS 0
+#endif
+#ifdef __ARM_FEATURE_DSP
+#define FXL_ARM_DSP FXL_DSP
+#else
+#define FXL_ARM_DSP 0
+#endif
+#ifdef __ARM_FEATURE_MVE
+#define FXL_ARM_MVE FXL_MVE
+#else
+#define FXL_ARM_MVE 0
+#endif
+
+#ifndef FXL_CORE_HAS
+#if defined FXL_PORTABLE_KERNELS || defined __LP64__ || defined _WIN64 || defined __wasm__
+#define FXL_CORE_HAS (FXL_LONG_PRODUCT + FXL_DIVIDER + FXL_LONG_DIVIDER + FXL_LEADING_ZEROS)
+#elif defined __arm__ /* an ARM7 or ARM9 has no divider, and no count before Armv5 */
+#define FXL_CORE_HAS \
+    (FXL_ARM_LONG_PRODUCT + FXL_ARM_DIVIDER + FXL_ARM_LEADING_ZEROS + FXL_ARM_DSP + FXL_ARM_MVE)
+#elif defined __riscv && defined __riscv_mul && defined __riscv_zbb /* rv32imc_zba_zbb: RP2350 */
+#define FXL_CORE_HAS (FXL_LONG_PRODUCT + FXL_DIVIDER + FXL_LEADING_ZEROS)
+#elif defined __riscv && defined __riscv_mul /* rv32imc: ESP32-C3 */
+#define FXL_CORE_HAS (FXL_LONG_PRODUCT + FXL_DIVIDER)
+#elif defined __riscv /* rv32i */
+#define FXL_CORE_HAS 0
+#elif defined __XTENSA__ && !defined __XTENSA_WINDOWED_ABI__ /* LX106: ESP8266 */
+#define FXL_CORE_HAS FXL_LEADING_ZEROS
+#else /* Xtensa LX6 and LX7 (ESP32, S2, S3), x86 of 32 bits */
+#define FXL_CORE_HAS (FXL_LONG_PRODUCT + FXL_DIVIDER + FXL_LEADING_ZEROS)
+#endif
+#endif
+
+#define FXL_HAS_LONG_PRODUCT  ((FXL_CORE_HAS & FXL_LONG_PRODUCT) != 0)
+#define FXL_HAS_DIVIDER       ((FXL_CORE_HAS & FXL_DIVIDER) != 0)
+#define FXL_HAS_LONG_DIVIDER  ((FXL_CORE_HAS & FXL_LONG_DIVIDER) != 0)
+#define FXL_HAS_LEADING_ZEROS ((FXL_CORE_HAS & FXL_LEADING_ZEROS) != 0)
+#define FXL_HAS_DSP           ((FXL_CORE_HAS & FXL_DSP) != 0)
+#define FXL_HAS_MVE           ((FXL_CORE_HAS & FXL_MVE) != 0)
 
 #if defined __ARM_ARCH_PROFILE && !defined FXL_PORTABLE_KERNELS
 #if __ARM_ARCH_PROFILE == 'M' && __ARM_ARCH_ISA_THUMB == 1
@@ -38,14 +111,7 @@
 #define FXL_CORE_ARMV7M 0
 #endif
 
-#if !FXL_CORE_ARMV6M && !FXL_CORE_ARMV7M && \
-    (defined __LP64__ || defined _WIN64 || defined __wasm__ || defined FXL_PORTABLE_KERNELS)
-#define FXL_DIVIDES_WIDE 1
-#else
-#define FXL_DIVIDES_WIDE 0
-#endif
-
-#define FXL_ESTIMATES_ARMV6M (FXL_CORE_ARMV6M && !FXL_IS_SMALL)
+#define FXL_ESTIMATES (!FXL_HAS_LONG_PRODUCT && !FXL_IS_SMALL)
 
 #ifdef FXL_WITHOUT_ASSEMBLY
 #define FXL_KERNELS_ARMV6M 0
@@ -55,7 +121,7 @@
 #define FXL_KERNELS_ARMV7M (FXL_CORE_ARMV7M && !FXL_IS_SMALL)
 #endif
 
-#if FXL_KERNELS_ARMV7M && defined __ARM_FEATURE_MVE && defined __ARM_PCS_VFP
+#if FXL_KERNELS_ARMV7M && FXL_HAS_MVE && defined __ARM_PCS_VFP
 #define FXL_KERNELS_MVE 1
 #else
 #define FXL_KERNELS_MVE 0

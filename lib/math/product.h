@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-#if FXL_ESTIMATES_ARMV6M
+#if FXL_ESTIMATES
 #define FXL_PRODUCT static __attribute__((noinline, unused))
 #else
 #define FXL_PRODUCT static inline

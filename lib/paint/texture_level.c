@@ -13,7 +13,7 @@
 #include "../view/view.h"
 #include "texture_level.h"
 
-#if FXL_ESTIMATES_ARMV6M
+#if FXL_ESTIMATES
 __attribute__((noinline)) /* in place, all calls of it take 580 bytes more at -O2 */
 #endif
 static fxl_real

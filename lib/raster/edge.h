@@ -60,26 +60,6 @@ static inline bool fxl_edge_set_near(const fxl_screen_point *top, const fxl_scre
 
 #endif
 
-/* The dividend for the first pixel of an edge on a row whose centre is t below the edge's top; the
- * divisor is the height.
- *
- * The edge's x there is top.x + dx t / height, and the first pixel is ceil(x - 1/2). With
- * start = top.x - 1/2 = 65536 whole + part (0 <= part < 65536) that is
- *   whole + ceil((part height + dx t) / (65536 height)).
- * Now ceil(n / m) = floor((n - 1) / m) + 1, and the floor of a floor divided by an integer
- * is the floor of the whole quotient. height, |dx|, t < 2^29 and part < 2^16, so the sum is
- * below 2^59 and, without its low 16 bits, below 2^43. On the edge's first row t < 2^16, so
- * there it is below 2^30. Exact. */
-static inline int64_t fxl_edge_dividend(int32_t start, int32_t dx, int32_t height, int32_t t)
-    FXL_REQUIRES(FXL_BELOW(dx, 1 << 29) && height > 0 && height <= 1 << 29 && t >= 0 && t < height)
-    FXL_ASSIGNS() FXL_ENSURES(FXL_BELOW(FXL_RESULT, (int64_t)1 << 43))
-    FXL_EQUATES(FXL_BELOW(FXL_RESULT, (int64_t)height << 14))
-{
-    uint32_t part = (uint32_t)start & 65535;
-    int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);
-    return (sum - 1) >> 16;
-}
-
 /* The first pixel whose centre is not left of the edge, on a row that the edge crosses; the row's
  * centre is at y. *error becomes the remainder. Exact. */
 static inline int32_t fxl_edge_first_pixel(const fxl_screen_point *top,

@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-#if FXL_DIVIDES_WIDE
+#if FXL_HAS_LONG_DIVIDER
 
 /* The largest divisor, and the largest magnitude of a dividend. */
 #define FXL_EDGE_HEIGHT_MAX   ((1 << 26) - 1)
@@ -61,7 +61,7 @@ static inline void fxl_edge_divide(const fxl_edge_divider *divider, int32_t divi
     *fraction = (uint32_t)quotient;
 }
 
-#elif FXL_CORE_ARMV6M
+#elif !FXL_HAS_LONG_PRODUCT || !FXL_HAS_DIVIDER
 
 /* Without division, and with products of 32 bits only. */
 
@@ -172,7 +172,7 @@ static inline void fxl_edge_divide(const fxl_edge_divider *divider, int32_t divi
 
 #else
 
-/* With long products and a division of 32 bits: Armv7-M, RISC-V of 32 bits, Xtensa. */
+/* With long products and a division of 32 bits. */
 
 #define FXL_EDGE_HEIGHT_MAX   ((1 << 26) - 1)
 #define FXL_EDGE_DIVIDEND_MAX ((1 << 27) + (1 << 17))
@@ -193,7 +193,7 @@ static inline fxl_edge_divider fxl_edge_divider_of(uint32_t height)
 {
     fxl_edge_divider divider;
     divider.height = height;
-    divider.shift = (unsigned)__builtin_clz(height);
+    divider.shift = fxl_leading_zeros(height);
     uint32_t scaled = height << divider.shift;
     uint32_t rough = (0xFFFF7FFFu / (scaled >> 16)) << 15;
     uint32_t product = (uint32_t)(((uint64_t)rough * scaled) >> 32);
@@ -229,10 +229,42 @@ static inline void fxl_edge_divide(const fxl_edge_divider *divider, int32_t divi
 
 #endif
 
-/* The dividend on the first row, whose centre is at or below the top. part and t are below 2^16, so
- * products of 16 bits suffice: with height = 2^16 h + h' and dx = 2^16 d + d' the sum of
- * fxl_edge_dividend is 2^16 (part h + t d) + part h' + t d'. Requires height <= FXL_EDGE_HEIGHT_MAX
- * and |dx| of at most 1025 pixels, so the bracket is below 2^28 in magnitude. */
+/* The dividend for the first pixel of an edge on a row whose centre is t below the edge's top; the
+ * divisor is the height.
+ *
+ * The edge's x there is top.x + dx t / height, and the first pixel is ceil(x - 1/2). With
+ * start = top.x - 1/2 = 65536 whole + part (0 <= part < 65536) that is
+ *   whole + ceil((part height + dx t) / (65536 height)).
+ * Now ceil(n / m) = floor((n - 1) / m) + 1, and the floor of a floor divided by an integer
+ * is the floor of the whole quotient. height, |dx|, t < 2^29 and part < 2^16, so the sum is
+ * below 2^59 and, without its low 16 bits, below 2^43. On the edge's first row t < 2^16, so
+ * there it is below 2^30. Exact. */
+static inline int64_t fxl_edge_dividend(int32_t start, int32_t dx, int32_t height, int32_t t)
+    FXL_REQUIRES(FXL_BELOW(dx, 1 << 29) && height > 0 && height <= 1 << 29 && t >= 0 && t < height)
+    FXL_ASSIGNS() FXL_ENSURES(FXL_BELOW(FXL_RESULT, (int64_t)1 << 43))
+    FXL_EQUATES(FXL_BELOW(FXL_RESULT, (int64_t)height << 14))
+{
+    uint32_t part = (uint32_t)start & 65535;
+    int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);
+    return (sum - 1) >> 16;
+}
+
+/* The same on the first row, whose centre is at or below the top. Requires height <=
+ * FXL_EDGE_HEIGHT_MAX and |dx| of at most 1025 pixels. */
+#if FXL_HAS_LONG_PRODUCT
+
+static inline int32_t fxl_edge_first_dividend(int32_t start, int32_t dx, int32_t height,
+                                              int32_t top_y)
+{
+    const int32_t t = (int32_t)((uint32_t)(FXL_HALF_PIXEL - top_y) & 65535u);
+    return (int32_t)fxl_edge_dividend(start, dx, height, t);
+}
+
+#else
+
+/* part and t are below 2^16, so products of 16 bits suffice: with height = 2^16 h + h' and
+ * dx = 2^16 d + d' the sum of fxl_edge_dividend is 2^16 (part h + t d) + part h' + t d'. The bracket
+ * is below 2^28 in magnitude. */
 static inline int32_t fxl_edge_first_dividend(int32_t start, int32_t dx, int32_t height,
                                               int32_t top_y)
 {
@@ -242,6 +274,8 @@ static inline int32_t fxl_edge_first_dividend(int32_t start, int32_t dx, int32_t
     const int32_t high = (int32_t)(part * ((uint32_t)height >> 16)) + (int32_t)t * (dx >> 16);
     return high + (int32_t)(a >> 16) + (int32_t)(b >> 16) + (low >> 16);
 }
+
+#endif
 
 #ifdef __cplusplus
 }

@@ -23,7 +23,7 @@ extern "C" {
  * caller's frame on the stack small. Requires what fxl_dot requires. */
 bool fxl_exact_dot_is_negative(const fxl_direction *direction, int32_t x, int32_t y, int32_t z);
 
-#if !FXL_ESTIMATES_ARMV6M
+#if !FXL_ESTIMATES
 
 /* Whether direction . (x, y, z) is negative. Requires what fxl_dot requires. Exact. */
 static inline bool fxl_dot_is_negative(const fxl_direction *direction, int32_t x, int32_t y,

@@ -17,8 +17,8 @@ static inline uint64_t line(uint32_t angle)
 }
 #endif
 
-#if FXL_CORE_ARMV6M
-#include "math/core.h" /* that core's text, whose products in assembly nobody calls here */
+#if !FXL_HAS_DIVIDER
+#include "math/core.h"
 #else
 #include "math/angle.c"
 #include "math/arith.c"
@@ -63,14 +63,14 @@ void enumerate_folded(void)
     } while (++angle != 0);
 }
 
-#elif FXL_CORE_ARMV6M
+#elif !FXL_HAS_DIVIDER
 
 /* [[row]]
- * id = "leading zeros, Armv6-M"
+ * id = "leading zeros without an instruction"
  * function = "lib/math/core.h:fxl_leading_zeros"
- * property = "the text for Armv6-M counts what the compiler counts, for every value above 0"
+ * property = "the text for cores without an instruction counts what the compiler counts, for every value above 0"
  * checks = 4294967295
- * flags = ["-DFXL_CORE_ARMV6M=1"]
+ * flags = ["-DFXL_CORE_HAS=0"]
  */
 void enumerate_leading_zeros(void)
 {
@@ -81,11 +81,11 @@ void enumerate_leading_zeros(void)
 }
 
 /* [[row]]
- * id = "reciprocal of 16 bits, Armv6-M"
+ * id = "reciprocal of 16 bits without a divider"
  * function = "lib/math/core.h:fxl_reciprocal_half"
  * property = "it is within 3 units of 2^31 / value"
  * checks = 32769
- * flags = ["-DFXL_CORE_ARMV6M=1"]
+ * flags = ["-DFXL_CORE_HAS=0"]
  */
 void enumerate_reciprocal_half(void)
 {

@@ -3,7 +3,7 @@
 #include "proof.h"
 
 /* [[row]]
- * function = "fxl_edge_dividend"
+ * function = "lib/raster/edge_divide.h:fxl_edge_dividend"
  * property = "nothing overflows, and the dividend is at most 2^43"
  * checks = 11
  * contract = true
@@ -64,6 +64,13 @@ void prove_edge_advance(void)
  * property = "nothing overflows"
  * checks = 24
  */
+/* [[row]]
+ * function = "lib/raster/edge_divide.h:fxl_edge_divide"
+ * id = "fxl_edge_divide by a divider of 32 bits"
+ * property = "the same of the text for cores with a divider of 32 bits"
+ * checks = 24
+ * flags = ["-DFXL_CORE_HAS=3"]
+ */
 void prove_edge_divide(void)
 {
     const uint32_t height = nondet_u32();
@@ -96,7 +103,14 @@ void prove_edge_divider_shift(void)
 /* [[row]]
  * function = "lib/raster/edge_divide.h:fxl_edge_first_dividend"
  * property = "nothing overflows, and the dividend is in the range that the division takes"
+ * checks = 5
+ */
+/* [[row]]
+ * function = "lib/raster/edge_divide.h:fxl_edge_first_dividend"
+ * id = "fxl_edge_first_dividend in halves"
+ * property = "the same of the text for cores without long products"
  * checks = 8
+ * flags = ["-DFXL_CORE_HAS=0"]
  */
 void prove_edge_first_dividend(void)
 {

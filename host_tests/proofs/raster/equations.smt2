@@ -2,7 +2,7 @@
 
 ; [[row]]
 ; id = "fxl_edge_dividend exact"
-; function = "lib/raster/edge.h:fxl_edge_dividend"
+; function = "lib/raster/edge_divide.h:fxl_edge_dividend"
 ; property = "at most 2^14 heights"
 ; checks = 7
 ; text = ["uint32_t part = (uint32_t)start & 65535;", "int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);", "return (sum - 1) >> 16;"]

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What an edge's height becomes as a divisor, for every height: one text for each family of cores.
- */
+/* What an edge's height becomes as a divisor, for every height: one text for each divider that cores
+ * have (lib/math/family.h). */
 #include "raster/edge_divide.h"
 
 #include <math.h>
@@ -20,20 +20,20 @@
  * every = true
  */
 /* [[row]]
- * id = "every divider's shift, Armv6-M"
+ * id = "every divider's shift, without a divider"
  * function = "fxl_edge_divider_shift"
- * property = "the same of the text for Armv6-M"
+ * property = "the same of the text for cores without a divider"
  * checks = 67108863
- * flags = ["-DFXL_CORE_ARMV6M=1"]
+ * flags = ["-DFXL_CORE_HAS=0"]
  */
 /* [[row]]
- * id = "every divider's shift, Armv7-M"
+ * id = "every divider's shift, by a divider of 32 bits"
  * function = "fxl_edge_divider_shift"
- * property = "the same of the text for Armv7-M"
+ * property = "the same of the text for cores with a divider of 32 bits"
  * checks = 67108863
- * flags = ["-DFXL_CORE_ARMV7M=1"]
+ * flags = ["-DFXL_CORE_HAS=3"]
  */
-/* The same for every family: the edge holds for 2^shift rows. */
+/* The same for all texts: the edge holds for 2^shift rows. */
 void enumerate_divider_shift(void)
 {
     for (HEIGHTS(height)) {
@@ -43,21 +43,21 @@ void enumerate_divider_shift(void)
     }
 }
 
-#if FXL_CORE_ARMV6M
+#if !FXL_HAS_DIVIDER
 
 /* [[row]]
- * id = "every divider, Armv6-M"
+ * id = "every divider, without a divider"
  * function = "fxl_edge_divider_of"
  * property = "the reciprocal is within 2^-14 of itself, for every height"
  * checks = 67108863
- * flags = ["-DFXL_CORE_ARMV6M=1"]
+ * flags = ["-DFXL_CORE_HAS=0"]
  */
 /* [[row]]
- * id = "every divider, Armv7-M"
+ * id = "every divider, by a divider of 32 bits"
  * function = "fxl_edge_divider_of"
  * property = "the reciprocal is off by -2^-29.38 to 2^-30.9 of itself, for every height"
  * checks = 67108863
- * flags = ["-DFXL_CORE_ARMV7M=1"]
+ * flags = ["-DFXL_CORE_HAS=3"]
  */
 /* The error relative to 2^(47 - shift) / height. */
 void enumerate_divider(void)
@@ -71,11 +71,11 @@ void enumerate_divider(void)
 }
 
 /* [[row]]
- * id = "every digit, Armv6-M"
+ * id = "every digit, without a divider"
  * function = "fxl_edge_digit"
  * property = "the rest that the estimate leaves is below 2^31 in magnitude, for every height and remainder"
  * checks = 67108863
- * flags = ["-DFXL_CORE_ARMV6M=1"]
+ * flags = ["-DFXL_CORE_HAS=0"]
  */
 /* The rest that the first estimate of fxl_edge_digit leaves, 2^16 left - digit height, for every
  * left below the height. With top = floor(left 2^shift / 2^16) the digit is above top reciprocal /
@@ -95,7 +95,7 @@ void enumerate_digit(void)
     }
 }
 
-#elif FXL_CORE_ARMV7M
+#elif !FXL_HAS_LONG_DIVIDER
 
 /* The error relative to 2^62 / (height 2^shift): from -2^-29.38 to 2^-30.9. The product fits the 64
  * bits of a long double. */

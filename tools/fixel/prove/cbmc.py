@@ -66,7 +66,8 @@ def _checks(row):
 
 
 def _defines(row, case):
-    return [*([] if case is None else [f"-DCASE={case}"]), *(["-DFXL_WITHOUT_EQUATIONS"] if row.equations else [])]
+    """Macros of a row's text: flags of the row that begin with -D. The others are of cbmc itself."""
+    return [*(flag for flag in row.flags if flag.startswith("-D")), *([] if case is None else [f"-DCASE={case}"]), *(["-DFXL_WITHOUT_EQUATIONS"] if row.equations else [])]
 
 
 def prove(programs, root, row, case):
@@ -120,7 +121,7 @@ def prove(programs, root, row, case):
         else:
             ready = program
         unwound = ",".join(f"{loop}:{times}" for loop, times in row.unwindset.items())
-        words = ["cbmc", "--drop-unused-functions", *_checks(row), *row.flags, "--unwind", row.unwind, *(["--unwindset", unwound] if unwound else []), ready]
+        words = ["cbmc", "--drop-unused-functions", *_checks(row), *(flag for flag in row.flags if not flag.startswith("-D")), "--unwind", row.unwind, *(["--unwindset", unwound] if unwound else []), ready]
         said, _, cpu = _run(programs, root, words, SECONDS - spent)
     checks, ended = judge(said)
     return {"checks": checks, "within": sorted({key for name, key in within.items() if name in ended}), "seconds": spent + cpu}
