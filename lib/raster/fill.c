@@ -44,8 +44,8 @@ void fxl_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, ui
     FXL_ASSERT(trapezoid->first_row >= band->first_row &&
                trapezoid->first_row < trapezoid->end_row &&
                trapezoid->end_row <= band->first_row + band->rows);
-    const uint32_t four = colour * 0x01010101u;
-    uint8_t *row = band->pixels + (size_t)(trapezoid->first_row - band->first_row) * band->stride;
+    const uint32_t four = colour * 0x01010101u, stride = band->stride;
+    uint8_t *row = band->pixels + (size_t)(trapezoid->first_row - band->first_row) * stride;
     fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
     for (int32_t rows = trapezoid->end_row - trapezoid->first_row; rows > 0; rows--) {
         if (a.x <= b.x) {
@@ -55,7 +55,7 @@ void fxl_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, ui
         }
         fxl_edge_step(&a);
         fxl_edge_step(&b);
-        row += band->stride;
+        row += stride;
     }
 }
 

@@ -30,22 +30,41 @@ void fxl_fill_span(const fxl_band *band, const fxl_span *span, uint8_t colour);
 
 typedef uint32_t __attribute__((may_alias)) fxl_word;
 
+typedef uint16_t __attribute__((may_alias)) fxl_half_word;
+
 /* Fills the bytes from pixel (included) to end (not included). `four` has the colour in each of its
- * four bytes. */
+ * four bytes. From 4 bytes on it stores a byte and a half word up to the next word, and words. Whole
+ * words from an aligned address are stored as words, so they may be two pixels each. */
 static inline void fxl_fill_row(uint8_t *pixel, uint8_t *end, uint32_t four)
 {
-    while (pixel != end && ((uintptr_t)pixel & 3u) != 0) {
-        *pixel++ = (uint8_t)four;
-    }
-    for (; end - pixel >= 16; pixel += 16) {
-        fxl_word *words = (fxl_word *)(void *)pixel;
-        words[0] = four;
-        words[1] = four;
-        words[2] = four;
-        words[3] = four;
-    }
-    for (; end - pixel >= 4; pixel += 4) {
-        *(fxl_word *)(void *)pixel = four;
+    if (end - pixel >= 4) {
+        if (((uintptr_t)pixel & 1u) != 0) {
+            *pixel++ = (uint8_t)four;
+        }
+        if (((uintptr_t)pixel & 2u) != 0) {
+            *(fxl_half_word *)(void *)pixel = (uint16_t)four;
+            pixel += 2;
+        }
+        for (; end - pixel >= 32; pixel += 32) {
+            fxl_word *words = (fxl_word *)(void *)pixel;
+            words[0] = four;
+            words[1] = four;
+            words[2] = four;
+            words[3] = four;
+            words[4] = four;
+            words[5] = four;
+            words[6] = four;
+            words[7] = four;
+        }
+        for (; end - pixel >= 8; pixel += 8) {
+            fxl_word *words = (fxl_word *)(void *)pixel;
+            words[0] = four;
+            words[1] = four;
+        }
+        if (end - pixel >= 4) {
+            *(fxl_word *)(void *)pixel = four;
+            pixel += 4;
+        }
     }
     while (pixel != end) {
         *pixel++ = (uint8_t)four;

@@ -54,7 +54,7 @@ static fxl_trapezoid any_trapezoid(const fxl_band *band)
 /* [[row]]
  * function = "lib/raster/fill.c:fxl_fill_trapezoid"
  * property = "any edges that lie within the band on each row: nothing but the band is filled; bands of up to 3 rows of up to 16 pixels at any address"
- * checks = 232
+ * checks = 226
  * unwind = 4
  * stubs = { fxl_fill_row = "fills any bytes of the band: its own text is within the row of fxl_fill_row_rgb565" }
  */
@@ -84,7 +84,7 @@ void prove_fill_trapezoid_rgb565(void)
 /* [[row]]
  * function = "lib/raster/fill.c:fxl_fill_span"
  * property = "any span of the band: nothing else is filled; bands of up to 3 rows of up to 16 pixels at any address"
- * checks = 304
+ * checks = 298
  * unwind = 4
  * stubs = { fxl_fill_row = "fills any bytes of the band: its own text is within the row of fxl_fill_row_rgb565" }
  */
@@ -101,7 +101,7 @@ void prove_fill_span(void)
 /* [[row]]
  * function = "lib/raster/fill.c:fxl_fill_band"
  * property = "nothing but the band is filled; bands of up to 3 rows of up to 16 pixels at any address"
- * checks = 258
+ * checks = 252
  * unwind = 4
  * stubs = { fxl_fill_row = "fills any bytes of the band: its own text is within the row of fxl_fill_row_rgb565" }
  */
