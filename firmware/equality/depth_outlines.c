@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernels of outlines in a depth buffer, of one colour, with light and with colours at corners,
- * and of runs in it, against the rows of lib/paint/depth_row.h, painted by fxl_paint_pixels where
- * there is light or colours. Each side has cells and pixels of its own. All of that memory must be equal, also what lies around it.
+/* The kernels of outlines in a depth buffer, of one colour, in C too, with light and with colours at
+ * corners, and of runs in it, against the rows of lib/paint/depth_row.h, painted by fxl_paint_pixels
+ * where there is light or colours. Each side has cells and pixels of its own. All of that memory must
+ * be equal, also what lies around it.
  */
 
 #include "equality.h"
@@ -89,6 +90,8 @@ static void draw_by_rows(const polygon *of, const fxl_band *band)
     }
 }
 
+#if FXL_DRAWS_SMOOTH_OUTLINES
+
 /* Whether all rows of an outline that the band has are cleared. */
 static bool is_clear(const polygon *of, const fxl_band *band)
 {
@@ -145,13 +148,17 @@ static bool draw_colours(const polygon *of, const fxl_band *band)
     return has_drawn(of, band, fxl_draw_colour_outline(of->points, of->count, band, &outline));
 }
 
+#endif
+
 /* Draws nothing where the outline has more than two chains, or the plane is not the kernel's. */
 static bool draw_by_kernel(const polygon *of, const fxl_band *band)
 {
+    static fxl_scan scan;
     fxl_depth_outline outline;
     if (!fxl_depth_outline_begin(&by_core, &of->plane, band, of->pixel_bits / 8, &outline)) {
         return false;
     }
+    outline.scan = &scan;
     if (of->pixel_bits == 16) {
         outline.filling = COLOUR * 65537u;
         return fxl_draw_depth_outline_16(of->points, of->count, band, &outline) !=
@@ -160,6 +167,8 @@ static bool draw_by_kernel(const polygon *of, const fxl_band *band)
     outline.filling = (COLOUR & 255u) * 0x01010101u;
     return fxl_draw_depth_outline_8(of->points, of->count, band, &outline) != FXL_DEPTH_NOT_DRAWN;
 }
+
+#if FXL_DRAWS_SMOOTH_OUTLINES
 
 /* Paints the runs of a list, and empties it. *row: that of the run before. */
 static void paint_list(const polygon *of, const fxl_band *band, uint32_t *list,
@@ -217,6 +226,8 @@ static bool draw_by_runs(const polygon *of, const fxl_band *band)
     paint_list(of, band, list, &rows, &row);
     return true;
 }
+
+#endif
 
 /* Within 0..end, on a centre or beside one every other time. */
 static fxl_q16_16 any_place(uint32_t end)
@@ -365,13 +376,6 @@ static void any_colours(const fxl_band *band, polygon *of)
     of->paint = (fxl_paint){.gradients = &of->gradients, .has_colours = true, .opacity = 16};
 }
 
-static void fill_ramp(void)
-{
-    for (uint32_t i = 0; i < sizeof ramp; i++) {
-        ramp[i] = (uint8_t)(any_32() >> 9);
-    }
-}
-
 static bool is_same(void)
 {
     bool same = true;
@@ -385,7 +389,9 @@ static bool is_same(void)
     return same;
 }
 
-static void compare(bool (*draw)(const polygon *of, const fxl_band *band))
+enum { PLAIN, SMOOTH, COLOURED };
+
+static void compare(bool (*draw)(const polygon *of, const fxl_band *band), uint32_t kind)
 {
     polygon of;
     const uint32_t width = 1u + (any_32() >> 8) % ROW, tall = CELLS / width;
@@ -401,8 +407,8 @@ static void compare(bool (*draw)(const polygon *of, const fxl_band *band))
                    left = (any_32() >> 9) % (width - narrow + 1);
     of.count = (any_32() & 1u) != 0 ? 3u : 3u + (any_32() >> 11 & 3u);
     of.pixel_bits = 8u + (any_32() >> 9 & 8u);
-    of.is_smooth = draw == draw_smooth;
-    of.has_colours = draw == draw_colours;
+    of.is_smooth = kind == SMOOTH;
+    of.has_colours = kind == COLOURED;
     of.pixel_bits = of.has_colours ? 16u : of.pixel_bits;
     for (uint32_t i = 0; i < of.count; i++) {
         of.points[i].x = (int32_t)(left << 16) + any_place(narrow);
@@ -435,7 +441,16 @@ static void compare(bool (*draw)(const polygon *of, const fxl_band *band))
 void test_depth_outlines(uint32_t rounds)
 {
     for (uint32_t i = 0; i < rounds; i++) {
-        compare(draw_by_kernel);
+        compare(draw_by_kernel, PLAIN);
+    }
+}
+
+#if FXL_DRAWS_SMOOTH_OUTLINES
+
+static void fill_ramp(void)
+{
+    for (uint32_t i = 0; i < sizeof ramp; i++) {
+        ramp[i] = (uint8_t)(any_32() >> 9);
     }
 }
 
@@ -443,22 +458,24 @@ void test_smooth_outlines(uint32_t rounds)
 {
     fill_ramp();
     for (uint32_t i = 0; i < rounds; i++) {
-        compare(draw_smooth);
+        compare(draw_smooth, SMOOTH);
     }
 }
 
 void test_colour_outlines(uint32_t rounds)
 {
     for (uint32_t i = 0; i < rounds; i++) {
-        compare(draw_colours);
+        compare(draw_colours, COLOURED);
     }
 }
 
 void test_depth_runs(uint32_t rounds)
 {
     for (uint32_t i = 0; i < rounds; i++) {
-        compare(draw_by_runs);
+        compare(draw_by_runs, PLAIN);
     }
 }
+
+#endif
 
 #endif

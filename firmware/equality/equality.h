@@ -17,8 +17,8 @@ typedef struct {
 /* The list ends with a name that is null. */
 extern const equality_test equality_tests[];
 
-/* All tests in their order, and of which library: the one of -DFXL_SMALL, the other one, BOTH, or
- * one that has kernels of outlines with depth. */
+/* All tests in their order, and of which library: the one of -DFXL_SMALL, the other one, BOTH, one that
+ * has outlines with depth, or one that has kernels of smooth outlines. */
 #define EQUALITY_TESTS(TEST) \
     TEST("multiply", test_products, LARGE)                      \
     TEST("multiply-short", test_short_products, LARGE)          \
@@ -52,10 +52,10 @@ extern const equality_test equality_tests[];
     TEST("depth-planes", test_depth_planes, LARGE)              \
     TEST("depth-rows", test_depth_rows, LARGE)                  \
     TEST("depth-outlines", test_depth_outlines, OUTLINES)       \
-    TEST("smooth-outlines", test_smooth_outlines, OUTLINES)     \
-    TEST("colour-outlines", test_colour_outlines, OUTLINES)     \
-    TEST("smooth-planes", test_smooth_planes, OUTLINES)         \
-    TEST("depth-runs", test_depth_runs, OUTLINES)
+    TEST("smooth-outlines", test_smooth_outlines, SMOOTH)       \
+    TEST("colour-outlines", test_colour_outlines, SMOOTH)       \
+    TEST("smooth-planes", test_smooth_planes, SMOOTH)           \
+    TEST("depth-runs", test_depth_runs, SMOOTH)
 
 #define EQUALITY_TEST(name, test, library) void test(uint32_t rounds);
 EQUALITY_TESTS(EQUALITY_TEST)

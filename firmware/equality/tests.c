@@ -9,6 +9,7 @@
 #define SMALL(name, test) {name, test},
 #define LARGE(name, test)
 #define OUTLINES(name, test)
+#define SMOOTH(name, test)
 #else
 #define SMALL(name, test)
 #define LARGE(name, test) {name, test},
@@ -16,6 +17,11 @@
 #define OUTLINES(name, test) {name, test},
 #else
 #define OUTLINES(name, test)
+#endif
+#if FXL_DRAWS_SMOOTH_OUTLINES
+#define SMOOTH(name, test) {name, test},
+#else
+#define SMOOTH(name, test)
 #endif
 #endif
 

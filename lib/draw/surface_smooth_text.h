@@ -7,7 +7,7 @@
 #include "../paint/smooth_outline.h"
 #include "surface_depth_text.h"
 
-#if FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
+#if FXL_DRAWS_SMOOTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
 
 /* Draws a polygon by the kernel of smooth outlines: an opaque one that is lit and in no beam, whose
  * planes are in words, where the kernel can draw. What it needs of a paint is found here alone. Not

@@ -172,7 +172,7 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face,
     }
     if (number != 0) {
         mapped = &set->faces[number - 1];
-#if FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
+#if FXL_DRAWS_SMOOTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
         const fxl_surface *surface = &set->surfaces[mapped->surface];
         if (may_be_smooth(surfaces, surface, traversal)) {
             const fxl_corner *corners[3];

@@ -92,8 +92,7 @@ static inline __attribute__((always_inline)) void paint_row(void *with, fxl_pixe
 }
 
 /* Draws a polygon by the kernel of outlines, where there is one and it can. */
-static inline fxl_depth_drawn draw_outline(const fxl_workspace *workspace,
-                                           const fxl_depth_plane *plane,
+static inline fxl_depth_drawn draw_outline(fxl_workspace *workspace, const fxl_depth_plane *plane,
                                            const fxl_screen_point *points, uint32_t count,
                                            uint8_t colour, uint8_t shade, const fxl_band *band)
 {
@@ -104,6 +103,9 @@ static inline fxl_depth_drawn draw_outline(const fxl_workspace *workspace,
         return FXL_DEPTH_NOT_DRAWN;
     }
     outline.filling = fxl_filling_word(fxl_filling_of(band, colour, shade, workspace->dark));
+#if !FXL_KERNELS_ARMV7M
+    outline.scan = &workspace->work.scan;
+#endif
     return FXL_DRAW_DEPTH_OUTLINE(points, count, band, &outline);
 #else
     (void)workspace;

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* An outline of one colour in a depth buffer of 16 bits, front to back: survey, edges, depth test
- * and pixels in one call. Only Armv7-M has this, where its code is not compiled for size; elsewhere
- * the rows of depth_row.h do the same. Internal. */
+ * and pixels in one call. A library for size has none of this: the rows of depth_row.h do the same. Nor
+ * has a core that divides 64 bits: it is a host, where make predict counts those rows. Internal. */
 #ifndef FXL_DEPTH_OUTLINE_H
 #define FXL_DEPTH_OUTLINE_H
 
+#include "fixel/records.h"
 #include "../math/family.h"
 #include "depth_row.h"
 
@@ -12,11 +13,8 @@
 extern "C" {
 #endif
 
-#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
-#define FXL_DRAWS_DEPTH_OUTLINES 1
-#else
-#define FXL_DRAWS_DEPTH_OUTLINES 0
-#endif
+#define FXL_DRAWS_DEPTH_OUTLINES (!FXL_IS_COMPACT && !FXL_HAS_LONG_DIVIDER)
+#define FXL_DRAWS_SMOOTH_OUTLINES (FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT)
 
 /* What the kernel needs of a polygon, and what it keeps from row to row. Cells are counted from the
  * first one of the band. An octave here is the number of leading zeros of the gradient's upper
@@ -39,11 +37,13 @@ typedef struct {
     uint32_t octaves;  /* of the scale */
     uint32_t mantissa; /* of the scale */
     uint32_t rest[6];  /* of a row that has several octaves: the kernel's own */
+    fxl_scan *scan;    /* workspace of the text in C; kernels in assembly do not read it */
 } fxl_depth_outline;
 
 /* What became of an outline. */
 typedef enum {
-    FXL_DEPTH_NOT_DRAWN = 0, /* it is not scanned between two chains: survey in scan.c */
+    FXL_DEPTH_NOT_DRAWN = 0, /* it is not scanned between two chains: survey in scan.c. In C also one
+                              * whose box has several octaves */
     FXL_DEPTH_DRAWN = 1,
     FXL_DEPTH_NO_ROW = 2,   /* it reaches no row of the band */
     FXL_DEPTH_NOT_CLEAR = 3 /* a smooth one: it reaches a row whose cells are not cleared */

@@ -40,7 +40,7 @@ typedef struct {
     uint32_t rows;   /* the kernel's own */
 } fxl_smooth_outline;
 
-#if FXL_DRAWS_DEPTH_OUTLINES
+#if FXL_DRAWS_SMOOTH_OUTLINES
 
 /* Draws an outline of count points. Requires fxl_smooth_outline_begin and what fxl_scan_begin
  * requires of outline and band. By the number of a pixel's bits; both write what
@@ -121,7 +121,7 @@ typedef struct {
     uint32_t rows;   /* the kernel's own */
 } fxl_colour_outline;
 
-#if FXL_DRAWS_DEPTH_OUTLINES
+#if FXL_DRAWS_SMOOTH_OUTLINES
 
 /* Draws an outline of count points, as fxl_draw_smooth_outline_16 does. Writes what
  * fxl_depth_paint_row and fxl_paint_colours_565 write of opaque pixels. Requires points whose

@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: MIT */
+/* The text in C of fxl_draw_depth_outline_8 and fxl_draw_depth_outline_16. It draws an outline whose
+ * pixels have one octave: codes are linear over all of it, so each row begins with a code that a sum
+ * finds, and a pixel with a word. Others are drawn by the rows of depth_row.h. */
+#include "../math/family.h"
+#include "../math/memory.h"
+#include "../math/pixel_centre.h"
+#include "../raster/fill.h"
+#include "../raster/scan.h"
+#include "depth_outline.h"
+
+#if FXL_DRAWS_DEPTH_OUTLINES && !FXL_KERNELS_ARMV7M
+
+/* The codes of an outline. */
+typedef struct {
+    uint64_t at;   /* its upper word is the code in column 0 of row 0, modulo 2^32 */
+    uint64_t down; /* its change a row */
+    uint32_t step; /* of a code a pixel */
+} sheet;
+
+/* Sums wrap; that of a pixel of the screen does not. number: below 2^16. */
+static inline uint64_t times(int64_t change, uint32_t number)
+{
+    return (uint64_t)fxl_multiply_s64_u16(change, number);
+}
+
+/* place fill-rule: the columns of an outline */
+/* The columns that an outline between two chains can cover: first to end - 1. Its vertices lie in
+ * the columns of the band, or at its end. */
+static inline void find_columns(const fxl_screen_point *points, uint32_t count, uint32_t *first,
+                                uint32_t *end)
+{
+    int32_t least = points[0].x, most = least;
+    for (uint32_t i = 1; i < count; i++) {
+        least = points[i].x < least ? points[i].x : least;
+        most = points[i].x > most ? points[i].x : most;
+    }
+    *first = (uint32_t)fxl_first_centre_from(least);
+    *end = (uint32_t)fxl_first_centre_from(most);
+}
+
+/* Whether all pixels of a box have one octave: then *codes has their codes, those of
+ * fxl_depth_paint_row. They have it, if the values at the four corners of the box have it, as values
+ * are linear; and values have one octave, if they differ below their highest bit alone, which is one
+ * of the upper word. (A number has a higher bit than another one, if it is above that, and remains so
+ * with the other's bits inverted.) Bits of the sheet below 2^(32 - drop) are 0, and what is shifted out of it
+ * belongs to no code, so its upper word is the value / 2^drop, rounded down. */
+static inline bool find_sheet(const fxl_depth_outline *outline, uint32_t column, uint32_t columns,
+                              uint32_t row, uint32_t rows, sheet *codes)
+{
+    const uint64_t corner =
+        (uint64_t)outline->value + times(outline->along, column) + times(outline->down, row);
+    const uint64_t across = times(outline->along, columns - 1u);
+    const uint64_t below = times(outline->down, rows - 1u);
+    const uint32_t upper = (uint32_t)(corner >> 32);
+    const uint32_t differing = (upper ^ (uint32_t)((corner + across) >> 32)) |
+                               (upper ^ (uint32_t)((corner + below) >> 32)) |
+                               (upper ^ (uint32_t)((corner + across + below) >> 32));
+    if (upper <= differing || (upper ^ differing) <= differing) {
+        return false;
+    }
+    const int32_t length = 64 - (int32_t)fxl_leading_zeros(upper);
+    const int32_t number = outline->one - length;
+    const int32_t drop = length - 17 - (int32_t)outline->mantissa; /* 1 to 36 */
+    if (number < 0 || number >= (int32_t)outline->octaves || drop < 1 || drop > 32) {
+        return false;
+    }
+    const int32_t above = (int32_t)outline->octaves - 2 - number;
+    const uint32_t bias = ((uint32_t)above << (outline->mantissa + 16u)) + 65536u;
+    codes->at = ((uint64_t)outline->value << (32 - drop)) + ((uint64_t)bias << 32);
+    codes->down = (uint64_t)outline->down << (32 - drop);
+    codes->step = fxl_depth_shifted(outline->along, drop);
+    return true;
+}
+
+/* A pixel of 8 or 16 bits. */
+static inline __attribute__((always_inline)) void
+paint_pixel(uint16_t *cell, void *pixel, uint32_t code, uint32_t filling, uint32_t bits)
+{
+    if (code >> 16 > *cell) {
+        *cell = (uint16_t)(code >> 16);
+        if (bits == 16) {
+            *(uint16_t *)pixel = (uint16_t)filling;
+        } else {
+            *(uint8_t *)pixel = (uint8_t)filling;
+        }
+    }
+}
+
+/* count pixels of a row, from 1 on. Four at a time save the test of the end at three of them. */
+static inline __attribute__((always_inline)) void paint_codes(uint16_t *cells, uint8_t *pixels,
+                                                              uint32_t count, uint32_t code,
+                                                              uint32_t step, uint32_t filling,
+                                                              uint32_t bits)
+{
+    const uint32_t bytes = bits / 8u;
+    for (; count >= 4; count -= 4) {
+        paint_pixel(cells, pixels, code, filling, bits);
+        code += step;
+        paint_pixel(cells + 1, pixels + bytes, code, filling, bits);
+        code += step;
+        paint_pixel(cells + 2, pixels + 2 * bytes, code, filling, bits);
+        code += step;
+        paint_pixel(cells + 3, pixels + 3 * bytes, code, filling, bits);
+        code += step;
+        cells += 4;
+        pixels += 4 * bytes;
+    }
+    for (; count != 0; count--) {
+        paint_pixel(cells, pixels, code, filling, bits);
+        cells++;
+        pixels += bytes;
+        code += step;
+    }
+}
+
+/* The rows of a scan between two chains. */
+static inline __attribute__((always_inline)) void paint_rows(const sheet *codes,
+                                                             const fxl_depth_outline *outline,
+                                                             const fxl_band *band, uint32_t bits)
+{
+    const uint32_t width = band->width, bytes = bits / 8u, step = codes->step;
+    const uint32_t filling = outline->filling;
+    const uint64_t down = codes->down;
+    const fxl_trapezoid *trapezoid;
+    while ((trapezoid = fxl_scan_next_trapezoid(outline->scan)) != NULL) {
+        const uint32_t row = (uint32_t)trapezoid->first_row;
+        const size_t place = (size_t)(row - band->first_row) * width;
+        uint64_t line = codes->at + times((int64_t)down, row);
+        uint16_t *cells = outline->cells + place;
+        uint8_t *pixels = band->pixels + place * bytes;
+        fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
+        for (int32_t rows = trapezoid->end_row - trapezoid->first_row; rows > 0; rows--) {
+            const int32_t x0 = a.x < b.x ? a.x : b.x, x1 = a.x < b.x ? b.x : a.x;
+            if (x0 < x1) {
+                paint_codes(cells + x0, pixels + (uint32_t)x0 * bytes, (uint32_t)(x1 - x0),
+                            (uint32_t)(line >> 32) + step * (uint32_t)x0, step, filling, bits);
+            }
+            fxl_edge_step(&a);
+            fxl_edge_step(&b);
+            line += down;
+            cells += width;
+            pixels += width * bytes;
+        }
+    }
+}
+
+static inline __attribute__((always_inline)) fxl_depth_drawn draw(const fxl_screen_point *points,
+                                                                  uint32_t count,
+                                                                  const fxl_band *band,
+                                                                  const fxl_depth_outline *outline,
+                                                                  uint32_t bits)
+{
+    const fxl_scan *scan = outline->scan;
+    fxl_scan_outline(points, count, band, outline->scan);
+    if (!scan->by_chains) {
+        return FXL_DEPTH_NOT_DRAWN;
+    }
+    if (!fxl_scan_reaches(scan, band)) {
+        return FXL_DEPTH_NO_ROW;
+    }
+    uint32_t first, end;
+    find_columns(points, count, &first, &end);
+    if (first < end) {
+        sheet codes;
+        const uint32_t row = (uint32_t)scan->row;
+        if (!find_sheet(outline, first, end - first, row, (uint32_t)scan->end_row - row, &codes)) {
+            return FXL_DEPTH_NOT_DRAWN;
+        }
+        paint_rows(&codes, outline, band, bits);
+    }
+    return FXL_DEPTH_DRAWN;
+}
+
+fxl_depth_drawn fxl_draw_depth_outline_8(const fxl_screen_point *points, uint32_t count,
+                                         const fxl_band *band, fxl_depth_outline *outline)
+{
+    return draw(points, count, band, outline, 8);
+}
+
+fxl_depth_drawn fxl_draw_depth_outline_16(const fxl_screen_point *points, uint32_t count,
+                                          const fxl_band *band, fxl_depth_outline *outline)
+{
+    return draw(points, count, band, outline, 16);
+}
+
+#endif
