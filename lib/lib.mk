@@ -81,7 +81,9 @@ LIB_FLAGS_OF.stm32f103 := -mcpu=cortex-m3 -mthumb
 LIB_FLAGS_OF.stm32f4   := -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16
 LIB_FLAGS_OF.nrf52840  := -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16
 LIB_FLAGS_OF.esp32c3   := -march=rv32imc -mabi=ilp32
-LIB_CHIPS := rp2040 rp2350 stm32f103 stm32f4 nrf52840 esp32c3
+# The RISC-V cores of an RP2350; docs/packages.md says why without zbs.
+LIB_FLAGS_OF.rv32imc_zba_zbb := -march=rv32imc_zba_zbb -mabi=ilp32
+LIB_CHIPS := rp2040 rp2350 stm32f103 stm32f4 nrf52840 esp32c3 rv32imc_zba_zbb
 LIB_CORES := cortex-m0 cortex-m0plus cortex-m1 cortex-m23 cortex-m3 $(LIB_TUNED) host $(LIB_CHIPS)
 LIB_CORE := $(or $(call ONE_OF,$(CORE),$(LIB_CORES)),$(call ONE_OF,cortex-$(CORE),$(LIB_CORES)),unknown)
 LIB_OUT := $(BUILD)/lib/$(LIB_CORE)

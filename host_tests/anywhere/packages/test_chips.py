@@ -9,7 +9,8 @@ from conftest import CHECKOUT, run_make
 from outside import LINKED, emulated, expected, first_program, need, run
 
 # The machine of QEMU that executes the chip's instructions; none: linked alone.
-MACHINES = {"rp2040": "arm", "rp2350": None, "stm32f103": "arm", "stm32f4": "arm-m4", "nrf52840": "arm-m4", "esp32c3": "riscv"}
+MACHINES = {"rp2040": "arm", "rp2350": None, "stm32f103": "arm", "stm32f4": "arm-m4", "nrf52840": "arm-m4", "esp32c3": "riscv",
+            "rv32imc_zba_zbb": "riscv"}
 
 
 def test_every_chip_is_tried():
@@ -21,7 +22,7 @@ def test_every_chip_is_tried():
 
 @pytest.mark.parametrize("chip", MACHINES)
 def test_a_chip(tmp_path, chip):
-    compiler = "riscv64-unknown-elf-gcc" if chip == "esp32c3" else "arm-none-eabi-gcc"
+    compiler = "riscv64-unknown-elf-gcc" if MACHINES[chip] == "riscv" else "arm-none-eabi-gcc"
     need(compiler)
     done = run_make("lib", f"CORE={chip}")
     assert done.returncode == 0, done.stderr
