@@ -131,14 +131,20 @@ BOARD_CHOSEN := $(call ONE_OF,$(BOARD),$(ALL_BOARDS))
 ifeq ($(BOARD_CHOSEN),)
 $(error there is no board "$(BOARD)"; the boards are: $(ALL_BOARDS))
 endif
-# Boards whose tools make test does not install (BOARD_SETUP). A command has them if BOARD= names one, and make boards if
-# their tools are there; it says to the make that it calls which ones.
+# Boards whose tools make test does not install (BOARD_SETUP). A command has them if BOARD= names one, and make boards and
+# make equality if their tools are there; they say to the make that they call which ones. make profile has the one
+# whose core CORE= names.
 EXTRA_BOARDS := $(patsubst boards/%/board.mk,%,$(shell grep -l '^BOARD_SETUP' boards/*/board.mk))
 SETUP_OF = $(shell sed -n 's/^BOARD_SETUP := //p' boards/$(1)/board.mk)
 SETUP_OF_BOARD := $(if $(filter $(EXTRA_BOARDS),$(BOARD_CHOSEN)),$(call SETUP_OF,$(BOARD_CHOSEN)))
-ifneq ($(and $(filter boards,$(MAKECMDGOALS)),$(EXTRA_BOARDS)),)
+ifneq ($(and $(filter boards equality,$(MAKECMDGOALS)),$(EXTRA_BOARDS)),)
 $(foreach board,$(EXTRA_BOARDS),$(eval LACKS.$(board) := $(shell tools/setup.sh --missing $(call SETUP_OF,$(board)))))
 FIXEL_EXTRA_BOARDS := $(foreach board,$(EXTRA_BOARDS),$(if $(LACKS.$(board)),,$(board)))
+export FIXEL_EXTRA_BOARDS
+endif
+EXTRA_CORE := $(if $(filter profile,$(MAKECMDGOALS)),$(call ONE_OF,$(CORE),rv32))
+ifneq ($(EXTRA_CORE),)
+FIXEL_EXTRA_BOARDS := $(EXTRA_CORE)
 export FIXEL_EXTRA_BOARDS
 endif
 BOARDS := $(filter-out $(filter-out $(BOARD_CHOSEN) $(FIXEL_EXTRA_BOARDS),$(EXTRA_BOARDS)),$(ALL_BOARDS))
@@ -434,7 +440,7 @@ TEST_BOARDS = $(eval TEST_BOARDS := $$(TEST_BOARDS_FOUND))$(TEST_BOARDS)
 TEST_BOARDS_FOUND = $(if $(or $(TEST_BOARD),$(value ONLY)),$(filter $(BOARD_CHOSEN),$(TARGET_BOARDS)),\
     $(foreach core,$(TEST_CORES),$(call TEST_BOARD_OF,$(call TEST_BOARDS_OF,$(core)))))
 # What the tests of the bench run, which they have built themselves (host_tests/conftest.py).
-BENCH_TESTED := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_OUT)/$(core)/calibration.elf) $(BENCH_PROGRAMS.m3) $(BENCH_SIZES.m3)
+BENCH_TESTED := $(BENCH_COUNTER) $(foreach core,$(filter $(BENCH_CORES),$(BENCH_CORES_HERE)),$(BENCH_OUT)/$(core)/calibration.elf) $(BENCH_PROGRAMS.m3) $(BENCH_SIZES.m3)
 bench-test-programs: $(BENCH_TESTED) $(CLIPPERS_TESTED)
 TEST_UNITS = $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS))
 # What the tests of the tools run, and of what make boards links the programs of all tested cores.
@@ -493,8 +499,8 @@ benchmark: ## run the benchmark for real boards, on the host or emulated, and wr
 	@$(FIXEL) benchmark --board $(BENCHMARK_BOARD) --elf $(call BENCHMARK_OF,$(BENCHMARK_BOARD)) --uf2 $(BUILD)/flash/benchmark-$(BENCHMARK_BOARD).uf2
 
 # CORE here is one of the bench's; the default of the other commands is none.
-BENCH_CORES_ASKED = $(if $(filter CORE,$(GIVEN)),$(or $(call ONE_OF,$(CORE),$(BENCH_CORES_HERE)),\
-    $(error there is no core "$(CORE)" in the bench; its cores are: $(BENCH_CORES_HERE))),$(BENCH_CORES_HERE))
+BENCH_CORES_ASKED = $(if $(filter CORE,$(GIVEN)),$(or $(call ONE_OF,$(CORE),$(filter $(BENCH_CORES),$(BENCH_CORES_HERE))),\
+    $(error there is no core "$(CORE)" in the bench; its cores are: $(filter $(BENCH_CORES),$(BENCH_CORES_HERE)))),$(filter $(BENCH_CORES),$(BENCH_CORES_HERE)))
 bench: ## count the instructions of frames and kernels on four cores, beside the chapter's listing: a report, JSON [CORE= of one core, WORKLOAD= of one workload, PIXELS= ORDER= DEPTH=]
 	@$(SET_UP) report
 	@$(MAKE) $(call BENCH_BUILT_OF,$(BENCH_CORES_ASKED))
@@ -518,14 +524,14 @@ bench-baseline: ## take the last make bench as the baseline, and renew the table
 	@$(SET_UP) tools
 	@$(FIXEL) bench-diff --current $(BENCH_OUT)/bench.json --accept
 
-PROFILE_CORE := $(if $(filter CORE,$(GIVEN)),$(call ONE_OF,$(CORE),$(BENCH_CORES)),m3)
+PROFILE_CORE := $(if $(filter CORE,$(GIVEN)),$(call ONE_OF,$(CORE),$(BENCH_CORES) $(BENCH_EXTRA)),m3)
 PROFILE_NAMES := $(or $(call ONE_OF,$(RENDERER),$(call BENCH_PROGRAMS_OF,$(PROFILE_CORE))),fixel fixel-native)
 ifneq ($(and $(filter profile,$(MAKECMDGOALS)),$(RENDERER),$(if $(call ONE_OF,$(RENDERER),$(call BENCH_PROGRAMS_OF,$(PROFILE_CORE))),,unknown)),)
 $(error there is no RENDERER "$(RENDERER)"; the programs are: $(call BENCH_PROGRAMS_OF,$(PROFILE_CORE)))
 endif
 PROFILE_PROGRAM := $(filter $(PROFILE_NAMES:%=$(BENCH_OUT)/$(PROFILE_CORE)/%.elf),$(BENCH_PROGRAMS.$(PROFILE_CORE)))
 profile: ## show where a workload's instructions go: functions, lines, flame graph [WORKLOAD=w1 CORE=m3 RENDERER= FRAMES=]
-	@$(SET_UP) run
+	@$(SET_UP) run$(EXTRA_CORE:%= riscv)
 	@$(MAKE) $(BENCH_COUNTER) $(PROFILE_PROGRAM)
 	@$(TOOL) profile --workload w1 --core m3 --build $(BUILD)
 

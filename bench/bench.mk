@@ -8,8 +8,10 @@
 
 BENCH_OUT := $(BUILD)/bench
 BENCH_CORES := m0 m3 m4f m55
+# Of a board whose tools make test does not install: for make profile CORE= and make equality.
+BENCH_EXTRA := rv32
 $(foreach board,$(BOARDS),$(foreach core,$(BOARD_BENCH.$(board)),$(eval BENCH_BOARD.$(core) := $(board))))
-BENCH_CORES_HERE := $(foreach core,$(BENCH_CORES),$(if $(BENCH_BOARD.$(core)),$(core)))
+BENCH_CORES_HERE := $(foreach core,$(BENCH_CORES) $(BENCH_EXTRA),$(if $(BENCH_BOARD.$(core)),$(core)))
 
 # What is measured is compiled for a core as its users would: with all that it
 # has, but for misaligned access, which the boards trap. No emulated board with
@@ -18,10 +20,13 @@ BENCH_FLAGS.m0 := -mcpu=cortex-m0 -mthumb -mfloat-abi=soft
 BENCH_FLAGS.m3 := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
 BENCH_FLAGS.m4f := -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -mno-unaligned-access
 BENCH_FLAGS.m55 := -mcpu=cortex-m55 -mthumb -mfloat-abi=hard -mno-unaligned-access
+BENCH_FLAGS.rv32 := $(BOARD_CORE.rv32)
+BENCH_CROSS = $(call CROSS_OF,$(BENCH_BOARD.$(1)))
 
 # Their board has the memory for a larger screen.
 BENCH_SCREEN.m0 := "-DDRAW_PIXELS_MAX=(480u * 320u)"
 BENCH_SCREEN.m3 := $(BENCH_SCREEN.m0)
+BENCH_SCREEN.rv32 := $(BENCH_SCREEN.m0)
 
 BENCH_OPTIMISE := -O2
 BENCH_SMALL := -Os -DFXL_SMALL
@@ -44,7 +49,7 @@ $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
 # is measured, or those of the C library.
 BENCH_PROGRAMS := calibration fixel fixel-os fixel-small fixel-bands fixel-rgb565 fixel-target listing-double listing-float memset kernels
 # Whole frames as pixels of RGB565, on the cores whose board has the memory.
-BENCH_PROGRAMS_OF = $(BENCH_PROGRAMS) $(if $(BENCH_SCREEN.$(1)),fixel-native fixel-rgb565-bands fixel-native-bands fixel-arduino fixel-one-file)
+BENCH_PROGRAMS_OF = $(filter-out $(if $(filter $(BENCH_EXTRA),$(1)),listing-%),$(BENCH_PROGRAMS)) $(if $(BENCH_SCREEN.$(1)),fixel-native fixel-rgb565-bands fixel-native-bands fixel-arduino fixel-one-file)
 BENCH_NEEDED := $(call LIB_NEEDED,$(wildcard bench/firmware/*.c bench/listing/*.c) $(addprefix firmware/walk/,path.c plan.c) \
     $(foreach core,$(BENCH_CORES_HERE),$(BOARD_SOURCES.$(BENCH_BOARD.$(core)))))
 BENCH_LIB := $(BENCH_NEEDED:%=lib/%)
@@ -110,7 +115,7 @@ BENCH_PARTS_OF = $(filter-out %/memory_functions.o,$(if $(findstring =hard,$(BEN
     $(BOARD_SOURCES.$(BENCH_BOARD.$(1)):%.c=$(BENCH_OUT)/$(1)/parts/%.o),\
     $(call BOARD_PARTS_OF,$(BENCH_BOARD.$(1)))))
 BENCH_LIBRARIES_OF = $(if $(filter $(2),$(BENCH_C_LIBRARY)),-lm -lc) -lgcc
-BENCH_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
+BENCH_LINK = $(call BENCH_CROSS,$(1))gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
     $(call BOARD_MEMORY_LINK,$(BENCH_BOARD.$(1))) \
     -Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments,-Map,$(@:.elf=.map)
 
@@ -126,13 +131,13 @@ $(BENCH_OUT)/one-file/fixel.c: $(LIB_SOURCES) $(wildcard lib/*/*.h) $(LIB_HEADER
 	@$(TOOL) one-file --out $(@D) >/dev/null
 
 define BENCH_CORE_RULES
-BENCH_CC.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_OPTIMISE) $(BENCH_CFLAGS)
+BENCH_CC.$(1) := $(call BENCH_CROSS,$(1))gcc $(BENCH_FLAGS.$(1)) $(BENCH_OPTIMISE) $(BENCH_CFLAGS)
 # Until bench_start has turned it on, nothing may touch the floating-point unit.
 $(if $(findstring =hard,$(BENCH_FLAGS.$(1))),$(BENCH_OUT)/$(1)/parts/%.o \
     $(patsubst %,$(BENCH_OUT)/$(1)/%.o,program frames kernels calibration): \
     FLAGS_OF_FILE := -mgeneral-regs-only)
 $(BENCH_OUT)/$(1)/one-file/fixel.o: $(BENCH_OUT)/one-file/fixel.c bench/bench.mk
-	$$(call FIRMWARE_COMPILE,$(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_OPTIMISE) -std=c11 -g -ffunction-sections -fdata-sections -ffreestanding)
+	$$(call FIRMWARE_COMPILE,$(call BENCH_CROSS,$(1))gcc $(BENCH_FLAGS.$(1)) $(BENCH_OPTIMISE) -std=c11 -g -ffunction-sections -fdata-sections -ffreestanding)
 BENCH_PROGRAMS.$(1) := $(patsubst %,$(BENCH_OUT)/$(1)/%.elf,$(call BENCH_PROGRAMS_OF,$(1)))
 
 $(BENCH_OUT)/$(1)/parts/%.o: %.c bench/bench.mk
@@ -189,7 +194,7 @@ BENCH_SIZED_OF.listing-double := double/listing
 BENCH_SIZED_OF.listing-float := float/listing
 BENCH_SIZED_OF.memset :=
 
-BENCH_SIZE_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
+BENCH_SIZE_LINK = $(call BENCH_CROSS,$(1))gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
     -Wl,--gc-sections,--no-warn-rwx-segments,-Map,$(@:.elf=.map),-e,$(firstword $(BENCH_ROOTS.$(2))) \
     $(BENCH_ROOTS.$(2):%=-Wl,-u,%)
 
@@ -217,9 +222,9 @@ endef
 $(if $(WIDE_GOALS),$(foreach flag,os small,$(eval $(call BENCH_PROGRAM_LIBRARY_RULES,$(flag)))))
 
 define BENCH_CORE_SIZE_RULES
-BENCH_CC_OS.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) -Os $(BENCH_CFLAGS)
-BENCH_CC_ARDUINO.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_CHOICE_OF.arduino/) $(BENCH_CFLAGS)
-BENCH_CC_SMALL.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_SMALL) $(BENCH_CFLAGS)
+BENCH_CC_OS.$(1) := $(call BENCH_CROSS,$(1))gcc $(BENCH_FLAGS.$(1)) -Os $(BENCH_CFLAGS)
+BENCH_CC_ARDUINO.$(1) := $(call BENCH_CROSS,$(1))gcc $(BENCH_FLAGS.$(1)) $(BENCH_CHOICE_OF.arduino/) $(BENCH_CFLAGS)
+BENCH_CC_SMALL.$(1) := $(call BENCH_CROSS,$(1))gcc $(BENCH_FLAGS.$(1)) $(BENCH_SMALL) $(BENCH_CFLAGS)
 BENCH_CC_SMALL_LTO.$(1) := $$(filter-out -g,$$(BENCH_CC_SMALL.$(1))) -flto
 BENCH_SIZES.$(1) := $(if $(filter m3,$(1)),$(BENCH_PROGRAM_LIBRARIES)) $(foreach flag,O2 Os,$(BENCH_SIZED:%=$(BENCH_OUT)/$(1)/size/$(flag)/%.elf)) \
     $(BENCH_OUT)/$(1)/size/small/fixel.elf $(BENCH_OUT)/$(1)/size/small-flto/fixel.elf

@@ -27,7 +27,11 @@ static fxl_motion_player motion;
 static inline __attribute__((always_inline)) volatile uint32_t *paint_stack(void)
 {
     volatile uint32_t *here;
+#ifdef __arm__
     __asm__ volatile("mov %0, sp" : "=r"(here));
+#else
+    __asm__ volatile("mv %0, sp" : "=r"(here));
+#endif
     for (uint32_t i = 1; i <= STACK_WORDS; i++) {
         *(here - i) = STACK_PATTERN;
     }

@@ -11,23 +11,31 @@
 void bench_start(int argc, char **argv)
 {
     system_start(argc, argv);
+#ifdef __arm__
     __asm__ volatile("cpsid i");
+#endif
 #ifdef __ARM_FP
     CPACR |= CPACR_FLOAT;
     __asm__ volatile("dsb\n\tisb");
 #endif
 }
 
+#ifdef __arm__
+#define RETURN "bx lr"
+#else
+#define RETURN "ret"
+#endif
+
 /* Functions of their own, which no compiler may inline, merge or leave out:
  * each is one instruction, the return. */
 __attribute__((naked, noinline)) void bench_begin(void)
 {
-    __asm__ volatile("bx lr");
+    __asm__ volatile(RETURN);
 }
 
 __attribute__((naked, noinline)) void bench_end(void)
 {
-    __asm__ volatile("bx lr");
+    __asm__ volatile(RETURN);
 }
 
 void text_with_number(const char *before, const char *name, const char *between, uint32_t number)

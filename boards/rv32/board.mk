@@ -8,6 +8,7 @@ BOARD_QEMU := -M virt -bios none
 BOARD_NOTE := emulator=qemu-system-riscv32
 # make test installs none of its tools, and runs nothing on it: make run, boards and test with BOARD=rv32 do.
 BOARD_SETUP := riscv
+BOARD_BENCH := rv32
 BOARD_LIBC := --specs=picolibc.specs
 BOARD_OWN_FLAGS := $(BOARD_LIBC) # its headers; programs link none of it
 

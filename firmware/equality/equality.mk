@@ -19,11 +19,11 @@ EQUALITY_NAMES := $(filter math/% scene/% view/% clip/% raster/% paint/% draw/% 
 # The program's own.
 EQUALITY_OBJECTS := $(patsubst %.c,%.o,$(notdir $(filter-out %/sides.c,$(wildcard firmware/equality/*.c)))) core.o portable.o
 
-# The portable kernels and their callers are compiled twice, not for each program: for the M0, and
-# for the M3, whose code every other core executes. Which arithmetic is right does not depend on
-# the core, nor on whether the other side is small.
-EQUALITY_PORTABLE_CORES := m0 m3
-EQUALITY_PORTABLE = $(EQUALITY_OUT)/portable/$(if $(filter m0,$(EQUALITY_CORE)),m0,m3).a
+# The portable kernels and their callers are compiled three times, not for each program: for the M0,
+# for the M3, whose code every other Arm core executes, and for RISC-V. Which arithmetic is right does
+# not depend on the core, nor on whether the other side is small.
+EQUALITY_PORTABLE_CORES := m0 m3 $(filter rv32,$(BENCH_CORES_HERE))
+EQUALITY_PORTABLE = $(EQUALITY_OUT)/portable/$(or $(filter m0 rv32,$(EQUALITY_CORE)),m3).a
 EQUALITY_PORTABLE_CFLAGS := -O2 -UFXL_SMALL -DFXL_PORTABLE_KERNELS $(call LIB_TUNE)
 EQUALITY_CFLAGS := -Ifirmware/equality -ffreestanding -DFXL_ASSERT_HOOK
 
@@ -31,18 +31,18 @@ EQUALITY_CFLAGS := -Ifirmware/equality -ffreestanding -DFXL_ASSERT_HOOK
 # takes a float, so both calling conventions are one; but the linker mixes only objects that do not
 # say which they have.
 define EQUALITY_PORTABLE_RULES
-$(call LIB_RULES,$(EQUALITY_OUT)/portable/$(1),$$(call FIRMWARE_COMPILE,$$(CROSS)gcc $$(BENCH_FLAGS.$(1)) $$(filter-out -g,$$(BENCH_CFLAGS)) $$(EQUALITY_CFLAGS) $$(EQUALITY_PORTABLE_CFLAGS)),firmware/equality/equality.mk)
+$(call LIB_RULES,$(EQUALITY_OUT)/portable/$(1),$$(call FIRMWARE_COMPILE,$(call BENCH_CROSS,$(1))gcc $$(BENCH_FLAGS.$(1)) $$(filter-out -g,$$(BENCH_CFLAGS)) $$(EQUALITY_CFLAGS) $$(EQUALITY_PORTABLE_CFLAGS)),firmware/equality/equality.mk)
 $(EQUALITY_OUT)/portable/$(1).a: $(patsubst %,$(EQUALITY_OUT)/portable/$(1)/%.o,$(filter-out $(call LIB_FOREIGN),$(EQUALITY_NAMES)))
 	@rm -f $$@ $$@.fxl
-	@$(CROSS)ar rcs $$@.fxl $$^
-	@$(CROSS)nm -g --defined-only $$@.fxl | sed -n 's/.* \(fxl_\([a-zA-Z0-9_]*\)\)$$$$/\1 portable_\2/p' > $$@.names
-	@$(CROSS)objcopy --redefine-syms=$$@.names --remove-section=.ARM.attributes $$@.fxl $$@
+	@$(call BENCH_CROSS,$(1))ar rcs $$@.fxl $$^
+	@$(call BENCH_CROSS,$(1))nm -g --defined-only $$@.fxl | sed -n 's/.* \(fxl_\([a-zA-Z0-9_]*\)\)$$$$/\1 portable_\2/p' > $$@.names
+	@$(call BENCH_CROSS,$(1))objcopy --redefine-syms=$$@.names --remove-section=.ARM.attributes $$@.fxl $$@
 endef
 $(if $(WIDE_GOALS),$(foreach core,$(EQUALITY_PORTABLE_CORES),$(eval $(call EQUALITY_PORTABLE_RULES,$(core)))))
 
 define EQUALITY_RULES
 EQUALITY_CC.$(1) := $(filter-out -g,$($(EQUALITY_FLAGS).$(EQUALITY_CORE))) $(EQUALITY_CFLAGS) \
-    $(if $(findstring =hard,$(BENCH_FLAGS.$(EQUALITY_CORE))),-mgeneral-regs-only)
+    $(BOARD_LIBC.$(BENCH_BOARD.$(EQUALITY_CORE))) $(if $(findstring =hard,$(BENCH_FLAGS.$(EQUALITY_CORE))),-mgeneral-regs-only)
 
 $(EQUALITY_OUT)/$(1)/core.o: firmware/equality/sides.c firmware/equality/equality.mk
 	$$(call FIRMWARE_COMPILE,$$(EQUALITY_CC.$(1)) $($(EQUALITY_FLAGS)_FAMILY.$(EQUALITY_CORE)) -DSIDE=core_)

@@ -25,6 +25,7 @@ bench_rgb565, bench_rows, bench_run, linked_size = late("fixel.bench", "bench_rg
 qemu = late("fixel.board", "qemu")
 
 CORES = ("m0", "m3", "m4f", "m55")
+EXTRA_CORES = ("rv32",)    # of fixel profile and fixel equality
 PLAN = pathlib.Path(__file__).resolve().parents[3] / "bench" / "bench.toml"
 PATTERNS = ["bench.svg", "bench.png", "growth.svg", "growth.png", "bench.md", "bench.json"]
 # The share of pixels in which a renderer may differ from the library: the listing has no near plane, and

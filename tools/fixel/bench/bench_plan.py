@@ -11,7 +11,7 @@ from fixel.bench.bench import CORES, PLAN
 from fixel.image import image
 from fixel.base.errors import ToolError
 
-NAMES = {"m0": "Cortex-M0", "m3": "Cortex-M3", "m4f": "Cortex-M4F", "m55": "Cortex-M55"}
+NAMES = {"m0": "Cortex-M0", "m3": "Cortex-M3", "m4f": "Cortex-M4F", "m55": "Cortex-M55", "rv32": "RISC-V RV32IMC"}
 DOUBLE = "listing-double"
 
 

@@ -43,9 +43,12 @@ class MachineCode:
         self.functions = _functions(elf, symbols)
         self.sections = [(section["sh_addr"], section.data()) for section in elf.iter_sections()
                          if section["sh_flags"] & SHF_EXECINSTR and section["sh_size"]]
-        # "$t" and "$d" mark where code and data begin within a section.
+        self.is_riscv = elf["e_machine"] == "EM_RISCV"
+        # "$t" and "$d" mark where code and data begin within a section. RISC-V has functions of a stated size alone.
         self.marks = sorted((symbol["st_value"] & ~1, symbol.name[1]) for symbol in symbols
                             if symbol.name[:2] in ("$t", "$d"))
+        if self.is_riscv:
+            self.marks = sorted(mark for each in self.functions for mark in ((each.start, "t"), (each.end, "d")))
         self.decoded = {}
 
     def symbol(self, name):
@@ -58,8 +61,9 @@ class MachineCode:
         """The instruction at an address."""
         if address not in self.decoded:
             first = self._halfword(address)
-            second = self._halfword(address + 2) if thumb.size_of(first) == 4 else 0
-            self.decoded[address] = thumb.decode(first, second)
+            is_long = first & 3 == 3 if self.is_riscv else thumb.size_of(first) == 4
+            second = self._halfword(address + 2) if is_long else 0
+            self.decoded[address] = (riscv_instruction if self.is_riscv else thumb.decode)(first, second)
         return self.decoded[address]
 
     def _halfword(self, address):
@@ -84,6 +88,32 @@ class MachineCode:
                     found = self.instruction(address)
                     yield address, found
                     address += found.size
+
+
+# Of RISC-V (The RISC-V Instruction Set Manual, volume I, "Instruction Set Listings"): by the opcode of 32 bits, and by quadrant
+# and upper three bits of 16 bits. Others are "other".
+LONG = {0x03: "load", 0x23: "store", 0x63: "branch conditional", 0x6F: "branch", 0x67: "branch exchange"}
+SHORT = {(0, 2): "load", (0, 6): "store", (1, 1): "call", (1, 5): "branch", (1, 6): "branch conditional", (1, 7): "branch conditional",
+         (2, 2): "load", (2, 6): "store"}
+LINKS = (1, 5)      # registers that a call writes its return address into
+CALL_OF = {"branch": "call", "branch exchange": "call register"}
+
+
+def riscv_instruction(first, second):
+    """The instruction of RISC-V of 32 bits of one halfword, or of two, by the kinds of fixel.bench.thumb."""
+    if first & 3 != 3:
+        kind, register = SHORT.get((first & 3, first >> 13), "other"), first >> 7 & 31
+        if first & 0xE07F == 0x8002 and register:
+            kind = "call register" if first & 0x1000 else "branch exchange"
+        return thumb.Instruction(2, kind)
+    word = second << 16 | first
+    opcode, target, number = word & 127, word >> 7 & 31, word >> 12 & 7
+    kind = LONG.get(opcode, "other")
+    if kind in CALL_OF and target in LINKS:
+        kind = CALL_OF[kind]
+    if opcode == 0x33 and word >> 25 == 1:
+        kind = "divide" if number > 3 else "long multiply" if number else "multiply"
+    return thumb.Instruction(4, kind)
 
 
 def _functions(elf, symbols):

@@ -49,8 +49,9 @@ def parser():
 def before(options):
     """Refuses a workload or a core that there is not."""
     bench.refuse_workload(options.workload)
-    if options.core not in (None, *bench.CORES):
-        raise ToolError(f"there is no core '{options.core}'; the cores are: {', '.join(bench.CORES)}")
+    cores = (*bench.CORES, *bench.EXTRA_CORES)
+    if options.core not in (None, *cores):
+        raise ToolError(f"there is no core '{options.core}'; the cores are: {', '.join(cores)}")
 
 
 def take(plan, workload, core, renderer, frames):
