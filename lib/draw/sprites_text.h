@@ -158,10 +158,10 @@ typedef struct {
 static void find_texels(const fxl_billboard_row *row, sprite_columns *columns)
 {
     const uint32_t count = (uint32_t)(row->columns.end - row->columns.first);
-    fxl_texel_walk along = row->along;
+    fxl_billboard_row copy = *row;
     for (uint32_t i = 0; i < count; i++) {
-        columns->texels[i] = (uint16_t)along.texel;
-        fxl_take_step(&along);
+        columns->texels[i] = (uint16_t)copy.along.texel;
+        fxl_take_step(&copy.along);
     }
     columns->has_texels = true;
 }

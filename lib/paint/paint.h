@@ -60,12 +60,6 @@ typedef struct {
     fxl_paint_565 of_565;  /* where pixels have 16 bits; `blend` is not used there */
 } fxl_paint;
 
-/* place stipple: which pixels of RGB565 are mixed with what is beneath */
-static inline bool fxl_is_mixed_565(const fxl_paint *paint)
-{
-    return paint->of_565.sixteenths != 0 || paint->of_565.adds;
-}
-
 /* What the kernel of segments needs of a face: segments.h. */
 typedef struct fxl_segment_face fxl_segment_face;
 

@@ -15,6 +15,12 @@ static inline bool fxl_is_stippled_away(uint32_t opacity, int32_t x, int32_t y)
     return opacity < 16 && stipple[4 * (y & 3) + (x & 3)] >= opacity;
 }
 
+/* Whether pixels of RGB565 are blended with what is beneath, or added to it. */
+static inline bool fxl_is_mixed_565(const fxl_paint *paint)
+{
+    return paint->of_565.sixteenths != 0 || paint->of_565.adds;
+}
+
 /* SPEC 9.5, surfaces 1.1 */
 static inline uint32_t fxl_limited(int32_t coordinate, uint32_t last)
 {

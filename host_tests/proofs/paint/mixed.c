@@ -67,7 +67,7 @@ void prove_mix_row(void)
  * checks = 16
  */
 /* [[row]]
- * function = "lib/paint/paint.h:fxl_is_mixed_565"
+ * function = "lib/paint/texel_place.h:fxl_is_mixed_565"
  * id = "what is mixed"
  * property = "any paint"
  * checks = 16

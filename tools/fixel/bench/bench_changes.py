@@ -103,7 +103,7 @@ CHANGES = {"textured": _textured, "lit": _lit, "depth": _of_view(visibility="dep
            "128x32": _of_textures(size=[128, 32]), "32x128": _of_textures(size=[32, 128]),
            "256x256": _of_textures(size=[256, 256]), "levels": _of_textures(levels=4), "clamp": _of_textures(wrap="clamp"),
            "4 bits": _of_textures(bits=4), "16 bits": _of_textures(bits=16), "key": _of_textures(pattern="grille"),
-           "stipple": _of_objects(opacity=8), "rolled": _rolled, "half a pixel": _half_a_pixel,
+           "stipple": _of_objects(opacity=8), "added": _of_objects(blend="add"), "rolled": _rolled, "half a pixel": _half_a_pixel,
            "plain": _plain, "smooth": _of_objects(smooth=True), **{name: _points(places) for name, places in POINTS.items()}}
 
 
