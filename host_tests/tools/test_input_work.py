@@ -101,11 +101,11 @@ def test_billboards_of_one_file(tmp_path):
 @pytest.mark.parametrize("line", ["cells = [true, 2]", "parts = [2, true]",
                                   "repeat = { count = [true, 1, 1], step = [1, 0, 0] }"])
 def test_true_is_no_number(tmp_path, line):
-    assert_refused(tmp_path, scene(tmp_path, f'[[objects]]\nsolid = "floor"\n{line}\n'), "whole numbers from 1")
+    assert_refused(tmp_path, scene(tmp_path, f'[[objects]]\nsolid = "floor"\n{line}\n'), "object 0", line.split()[0], "True")
 
 
 def test_true_is_no_number_of_pixels(tmp_path):
-    assert_refused(tmp_path, scene(tmp_path, billboards(['pattern = "tree"\npixels = [8, true]'])), "whole numbers from 1")
+    assert_refused(tmp_path, scene(tmp_path, billboards(['pattern = "tree"\npixels = [8, true]'])), "billboards[0]", "pixels", "True")
 
 
 def test_many_objects_of_one_large_model_with_materials(tmp_path):
