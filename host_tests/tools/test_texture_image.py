@@ -243,7 +243,7 @@ def test_a_size_is_the_most_of_a_side(tmp_path, pixels, size, side):
 
 
 @pytest.mark.parametrize("size, more, words", [
-    ("size = 48", "", ["size", "48", "256"]), ('size = "all"', "", ["size", '"all"', "256"]), ("size = [64, 64]", "", ["size", "256"]),
+    ("size = 48", "", ["size", "48", "256"]), ('size = "all"', "", ["size", '"all"', "256"]), ("size = [64, 64]", "", ["size", "[64, 64]", '"path"']),
     ('size = "path"', "texels_per_unit = 4", ["texels_per_unit", '"noise"', "object 0"]),
     ('size = "path"', "texel_offset = [1, 2]", ["texel_offset", "number"])])
 def test_sizes_that_are_wrong(tmp_path, size, more, words):
