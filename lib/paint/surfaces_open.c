@@ -206,7 +206,8 @@ static FXL_COLD FXL_ONE_COPY fxl_status check_face(const fxl_surface_set *set,
                                                    const fxl_scene *scene, const fxl_model *model,
                                                    const fxl_mapped_face *mapped)
 {
-    const fxl_point *vertices = &scene->vertices[model->first_vertex], *points[3];
+    const fxl_point *vertices = &scene->vertices[model->first_vertex];
+    const fxl_point *points[3];
     if (mapped->surface >= set->surface_count) {
         return FXL_E_INDEX;
     }

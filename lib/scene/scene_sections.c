@@ -149,17 +149,17 @@ static FXL_COLD fxl_status check_presence(const fxl_image_header *head, fxl_scen
     static const struct {
         uint8_t first, last, needed[4]; /* where one of the kinds first..last is, those must be */
     } sets[] = {
-        {SECTION_BEAMS, SECTION_LIT_COLOURS, {SECTION_BEAMS, SECTION_LIT_COLOURS}},
+        {SECTION_BEAMS, SECTION_LIT_COLOURS, {SECTION_BEAMS, SECTION_LIT_COLOURS, 0, 0}},
         {SECTION_MOTIONS,
          SECTION_KEYS_OF_MOTIONS,
-         {SECTION_PLACEMENTS, SECTION_MOTIONS, SECTION_KEYS_OF_MOTIONS}},
-        {SECTION_LIGHT, SECTION_RAMP, {SECTION_LIGHT, SECTION_RAMP}},
+         {SECTION_PLACEMENTS, SECTION_MOTIONS, SECTION_KEYS_OF_MOTIONS, 0}},
+        {SECTION_LIGHT, SECTION_RAMP, {SECTION_LIGHT, SECTION_RAMP, 0, 0}},
         {SECTION_TEXTURES,
          SECTION_BLEND_TABLE,
          {SECTION_SURFACES, SECTION_MAPPED_FACES, SECTION_CORNERS, SECTION_FACE_MAP}},
         {SECTION_BILLBOARDS,
          SECTION_SPRITE_PIXELS,
-         {SECTION_BILLBOARDS, SECTION_BILLBOARD_MAP, SECTION_SPRITE_PIXELS}},
+         {SECTION_BILLBOARDS, SECTION_BILLBOARD_MAP, SECTION_SPRITE_PIXELS, 0}},
     };
     for (uint32_t kind = SECTION_PALETTE; kind <= SECTION_INSTANCES; kind++) {
         if (count_of(head, kind) == 0) {
