@@ -161,11 +161,15 @@ FXL_COLD void fxl_set_direction(fxl_renderer *renderer, bool near_first)
     const bool had_list = renderer->by_number != FXL_FACES_AT_ONCE;
     const uint32_t faces = scene->draw_list_needed - fxl_list_instances_most(scene);
     renderer->near_first = near_first;
-    renderer->by_number = !near_first || renderer->target->depth_bits == 0 ? FXL_FACES_SORTED
-                          : FXL_IS_COMPACT || scene->cluster_code != NULL  ? FXL_FACES_LISTED
-                                                                           : FXL_FACES_AT_ONCE;
+    if (!near_first || renderer->target->depth_bits == 0) {
+        renderer->by_number = FXL_FACES_SORTED;
+    } else if (FXL_IS_COMPACT || scene->cluster_code != NULL) {
+        renderer->by_number = FXL_FACES_LISTED;
+    } else {
+        renderer->by_number = FXL_FACES_AT_ONCE;
+    }
     const bool has_list = renderer->by_number != FXL_FACES_AT_ONCE;
-    const uint32_t more = (uint32_t)had_list * faces - (uint32_t)has_list * faces;
+    const uint32_t more = (had_list ? faces : 0u) - (has_list ? faces : 0u);
     renderer->workspace.face_list += (int32_t)more;
     if (renderer->instance_capacity != 0) { /* of a world it is 0 until it attaches the renderer */
         renderer->instance_capacity += more;

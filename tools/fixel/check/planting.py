@@ -37,6 +37,7 @@ IS_DOCUMENT = re.compile(r"\A(?:<!--.*?-->\s*)?# ", re.DOTALL)
 ASSEMBLY = re.compile(r"([A-Za-z_]\w*):|\s*\.macro\s+(\w+)")
 HEADING = re.compile(r"#+ (.*)")
 C = re.compile(r"(?=[A-Za-z]).*?(\w+)\s*(?:[(\[={;]|$)")   # its name stands on the first line that is not indented
+ATTRIBUTE = re.compile(r"__attribute__\s*\(\(.*?\)\)\s*")
 END = re.compile(r"(?:\s*/\*(?:(?!\*/).)*\*/)*\s*\\?$")     # comments, and what goes on with a macro
 
 
@@ -54,7 +55,7 @@ def functions(text):
         if not macro:
             begun = MACRO.match(line)
             macro = begun[1] if begun else ""
-            begun = None if macro else definition.match(line)
+            begun = None if macro else definition.match(ATTRIBUTE.sub("", line))
             function = begun[begun.lastindex] if begun else function
         found.append(macro or function)
         macro = macro if line.endswith("\\") else ""
