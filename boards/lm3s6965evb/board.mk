@@ -18,10 +18,11 @@ BOARD_CACHE_ENTRIES := 64
 BOARD_OWN_FLAGS := -Os
 
 # Beside the game and the driver of a display, RGB565 with a depth buffer would take 3 to 4 KiB of flash more than there is.
+# Beside the driver of a display depth buffers of 32 bits a pixel would take 5 KiB of flash more than there is.
 # After reset the core runs at 12.5 MHz, and the watchdog with it; its interrupt
 # is number 18.
-BOARD_SETTINGS := BOARD_SYSTICK_HZ=12500000u CMSDK_WATCHDOG_BASE=0x40000000u CMSDK_WATCHDOG_HZ=12500000u GAME_WITHOUT_RGB565_DEPTH \
-    CMSDK_WATCHDOG_INTERRUPT=18u
+BOARD_SETTINGS := BOARD_SYSTICK_HZ=12500000u CMSDK_WATCHDOG_BASE=0x40000000u CMSDK_WATCHDOG_HZ=12500000u \
+    CMSDK_WATCHDOG_INTERRUPT=18u WALK_WITHOUT_DEPTH_32 GAME_WITHOUT_RGB565_DEPTH
 
 # Flash has pages of 1 KiB.
 BOARD_MEMORY := flash_base=0x00000000 flash_size=256K flash_sector=1K program_size=195K \

@@ -7,6 +7,10 @@
 #include "../math/pixel_centre.h"
 #include "sprite_texel.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* place sampling: if billboards change too: a billboard's texel, its value, the sprite */
 /* The texels along a side, pixel by pixel: texel + rest / length is the exact place, where length
  * is that of the side in 1/65536 pixel, 1..2^29. */
@@ -65,8 +69,21 @@ typedef struct {
     uint32_t y;
     unsigned shift;   /* of the sprite */
     bool is_repeated; /* its texels are those of the row before */
-    bool is_single;   /* they are neither those nor the ones of the next row */
 } fxl_billboard_row;
+
+#define FXL_BILLBOARD_COLUMNS 64 /* that are painted together */
+
+/* A row of texels as it stands in these columns of the screen, until another one is drawn. */
+typedef struct {
+    uint16_t texels[FXL_BILLBOARD_COLUMNS];
+    uint8_t entries[FXL_BILLBOARD_COLUMNS];  /* of the palette, where there is no hole */
+    uint8_t runs[FXL_BILLBOARD_COLUMNS + 1]; /* the first column and the end of each run without a hole */
+    uint8_t ends;                            /* that are listed; both of a run */
+    bool has_texels; /* all rows have the same ones: those of the first that is looked up */
+} fxl_billboard_columns;
+
+/* Looks up the texels of a row of at most FXL_BILLBOARD_COLUMNS columns. */
+void fxl_billboard_find_entries(const fxl_billboard_row *row, fxl_billboard_columns *columns);
 
 /* Paints a row; with: the painter's own. */
 typedef void fxl_billboard_row_painter(fxl_billboard_row *row, const void *with);
@@ -100,11 +117,14 @@ static inline void fxl_billboard_walk_rows(const fxl_sprite *sprite,
         const uint32_t texel = down.texel;
         fxl_take_step(&down);
         row.is_repeated = row.texels == sprite->pixels + texel * row_bytes;
-        row.is_single = !row.is_repeated && down.texel != texel;
         row.texels = sprite->pixels + texel * row_bytes;
         row.along = first;
         paint(&row, with);
     }
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -349,7 +349,7 @@ static uint32_t find_lines(const fxl_paint *paint, const fxl_paint_row *row, uin
     return x0;
 }
 
-/* The colours of texels of 16, of 8 or of 4 bits, repeated, that are not the key. The compiler cannot
+/* The colours of texels of 16 or of 8 bits, repeated, that are not the key. The compiler cannot
  * tell them from what the loop reads, so it has copies. */
 static inline __attribute__((always_inline)) void show_lines(const fxl_paint *paint,
                                                              const texel_line *line,
@@ -370,9 +370,7 @@ static inline __attribute__((always_inline)) void show_lines(const fxl_paint *pa
         uint32_t u = line->u, v = line->v;
         do {
             const uint32_t place = (v >> row_drop & rows) + (u >> 16 & columns);
-            const uint32_t texel = bits == 16  ? wide[place]
-                                   : bits == 8 ? level.texels[place]
-                                               : fxl_texel_index(&level, place);
+            const uint32_t texel = bits == 16 ? wide[place] : level.texels[place];
             if (texel != key) {
                 *colour = (uint16_t)(bits == 16 ? texel : palette[texel]);
             }
@@ -387,7 +385,8 @@ static inline bool has_lines(const fxl_paint *paint)
 {
     const uint32_t others = FXL_TEXTURE_CLAMP | FXL_LEVEL_IN_BEAM;
     return !FXL_IS_COMPACT && paint->opacity == 16 && paint->level.texels != NULL &&
-           (paint->level.flags & others) == 0 && paint->of_565.part_of_level == 0;
+           paint->level.colours == NULL && (paint->level.flags & others) == 0 &&
+           paint->of_565.part_of_level == 0;
 }
 
 static inline void show_texels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
@@ -400,10 +399,8 @@ static inline void show_texels(const fxl_paint *paint, const fxl_paint_row *row,
             (int32_t)find_lines(paint, row, (uint32_t)x0, (uint32_t)x1, lines, &count);
         if ((paint->level.flags & FXL_LEVEL_565) != 0) {
             show_lines(paint, lines, lines + count, colours, 16);
-        } else if (paint->level.colours == NULL) {
-            show_lines(paint, lines, lines + count, colours, 8);
         } else {
-            show_lines(paint, lines, lines + count, colours, 4);
+            show_lines(paint, lines, lines + count, colours, 8);
         }
         colours += end - x0;
         x0 = end;

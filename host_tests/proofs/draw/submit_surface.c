@@ -48,9 +48,12 @@ void prove_nearest_depth(void)
     fxl_face face;
     fxl_traversal traversal;
     uint16_t indices[10];
-    const uint16_t corners[3] = {0, 1, 2};
+    fxl_corner some[3];
+    const fxl_corner *const corners[3] = {&some[0], &some[1], &some[2]};
     const bool has_others = nondet_bool();
-    ANY_CONTENT(depths);
+    for (uint16_t i = 0; i < 3; i++) {
+        some[i].vertex = i;
+    }
     fxl_q18_46 nearest = depths[0] < depths[1] ? depths[0] : depths[1];
     nearest = nearest < depths[2] ? nearest : depths[2];
     model_view.indices = indices;

@@ -239,7 +239,7 @@ void prove_set_words(void)
 /* [[row]]
  * function = "fxl_corner_colours"
  * property = "any colours of corners: each channel is a level of it"
- * checks = 57
+ * checks = 69
  */
 void prove_corner_colours(void)
 {

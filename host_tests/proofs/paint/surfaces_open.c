@@ -95,7 +95,7 @@ fxl_status any_set(const fxl_surface_set *found, const fxl_scene *of, uint32_t p
 /* [[row]]
  * function = "fxl_surfaces_open"
  * property = "any image of up to 2 textures: texels lie in the image, a set is opened after its check, and refused, it stays"
- * checks = 353
+ * checks = 365
  * stands_in = { check_place = "any_place", fxl_surfaces_check = "any_set" }
  */
 void prove_surfaces_open(void)

@@ -268,7 +268,7 @@ void prove_active_edges_fill(void)
 /* [[row]]
  * function = "lib/raster/columns.h:fxl_band_begin_at_column_0"
  * property = "any column: so many bytes before"
- * checks = 21
+ * checks = 23
  */
 void prove_band_begin_at_column_0(void)
 {
@@ -288,12 +288,28 @@ void prove_band_begin_at_column_0(void)
 /* [[row]]
  * function = "lib/raster/columns.h:fxl_band_is_aligned"
  * property = "any band: of two bytes a pixel, its pixels and its palette begin at even addresses"
- * checks = 19
+ * checks = 21
  */
 void prove_band_is_aligned(void)
 {
     fxl_band band;
     const uintptr_t places = (uintptr_t)band.pixels | (uintptr_t)band.palette;
     ASSERT("even, or without a palette", fxl_band_is_aligned(&band) == (band.palette == NULL || places % 2 == 0));
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "lib/raster/columns.h:fxl_pixel_at"
+ * property = "a pixel of a byte, and of two, at any column of a row of four"
+ * checks = 32
+ */
+void prove_pixel_at(void)
+{
+    uint16_t pixels[4];
+    const uint32_t column = nondet_u32();
+    ASSUME(column < 4);
+    const uint32_t entry = fxl_pixel_at(fxl_kind_of_palette(NULL), pixels, column);
+    ASSERT("a byte", entry == ((const uint8_t *)pixels)[column]);
+    ASSERT("two", fxl_pixel_at(fxl_kind_of_palette(pixels), pixels, column) == pixels[column]);
     PROOF_ENDS();
 }

@@ -68,7 +68,7 @@ void prove_edge_advance(void)
  * function = "lib/raster/edge_divide.h:fxl_edge_divide"
  * id = "fxl_edge_divide by a divider of 32 bits"
  * property = "the same of the text for cores with a divider of 32 bits"
- * checks = 24
+ * checks = 50
  * flags = ["-DFXL_CORE_HAS=3"]
  */
 void prove_edge_divide(void)

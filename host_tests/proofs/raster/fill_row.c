@@ -9,7 +9,7 @@
 /* [[row]]
  * function = "fxl_fill_row_rgb565"
  * property = "no other pixel is written, at any place of up to 12 pixels"
- * checks = 229
+ * checks = 346
  */
 void prove_fill_row_rgb565(void)
 {

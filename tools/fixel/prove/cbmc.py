@@ -182,7 +182,7 @@ def judge(said):
     if not any(each["status"] == "FAILURE" for each in ends):
         raise Failed("nothing is proved: the harness never ends for any input (PROOF_ENDS() is not reached)")
     checks = [each for each in results if each["what"] not in (REACHED, ENDS)]
-    bad = [each for each in checks if each["status"] != "SUCCESS"]
+    bad = sorted((each for each in checks if each["status"] != "SUCCESS"), key=lambda each: each["status"] != "FAILURE")
     if bad:
         raise Failed(f"{bad[0]['file']}:{bad[0]['line'] or '?'}: {bad[0]['what']}: {bad[0]['status'].lower()}"
                      f"{f' (and {len(bad) - 1} more)' if len(bad) > 1 else ''}")
