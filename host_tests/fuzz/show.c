@@ -20,7 +20,7 @@ enum {
 static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb565_low,
                                                   &fxl_pixels_rgb332, &fxl_pixels_rgb666,
                                                   &fxl_pixels_grey4,  &fxl_pixels_mono_rows,
-     &fxl_pixels_mono_pages};
+                                                  &fxl_pixels_mono_pages};
 #define FORMATS ((uint32_t)(sizeof formats / sizeof formats[0]))
 static const fxl_display_driver *const drivers[] = EVERY_DRIVER;
 #define DRIVERS (sizeof drivers / sizeof drivers[0])
