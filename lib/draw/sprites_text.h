@@ -159,13 +159,39 @@ static inline void show_runs(const sprite_place *place, const fxl_billboard_colu
     }
 }
 
-/* fxl_billboard_row_painter. Pixels may be bytes of a place to the compiler, so it has a copy. */
+/* The same of a row of texels that is shown once: only those at visible pixels are looked up. */
+/* billboards 3.2 */
+static inline void show_texels(const sprite_place *place, const fxl_billboard_row *row,
+                               const uint16_t *texels, void *cells, fxl_pixel *pixels)
+{
+    const fxl_sprite sprite = *row->sprite;
+    const int32_t count = row->columns.end - row->columns.first;
+    for (int32_t x = 0; x < count; x++) {
+        if (is_visible(place, cells, x)) {
+            const uint32_t value = fxl_sprite_value(&sprite, row->texels, texels[x], row->shift);
+            if (value != sprite.key) {
+                const uint8_t entry = fxl_sprite_colour(&sprite, value);
+                pixels[x] = (fxl_pixel)FXL_PIXEL_OF_ENTRY(place->band, entry);
+                keep(place, cells, x);
+            }
+        }
+    }
+}
+
+/* fxl_billboard_row_painter. Pixels may be bytes of a place to the compiler, so it has a copy, and
+ * one of the row. */
 static inline void paint_row(fxl_billboard_row *row, const void *with)
 {
     const sprite_painting *painting = (const sprite_painting *)with;
     const sprite_place place = *painting->place;
     fxl_pixel *pixels = fxl_pixels_of_row(place.band, row->y) + row->columns.first;
     void *cells = cells_of(&place, row->y, row->columns.first);
+    fxl_billboard_find_texels(row, painting->columns);
+    if (!FXL_IS_COMPACT && row->is_single) {
+        const fxl_billboard_row copy = *row;
+        show_texels(&place, &copy, painting->columns->texels, cells, pixels);
+        return;
+    }
     if (!row->is_repeated) {
         fxl_billboard_find_entries(row, painting->columns);
     }

@@ -4,13 +4,15 @@
 #include "../math/family.h"
 #include "billboard_walk.h"
 
-static void find_texels(const fxl_billboard_row *row, uint32_t count, uint16_t *texels)
+void fxl_billboard_find_texels(const fxl_billboard_row *row, fxl_billboard_columns *columns)
 {
+    const uint32_t count = (uint32_t)(row->columns.end - row->columns.first);
     fxl_texel_walk along = row->along;
-    for (uint32_t i = 0; i < count; i++) {
-        texels[i] = (uint16_t)along.texel;
+    for (uint32_t i = 0; !columns->has_texels && i < count; i++) {
+        columns->texels[i] = (uint16_t)along.texel;
         fxl_take_step(&along);
     }
+    columns->has_texels = true;
 }
 
 /* The value of a texel of a row. bits: of the sprite, or 8 for any. */
@@ -56,10 +58,6 @@ void fxl_billboard_find_entries(const fxl_billboard_row *row, fxl_billboard_colu
     fxl_billboard_row copy = *row;
     const uint32_t count = (uint32_t)(row->columns.end - row->columns.first);
     copy.sprite = &sprite;
-    if (!columns->has_texels) {
-        find_texels(row, count, columns->texels);
-        columns->has_texels = true;
-    }
     if (!FXL_IS_COMPACT && sprite.bits == 4) {
         find_entries(&copy, count, columns, 4);
     } else {

@@ -69,6 +69,7 @@ typedef struct {
     uint32_t y;
     unsigned shift;   /* of the sprite */
     bool is_repeated; /* its texels are those of the row before */
+    bool is_single;   /* they are neither those nor the ones of the next row */
 } fxl_billboard_row;
 
 #define FXL_BILLBOARD_COLUMNS 64 /* that are painted together */
@@ -79,10 +80,13 @@ typedef struct {
     uint8_t entries[FXL_BILLBOARD_COLUMNS];  /* of the palette, where there is no hole */
     uint8_t runs[FXL_BILLBOARD_COLUMNS + 1]; /* the first column and the end of each run without a hole */
     uint8_t ends;                            /* that are listed; both of a run */
-    bool has_texels; /* all rows have the same ones: those of the first that is looked up */
+    bool has_texels; /* all rows have the same ones */
 } fxl_billboard_columns;
 
-/* Looks up the texels of a row of at most FXL_BILLBOARD_COLUMNS columns. */
+/* Finds the texels of at most FXL_BILLBOARD_COLUMNS columns, where they are not yet there. */
+void fxl_billboard_find_texels(const fxl_billboard_row *row, fxl_billboard_columns *columns);
+
+/* Looks up the texels of a row. */
 void fxl_billboard_find_entries(const fxl_billboard_row *row, fxl_billboard_columns *columns);
 
 /* Paints a row; with: the painter's own. */
@@ -117,6 +121,7 @@ static inline void fxl_billboard_walk_rows(const fxl_sprite *sprite,
         const uint32_t texel = down.texel;
         fxl_take_step(&down);
         row.is_repeated = row.texels == sprite->pixels + texel * row_bytes;
+        row.is_single = !row.is_repeated && down.texel != texel;
         row.texels = sprite->pixels + texel * row_bytes;
         row.along = first;
         paint(&row, with);
