@@ -190,7 +190,7 @@ def test_the_text_of_the_unit_tests_is_that_of_a_cortex_m3(cpu):
     differ: UNIT_CORE in firmware/unittest/unittest.mk has their boards link the tests of an M3."""
     includes = "".join(f'#include "{file.relative_to(CHECKOUT)}"\n' for file in sorted(CHECKOUT.glob("lib/**/*.h")))
     texts = [subprocess.run(["arm-none-eabi-gcc", "-std=c11", f"-mcpu={core}", "-mthumb", "-mfloat-abi=soft", "-O1", "-E", "-P", "-I.",
-                             "-Ilib/include", "-Ilib", "-x", "c", "-"], input=includes, cwd=CHECKOUT, text=True, capture_output=True,
+                             "-Ilib/include", "-Ilib", "-DFXL_TARGET_FORMAT=FXL_PALETTE_PIXELS", "-x", "c", "-"], input=includes, cwd=CHECKOUT, text=True, capture_output=True,
                             check=True).stdout for core in ("cortex-m3", cpu)]
     assert texts[0] == texts[1] and texts[0].count("\n") > 2000
 

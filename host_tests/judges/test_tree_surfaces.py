@@ -14,7 +14,7 @@ from fixel.image import image
 from fixel.scene import compiler
 from fixel.scene.target import VALUES
 
-BUILT_PROGRAMS = ("host/frames", "boards/host/walk", "boards/mps2-an385/walk.elf", "host/judge", "host/raycast", "host/predict")
+BUILT_PROGRAMS = ("host/frames", "boards/host/walk", "boards/microbit/walk.elf", "boards/mps2-an385/walk.elf", "host/judge", "host/raycast", "host/predict")
 TARGETS = VALUES["pixels"]
 TEXTURES = [("stones", "stones", 32), ("planks", "planks", 32, "bits = 4"), ("grille", "grille", 16)]
 SCREEN = 'background = "#203040"\n' + head(128, 96, ['pixels = "%s"', "near = 0.125", "far = 64"], TEXTURES) + """

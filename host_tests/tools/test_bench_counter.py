@@ -157,7 +157,7 @@ def test_each_line_of_the_plugins_file_by_hand():
 def test_code_is_read_to_its_last_instruction():
     """A section of an instruction of two bytes, one of four, data, and one of two bytes at the end."""
     code = object.__new__(MachineCode)
-    code.path, code.decoded = "x.elf", {}
+    code.path, code.decoded, code.is_riscv = "x.elf", {}, False
     code.sections = [(0x100, bytes.fromhex("00bf") + (0xF000).to_bytes(2, "little") + (0xF800).to_bytes(2, "little") +
                       b"\x11\x22\x33\x44" + (0x4770).to_bytes(2, "little"))]
     code.marks = [(0x100, "t"), (0x106, "d"), (0x10A, "t")]

@@ -428,8 +428,9 @@ static __attribute__((noinline)) void paint_mixed(const fxl_paint *paint, const 
         if (has_lines(paint)) {
             show_texels(paint, row, x0, end, colours);
         } else {
+            const uintptr_t column_0 = (uintptr_t)colours - 2u * (uint32_t)x0;
             fxl_paint_row drawn = *row;
-            drawn.pixels = (uint8_t *)((uintptr_t)colours - 2u * (uint32_t)x0);
+            drawn.pixels = (uint8_t *)column_0;
             paint_opaque(paint, &drawn, x0, end);
         }
         mix_row(of, colours, pixels, count);
