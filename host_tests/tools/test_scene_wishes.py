@@ -82,8 +82,8 @@ def test_the_image_has_the_wish_in_one_byte(tmp_path):
     blobs = [image.pack(toml_scene.compile_file(str(scene_of(tmp_path, SOLIDS % text)))[0])
              for text in ("", 'visibility = "default"\npixels = "palette"\ndepth = 0', 'visibility = "depth"', "depth = 16",
                           'depth = 32\npixels = "rgb565"\norder = "distance"')]
-    assert blobs[0] == blobs[1] and blobs[2] == blobs[3]
-    assert [at for at in range(16, len(blobs[0])) if blobs[0][at] != blobs[2][at]] == [37]
+    assert blobs[0] == blobs[1] and blobs[2] == blobs[3] and len(blobs[2]) == len(blobs[4])
+    assert [at for at in range(16, len(blobs[2])) if blobs[2][at] != blobs[4][at]] == [37]
     wishes = [(scene.depth_bits, scene.pixel_bits, scene.by_distance) for scene in map(image.unpack, blobs)]
     assert wishes == [(0, 8, False)] * 2 + [(16, 8, False)] * 2 + [(32, 16, True)]
     assert [blob[37] for blob in blobs] == [0, 0, 1, 1, 2 + 4 + 8]
