@@ -15,6 +15,7 @@ from PIL import Image
 
 from fixel.base import interpreter
 from fixel.base.children import start
+from fixel.board import own_run
 from fixel.image import image as scene_image
 from fixel.scene import making
 from fixel.view import browser
@@ -114,7 +115,7 @@ def fixture_programs(build, tmp_path_factory):
 def words(folder):
     """Those of the command; make gives the program's name."""
     path = folder / "cubes.c"
-    return "--program", "own-" + str(path).replace("/", "_").replace(".", "-"), "--source", path
+    return "--program", f"own-{own_run.name_of(path)}", "--source", path
 
 
 @pytest.fixture(name="window", scope="module")
