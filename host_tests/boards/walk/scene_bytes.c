@@ -139,7 +139,7 @@ void scene_bytes_make(scene_bytes *scene, uint32_t instances, const fxl_pose *po
     memset(scene, 0, sizeof *scene);
     scene->size = HEADER + ENTRY * SECTIONS;
     memcpy(scene->words, "FXLS", 4);
-    put16(scene, 4, 8);
+    put16(scene, 4, 9);
     put16(scene, 6, SECTIONS);
     put16(scene, 16, SCENE_WIDTH);
     put16(scene, 18, SCENE_HEIGHT);
