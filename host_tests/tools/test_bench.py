@@ -236,7 +236,7 @@ def test_a_change_changes_the_scene(tmp_path, change):
     if change in ("smooth", *bench_changes.POINTS):
         path, before = "bench/scenes/egg.toml", []
     else:
-        path, before = "bench/scenes/tqp.toml", ["rgb565"] if change == "16 bits" else []
+        path, before = "bench/scenes/tqp.toml", ["rgb565"] if change in ("16 bits", "added") else []
     made = [image.pack(bench_changes.compile_file(CHECKOUT / path, names, tmp_path)) for names in (before, [*before, change])]
     assert made[0] != made[1]
 

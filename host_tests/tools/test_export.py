@@ -21,15 +21,15 @@ COMPILERS = [["gcc", "-std=c11"], ["gcc", "-std=c2x"], ["clang", "-std=c11", "-W
              ["g++", "-std=c++11", "-Wold-style-cast"], ["g++", "-std=c++17", "-Wold-style-cast"],
              ["clang++", "-std=c++11", "-Wold-style-cast"], ["clang++", "-std=c++17", "-Wmissing-variable-declarations"]]
 # Convex and sorted models, instances, layers; a mesh; beams and lit colours; a tree; clusters; placements and motions; light.
-SCENES = {"cube": (CUBE, None), "plaza": (ROOT / "scenes" / "plaza.toml", None),
-          "w3": (ROOT / "scenes" / "w3.toml", None), "beam": (ROOT / "scenes" / "beam.toml", None),
-          "knot": (ROOT / "scenes" / "knot.toml", "all"), "f32": (ROOT / "scenes" / "f32.toml", None),
-          "placements": (ROOT / "host_tests" / "fuzz" / "scenes" / "placements.toml", None),
-          "light": (ROOT / "host_tests" / "fuzz" / "scenes" / "light.toml", None),
-          "sun": (ROOT / "host_tests" / "tools" / "sun.toml", None),
-          "surfaces": (ROOT / "host_tests" / "tools" / "surfaces.toml", None),
-          "texels": (ROOT / "host_tests" / "fuzz" / "scenes" / "texels.toml", None),
-          "billboards": (ROOT / "host_tests" / "fuzz" / "scenes" / "billboards.toml", None)}
+EXPORTED = {"cube": (CUBE, None), "plaza": (ROOT / "scenes" / "plaza.toml", None),
+            "w3": (ROOT / "scenes" / "w3.toml", None), "beam": (ROOT / "scenes" / "beam.toml", None),
+            "knot": (ROOT / "scenes" / "knot.toml", "all"), "f32": (ROOT / "scenes" / "f32.toml", None),
+            "placements": (ROOT / "host_tests" / "fuzz" / "scenes" / "placements.toml", None),
+            "light": (ROOT / "host_tests" / "fuzz" / "scenes" / "light.toml", None),
+            "sun": (ROOT / "host_tests" / "tools" / "sun.toml", None),
+            "surfaces": (ROOT / "host_tests" / "tools" / "surfaces.toml", None),
+            "texels": (ROOT / "host_tests" / "fuzz" / "scenes" / "texels.toml", None),
+            "billboards": (ROOT / "host_tests" / "fuzz" / "scenes" / "billboards.toml", None)}
 
 
 @functools.cache
@@ -50,11 +50,11 @@ def printed(program, *arguments):
     return subprocess.run([program, *arguments], capture_output=True, text=True, check=True).stdout
 
 
-@pytest.fixture(scope="module", params=SCENES)
-def exported(request, tmp_path_factory):
+@pytest.fixture(scope="module", params=EXPORTED, name="exported")
+def fixture_exported(request, tmp_path_factory):
     """A scene's header, made from a .toml or .obj, and its image."""
     name, folder = request.param, tmp_path_factory.mktemp(request.param)
-    file, layers = SCENES[name]
+    file, layers = EXPORTED[name]
     scene, _ = compiler.compile_scene(str(file), None, None, layers, "program")
     (folder / "scene.fxls").write_bytes(image.pack(scene))
     frames = len(scene.path) if scene.path_kind == image.POSES else None
