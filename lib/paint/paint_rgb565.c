@@ -238,7 +238,7 @@ typedef struct {
     int64_t weight, u, v;
 } column_numbers;
 
-static inline int64_t sum(int64_t a, int64_t b)
+static inline int64_t sum_64(int64_t a, int64_t b)
 {
     return (int64_t)((uint64_t)a + (uint64_t)b);
 }
@@ -252,9 +252,9 @@ static inline int64_t shifted_left(int64_t value, uint32_t bits)
 static inline column_numbers after(const column_numbers *at, const column_numbers *step,
                                    uint32_t columns)
 {
-    const column_numbers next = {sum(at->weight, fxl_multiply_s64_u16(step->weight, columns)),
-                                 sum(at->u, fxl_multiply_s64_u16(step->u, columns)),
-                                 sum(at->v, fxl_multiply_s64_u16(step->v, columns))};
+    const column_numbers next = {sum_64(at->weight, fxl_multiply_s64_u16(step->weight, columns)),
+                                 sum_64(at->u, fxl_multiply_s64_u16(step->u, columns)),
+                                 sum_64(at->v, fxl_multiply_s64_u16(step->v, columns))};
     return next;
 }
 
@@ -263,7 +263,7 @@ static inline uint32_t log_of(const fxl_paint *paint, int64_t weight)
 {
     const fxl_gradients *gradients = paint->gradients;
     const uint32_t left = upper_weight(weight);
-    const uint32_t right = upper_weight(sum(weight, shifted_left(gradients->weight.along, 4)));
+    const uint32_t right = upper_weight(sum_64(weight, shifted_left(gradients->weight.along, 4)));
     uint32_t least[3];
     if (paint->division == FXL_DIVIDE_16 && left >= gradients->weight_min[0] &&
         right >= gradients->weight_min[0]) {
@@ -325,9 +325,9 @@ static uint32_t find_lines(const fxl_paint *paint, const fxl_paint_row *row, uin
         const uint32_t skipped = x0 - column;
         texel_line *line = &lines[found++];
         column += 1u << log;
-        at.weight = sum(at.weight, step.weight);
-        at.u = sum(at.u, step.u);
-        at.v = sum(at.v, step.v);
+        at.weight = sum_64(at.weight, step.weight);
+        at.u = sum_64(at.u, step.u);
+        at.v = sum_64(at.v, step.v);
         divide(&at, u_drop, v_drop, &u1, &v1);
         line->u_step = (uint32_t)((int32_t)((uint32_t)u1 - (uint32_t)u0) >> log);
         line->v_step = (uint32_t)((int32_t)((uint32_t)v1 - (uint32_t)v0) >> log);
