@@ -2,6 +2,7 @@
 /* Counts of what a scene may ask for: a depth buffer, billboards, beams of light; and of turned
  * faces that are placed in the world for those and for light. */
 #include "clip/split.h"
+#include "draw/depth_plane.h"
 #include "draw/surface_polygon.h"
 #include "draw/submit.h"
 #include "math/plane.h"
@@ -43,10 +44,10 @@ WRAPPED_COUNT(bool, fxl_corner_planes_linear,
                fxl_depth_plane *depth),
               (planes, light, gradients, depth), counted.small_linear += 1)
 
-WRAPPED_COUNT_VOID(void, fxl_find_depth_by_normal,
-                   (const fxl_model_view *model_view, const fxl_face *face,
-                    const fxl_traversal *traversal, fxl_depth_plane *plane),
-                   (model_view, face, traversal, plane), counted.depth_planes += 1)
+WRAPPED_COUNT_VOID(void, fxl_find_depth_plane,
+                   (const fxl_direction *normal, const fxl_axes *axes,
+                    const fxl_view_point *corner, const fxl_view *view, fxl_depth_plane *plane),
+                   (normal, axes, corner, view, plane), counted.depth_planes += 1)
 
 WRAPPED(void, fxl_depth_draw_parts,
         (const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band,
