@@ -383,7 +383,7 @@ static inline __attribute__((always_inline)) void show_lines(const fxl_paint *pa
 /* Whether neighbouring texels are shown by lines. */
 static inline bool has_lines(const fxl_paint *paint)
 {
-    const uint32_t others = (uint32_t)FXL_TEXTURE_CLAMP | FXL_LEVEL_IN_BEAM;
+    const uint32_t clamp = FXL_TEXTURE_CLAMP, others = clamp | FXL_LEVEL_IN_BEAM;
     return !FXL_IS_COMPACT && paint->opacity == 16 && paint->level.texels != NULL &&
            paint->level.colours == NULL && (paint->level.flags & others) == 0 &&
            paint->of_565.part_of_level == 0;
