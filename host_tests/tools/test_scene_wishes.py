@@ -17,7 +17,7 @@ from fixel.base.errors import ToolError
 from fixel.board.programs import HostPrograms
 from test_scene_mesh import ONE
 
-BUILT_PROGRAMS = ("host/frames", "host/judge")
+BUILT_PROGRAMS = ("host/frames", "host/judge", "host/raycast")
 
 
 # A bar through a ball, and a ring about it.
