@@ -99,13 +99,18 @@ COSTS_LIB := $(patsubst %,lib/%,$(call LIB_NEEDED,$(wildcard bench/firmware/*.c)
 # same library. $(1): the core, $(2): a folder of the bench, with a slash, or nothing.
 BENCH_CHOICE_OF.os/ := -Os
 BENCH_CHOICE_OF.small/ := $(BENCH_SMALL)
+BENCH_CHOICE_OF.small-lto/ := $(BENCH_SMALL)
 BENCH_CHOICE_OF.arduino/ := -Os -DFXL_COMPACT=0
 BENCH_LIB_OUT = $(or $(addprefix $(CORE_OUT)/,$(filter $(call CORE_NAME_OF_FLAGS,$(BENCH_FLAGS.$(1)) $(if $(2),$(BENCH_CHOICE_OF.$(2)))),\
     $(CORES_SHARED))),$(BENCH_OUT)/$(1)$(2:%/=/%))/lib
 # $(1): the core, $(2): names of objects.
 BENCH_PLACES = $(patsubst $(BENCH_OUT)/$(1)/small/lib/%,$(call BENCH_LIB_OUT,$(1),small/)/%,\
     $(patsubst $(BENCH_OUT)/$(1)/arduino/lib/%,$(call BENCH_LIB_OUT,$(1),arduino/)/%,$(patsubst $(BENCH_OUT)/$(1)/os/lib/%,$(call BENCH_LIB_OUT,$(1),os/)/%,\
-    $(patsubst $(BENCH_OUT)/$(1)/lib/%,$(call BENCH_LIB_OUT,$(1))/%,$(patsubst %,$(BENCH_OUT)/$(1)/%.o,$(filter-out $(call LIB_FOREIGN,$(BENCH_FLAGS.$(1))),$(2)))))))
+    $(patsubst $(BENCH_OUT)/$(1)/lib/%,$(call BENCH_LIB_OUT,$(1))/%,$(patsubst %,$(BENCH_OUT)/$(1)/%.o,$(filter-out $(call BENCH_EMPTY,$(1),$(2)),$(2)))))))
+# Those of the library that have no contents for a core, in each folder of which there are names in $(2).
+BENCH_EMPTY = $(foreach lib,lib $(patsubst %,%lib,os/ small/ small-lto/ arduino/),$(if $(filter $(lib)/%,$(2)),\
+    $(addprefix $(lib)/,$(call LIB_EMPTY,bench-$(1)-$(lib),$(call BENCH_CROSS,$(1))gcc $(BENCH_FLAGS.$(1)) $(BENCH_OPTIMISE) $(BENCH_CHOICE_OF.$(lib:lib=)),\
+    $(call LIB_TUNE,$(BENCH_FLAGS.$(1)))))))
 # $(1): the core, $(2): the program.
 BENCH_OBJECTS_OF = $(call BENCH_PLACES,$(1),program $(BENCH_OBJECTS.$(2)) \
     $(if $(filter $(2),$(BENCH_C_LIBRARY)),,memory_functions))

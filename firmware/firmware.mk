@@ -99,7 +99,10 @@ FIRMWARE_CFLAGS := $(WARNINGS) -O2 -g -ffunction-sections -fdata-sections -fstac
 # lib/draw/offsets.c is no part of a program: it asserts what kernels in assembly assume.
 # $(1): a board, $(2): the program's sources, and records of the library that it names by a macro.
 LIB_OBJECTS_OF = $(if $(filter host,$(call CORE_NAME,$(1))),$(call LIB_HOST_NEEDED,$(BOARD_SOURCES.$(1)) $(2)),\
-    $(patsubst %,$(BOARD_CORE_OUT)/lib/%.o,$(filter-out $(call LIB_FOREIGN,$(BOARD_CORE.$(1))),draw/offsets $(call LIB_NEEDED,$(BOARD_SOURCES.$(1)) $(2)))))
+    $(patsubst %,$(BOARD_CORE_OUT)/lib/%.o,$(filter-out $(call CORE_EMPTY,$(notdir $(BOARD_CORE_OUT))),draw/offsets $(call LIB_NEEDED,$(BOARD_SOURCES.$(1)) $(2)))))
+# $(1): the name of a core.
+CORE_EMPTY = $(call LIB_EMPTY,$(1),$(CORE_CC.$(1)),$(CORE_TUNE.$(1)))
+CORE_LIB_NAMES = $(filter-out $(call CORE_EMPTY,$(1)),$(LIB_NAMES))
 
 # No object names the folder of the checkout: what it says of its source is relative to that folder.
 # For assembly the compiler does not pass that on.
@@ -307,7 +310,7 @@ endef
 OWN_WRAPPED := main fxl_frame_begin fxl_frame_fill fxl_frame_draw fxl_render
 OWN_CC = $(filter-out -std=% -W% -fdata-sections,$(CORE_CC.$(call CORE_NAME,$(1)))) -std=gnu11 -Wall
 OWN_LIB_OF = $(if $(BOARD_HOSTED.$(1)),$(BUILD)/host/objects/lib,$(BOARD_CORE_OUT)/lib)
-OWN_LIB_NAMES_OF = $(filter-out study/% draw/offsets,$(if $(BOARD_HOSTED.$(1)),$(LIB_HOST_NAMES),$(call LIB_NAMES_FOR,$(BOARD_CORE.$(1)))))
+OWN_LIB_NAMES_OF = $(filter-out study/% draw/offsets,$(if $(BOARD_HOSTED.$(1)),$(LIB_HOST_NAMES),$(call CORE_LIB_NAMES,$(notdir $(BOARD_CORE_OUT)))))
 OWN_OBJECT_OF = $(FIRMWARE_OUT)/$(1)/own/$(call OWN_NAME_OF,$(2)).o
 
 OWN_REST_OF = $(FIRMWARE_OUT)/$(1)/firmware/own/colours.o $(patsubst %,$(OWN_LIB_OF)/%.o,$(OWN_LIB_NAMES_OF)) $(FIRMWARE_OUT)/$(1)/libown.a

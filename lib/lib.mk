@@ -11,10 +11,13 @@ LIB_HEADERS := $(wildcard lib/include/*.h lib/include/fixel/*.h lib/include/fixe
 LIB_SOURCES := $(sort $(wildcard lib/*/*.c lib/*/*.S))
 LIB_NAMES := $(basename $(LIB_SOURCES:lib/%=%))
 
-# The kernels of other families of cores, which have no contents for this one. $(1): the compiler's flags that choose it.
-LIB_THUMB1 := cortex-m0 cortex-m0plus cortex-m1 cortex-m23
-LIB_FOREIGN = $(if $(filter -mcpu=%,$(1)),$(if $(filter $(LIB_THUMB1:%=-mcpu=%),$(1)),%_armv7m %_mve,%_armv6m),%_armv6m %_armv7m %_mve)
-LIB_NAMES_FOR = $(filter-out $(call LIB_FOREIGN,$(1)),$(LIB_NAMES))
+# Those that have no contents for a core: the compiler says which, once in a make. $(1): a name of the core's library, under
+# which the answer is kept, $(2): the compiler and its flags, $(3): flags of C alone. Without an answer all are compiled.
+LIB_CONDITIONS := $(BUILD)/lib_conditions
+LIB_EMPTY = $(if $(LIB_EMPTY.$(1)),,$(eval LIB_EMPTY.$(1) := none $$(call LIB_EMPTY_OF,$(call LIB_READ,$(2) $(3),.c) $(call LIB_READ,$(2),.S))))$(LIB_EMPTY.$(1))
+LIB_EMPTY_OF = $(if $(filter 2,$(words $(filter $(notdir $(LIB_CONDITIONS)).%,$(1)))),$(filter-out $(1),$(LIB_CONDITIONAL)))
+LIB_READ = $(if $(wildcard $(LIB_CONDITIONS)$(2)),$(shell $(filter-out -MMD -MP,$(1)) -w -I. -Ilib/include -E -P $(LIB_CONDITIONS)$(2) 2>/dev/null | sed -n 's/^fxl_text_of //p'))
+LIB_NAMES_FOR = $(filter-out $(LIB_EMPTY),$(LIB_NAMES))
 
 # Which of them a program needs: lib/needs.py finds it in the sources, once for a state of them. $(1): sources of the
 # program, or names of records of the library.
@@ -24,6 +27,12 @@ LIB_USERS := $(wildcard boards/*/*.c firmware/*/*.c examples/*/*.c bench/firmwar
 $(BUILD)/lib_needs.mk: lib/needs.py $(LIB_SOURCES) $(wildcard lib/*/*.h) $(LIB_HEADERS) $(LIB_USERS)
 	$(MAKE_FOLDER)
 	@python3 $< $(LIB_SOURCES) -- $(LIB_USERS) > $@.$$$$ && mv $@.$$$$ $@
+$(LIB_CONDITIONS).mk: lib/needs.py $(LIB_SOURCES) $(wildcard lib/*/*.h)
+	$(MAKE_FOLDER)
+	@python3 $< --conditions $(@:.mk=) $(LIB_SOURCES)
+ifneq ($(filter-out help $(filter-out lib,$(COMMANDS)),$(MAKECMDGOALS)),)
+include $(LIB_CONDITIONS).mk
+endif
 ifneq ($(filter-out help $(COMMANDS),$(MAKECMDGOALS)),)
 include $(BUILD)/lib_needs.mk
 endif
@@ -55,7 +64,7 @@ endef
 
 # --- build/host/{libfixel.a,libfixel_study.a}, for the host's programs ----------
 
-LIB_HOST_NAMES := $(call LIB_NAMES_FOR)
+LIB_HOST_NAMES := $(call LIB_NAMES_FOR,host,$(HOSTCC) -O2)
 HOST_LIBRARIES := $(BUILD)/host/libfixel_study.a $(BUILD)/host/libfixel.a
 
 $(eval $(call LIB_RULES,$(BUILD)/host/objects/lib,$$(HOSTCC) $$(LIB_CFLAGS) $$(call LIB_TUNE) -O2 -g1 $$(RELATIVE_PATHS) -c $$< -o $$@,,$$(SAY)))
@@ -95,7 +104,6 @@ LIB_CROSS := $(if $(filter lib-riscv,$(LIB_SETUP)),$(or $(filter-out arm-none-ea
 LIB_CC := $(if $(filter host,$(LIB_CORE)),$(HOSTCC),$(LIB_CROSS)gcc)
 LIB_AR := $(if $(filter host,$(LIB_CORE)),ar,$(LIB_CROSS)ar)
 LIB_OPTIMISE := $(if $(SIZE),-Os -DFXL_SMALL,-O2)
-LIB_OBJECTS := $(patsubst %,$(LIB_OUT)/objects/%.o,$(call LIB_NAMES_FOR,$(LIB_CORE_FLAGS)))
 
 .PHONY: lib
 ifneq ($(and $(filter unknown,$(LIB_CORE)),$(filter lib,$(MAKECMDGOALS))),)
@@ -113,12 +121,14 @@ $(LIB_OUT)/flags: FORCE | set-up-lib
 
 # Whether the library is compact (fixel/config.h), by the last -O of the flags: C and assembly are told alike.
 LIB_COMPACT = -DFXL_COMPACT=$(if $(filter -Os -Oz,$(lastword $(filter -O%,$(1)))),1,0)
-LIB_COMPILE = $(LIB_CC) $(LIB_CFLAGS) $(call LIB_COMPACT,$(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS)) $(LIB_OPTIMISE) \
-    $(LIB_CORE_FLAGS) $(LIB_FLAGS) $(call LIB_TUNE,$(LIB_CORE_FLAGS)) \
+LIB_CHOSEN = $(call LIB_COMPACT,$(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS)) $(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS)
+LIB_COMPILE = $(LIB_CC) $(LIB_CFLAGS) $(LIB_CHOSEN) $(call LIB_TUNE,$(LIB_CORE_FLAGS)) \
     -ffunction-sections -fdata-sections -fstack-usage -c
 
 $(eval $(call LIB_RULES,$(LIB_OUT)/objects,$$(LIB_COMPILE) $$< -o $$@,$(LIB_OUT)/flags,$$(SAY)))
 
+LIB_OBJECTS := $(if $(filter lib $(LIB_OUT)/%,$(MAKECMDGOALS)),$(patsubst %,$(LIB_OUT)/objects/%.o,\
+    $(call LIB_NAMES_FOR,lib,$(LIB_CC) $(LIB_CHOSEN),$(call LIB_TUNE,$(LIB_CORE_FLAGS)))))
 $(LIB_OUT)/libfixel.a: $(filter-out $(LIB_OUT)/objects/study/%,$(LIB_OBJECTS))
 $(LIB_OUT)/libfixel_study.a: $(filter $(LIB_OUT)/objects/study/%,$(LIB_OBJECTS))
 $(LIB_OUT)/libfixel.a $(LIB_OUT)/libfixel_study.a:

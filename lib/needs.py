@@ -3,6 +3,7 @@
 """Which sources of the library a program needs, so that make compiles no others for it.
 
     needs.py LIBRARY_SOURCE... -- PROGRAM_SOURCE... > needs.mk
+    needs.py --conditions FILE LIBRARY_SOURCE...
 
 Writes a variable of make for each source of a program, and for each record of the library, by which make chooses a
 clipper, a visibility method or a driver: LIB_NEEDS.<source or record> := the library's sources without lib/ and ending.
@@ -12,6 +13,10 @@ UNIT_HELPERS.<source> := their names without folder and ending.
 A source needs another if it, or the code in a header that it includes, contains a name that the other defines. No
 condition of the preprocessor is heeded, so a source may be named that no core needs. If one were missed, the program
 would not link.
+
+Of the sources all of whose lines stand under conditions, some have none for a core. --conditions writes FILE.c and FILE.S, with the
+conditions of those in C and of those in assembly, and FILE.mk: LIB_CONDITIONAL := their names. In what a compiler's preprocessor prints
+of FILE.c and FILE.S, "fxl_text_of" stands before the name of each source that has lines for its core, and at the end before FILE.c and FILE.S.
 """
 
 import functools
@@ -34,6 +39,10 @@ RECORD = re.compile(r"\b(fxl_\w+)\s*(?:\[[^\]]*\]\s*)*=")
 NAMED_BY_MACRO = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]+(fxl_\w+)[ \t]*$", re.MULTILINE)
 PASTES = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)\((\w+)\)[ \t]+\(&\2##(\w+)\)", re.MULTILINE)     # FXL_SURFACES_OF
 IN_PLACE = re.compile(r"\bFXL_IN_PLACE(?:_LARGE)?\b[^;{}()]*\b(fxl_\w+)\s*\(")      # lib/math/arith.h
+STRING = re.compile(r'"(?:\\.|[^"\\\n])*"')
+WORD = re.compile(r"\w+")
+ATTRIBUTE = re.compile(r"__attribute__\s*\(\(.*?\)\)", re.DOTALL)
+OWN_FUNCTION = re.compile(r"\b(?:static|FXL_IN_PLACE|FXL_IN_PLACE_LARGE|FXL_ONCE|FXL_APART)\b[^()]*?(\w+)\s*\(")
 LABEL = re.compile(r"^\s*\.glob(?:a|)l\s+(fxl_\w+)", re.MULTILINE)
 
 
@@ -45,18 +54,20 @@ def text_of(file):
 
 @functools.cache
 def split_at_braces(text):
-    """(what stands outside of all braces, with {} for each pair, what stands inside)."""
+    """(what stands outside of all braces, with {} for each pair, what stands inside: [(the text before the brace, the text inside)])."""
     outside, inside, depth = [], [], 0
     for part in re.split(r"([{}])", DIRECTIVE.sub("", text)):
         if part == "{":
-            outside += ["{"] * (not depth)
+            if depth == 0:
+                inside.append((outside[-1] if outside else "", []))
+                outside.append("{")
             depth += 1
         elif part == "}":
             depth -= 1
             outside += ["}"] * (not depth)
         else:
-            (inside if depth > 0 else outside).append(part)
-    return "".join(outside), " ".join(inside)
+            (inside[-1][1] if depth > 0 else outside).append(part)
+    return "".join(outside), [(before, " ".join(parts)) for before, parts in inside]
 
 
 @functools.cache
@@ -73,10 +84,22 @@ def included(file):
 
 
 @functools.cache
-def names_in_header(file):
-    """The names in a header's code: it declares more than who includes it uses."""
-    text = text_of(file)
-    return set(NAME.findall(split_at_braces(text)[1])) | set(NAME.findall(" ".join(MACRO.findall(text))))
+def words_of(text):
+    """The words of a text that stand in no string."""
+    return frozenset(WORD.findall(STRING.sub(" ", text)))
+
+
+@functools.cache
+def parts_of(header):
+    """{a macro, or a function that each source has for itself: the words of what it stands for; None: those of the rest of the code}."""
+    found = {None: set()}
+    for macro in MACRO.findall(text_of(header)):
+        name, *words = WORD.findall(STRING.sub(" ", macro))[1:]
+        found.setdefault(name, set()).update(words)
+    for before, body in split_at_braces(text_of(header))[1]:
+        own = OWN_FUNCTION.search(ATTRIBUTE.sub("", before.rpartition(";")[2])) if not before.rstrip().endswith("=") else None
+        found.setdefault(own and own[1], set()).update(words_of(body))
+    return found
 
 
 def pasted_names(file):
@@ -94,9 +117,17 @@ def pasted_names(file):
 
 @functools.cache
 def names_in(file):
-    """All names that the code of a source may use."""
-    found = set(NAME.findall(text_of(file))) | pasted_names(file)
-    return found.union(*(names_in_header(header) for header in included(file) - {file}))
+    """All names that the code of a source may use. A header has more than who includes it uses: of its macros, and of the functions
+    that each source has for itself, those count that are named."""
+    parts = [parts_of(header) for header in included(file) - {file}]
+    words = set(words_of(text_of(file))).union(*(each[None] for each in parts))
+    waiting = list(words)
+    while waiting:
+        word = waiting.pop()
+        more = set().union(*(each[word] for each in parts if word in each)) - words
+        words |= more
+        waiting += more
+    return {word for word in words if NAME.fullmatch(word)} | pasted_names(file)
 
 
 def definitions(sources):
@@ -125,7 +156,7 @@ def closure(names, where):
         for source in where.get(waiting.pop(), set()) - needed:
             needed.add(source)
             waiting += names_in(source)
-    return sorted(os.path.splitext(source)[0].removeprefix("lib/") for source in needed)
+    return sorted(_name(source) for source in needed)
 
 
 @functools.cache
@@ -141,7 +172,59 @@ def with_helpers(source):
     return sorted(found)
 
 
+def _lines(source):
+    """The directives of a source, with None for other lines; one in assembly may include another, whose lines stand there."""
+    for line in re.split(r"(?<!\\)\n", text_of(source)):
+        include = INCLUDE.match(line)
+        if include and include[1].endswith(".S"):
+            yield from _lines(os.path.normpath(os.path.join(os.path.dirname(source), include[1])))
+        elif line.lstrip().startswith("#"):
+            yield line.strip()
+        elif line.strip() and not line.lstrip().startswith(".global"):
+            yield None
+
+
+def conditions(source):
+    """What of a source its preprocessor must read to find whether it has lines for a core, or nothing: it has some for each."""
+    found, depth, defined = [], 0, set()
+    for line in _lines(source):
+        word = re.match(r"#\s*(\w+)\s*(\w*)", line or "#")
+        if line is None:
+            if depth == 0:
+                return []
+            found += [f"fxl_text_of {_name(source)}"] * (not found[-1].startswith("fxl_text_of"))
+            continue
+        if word[1] == "include":
+            name = INCLUDE.match(line)[1]
+            paths = (os.path.normpath(os.path.join(folder, name)) for folder in (os.path.dirname(source), *FOLDERS))
+            line = next((f'#include "{path}"' for path in paths if os.path.isfile(path)), line)
+        depth += word[1].startswith("if") - (word[1] == "endif")
+        defined |= {word[2]} if word[1] == "define" else set()
+        found.append(line)
+    return [*found, *(f"#undef {name}" for name in sorted(defined))] if any(line.startswith("fxl_text_of") for line in found) else []
+
+
+def _name(source):
+    return os.path.splitext(source)[0].removeprefix("lib/")
+
+
+def write_conditions(file, sources):
+    """FILE.c, FILE.S and FILE.mk. A make may read them while another writes them."""
+    found = {source: lines for source in sources if (lines := conditions(source))}
+    texts = {".mk": [f"LIB_CONDITIONAL := {' '.join(map(_name, found))}"]}
+    for ending in (".c", ".S"):
+        texts[ending] = [*(line for source in found if source.endswith(ending) for line in found[source]),
+                         f"fxl_text_of {os.path.basename(file)}{ending}"]
+    for ending in (".c", ".S", ".mk"):
+        new = f"{file}{ending}.{os.getpid()}"
+        pathlib.Path(new).write_text("\n".join([*texts[ending], ""]), encoding="utf-8")
+        os.replace(new, file + ending)
+
+
 def main(argv):
+    if argv[0] == "--conditions":
+        write_conditions(argv[1], argv[2:])
+        return
     division = argv.index("--")
     where, records = definitions(argv[:division])
     for source in argv[division + 1:]:

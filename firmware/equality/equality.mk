@@ -32,7 +32,7 @@ EQUALITY_CFLAGS := -Ifirmware/equality -ffreestanding -DFXL_ASSERT_HOOK
 # say which they have.
 define EQUALITY_PORTABLE_RULES
 $(call LIB_RULES,$(EQUALITY_OUT)/portable/$(1),$$(call FIRMWARE_COMPILE,$(call BENCH_CROSS,$(1))gcc $$(BENCH_FLAGS.$(1)) $$(filter-out -g,$$(BENCH_CFLAGS)) $$(EQUALITY_CFLAGS) $$(EQUALITY_PORTABLE_CFLAGS)),firmware/equality/equality.mk)
-$(EQUALITY_OUT)/portable/$(1).a: $(patsubst %,$(EQUALITY_OUT)/portable/$(1)/%.o,$(filter-out $(call LIB_FOREIGN),$(EQUALITY_NAMES)))
+$(EQUALITY_OUT)/portable/$(1).a: $(patsubst %,$(EQUALITY_OUT)/portable/$(1)/%.o,$(filter-out $(call LIB_EMPTY,portable-$(1),$(call BENCH_CROSS,$(1))gcc $(BENCH_FLAGS.$(1)) $(EQUALITY_PORTABLE_CFLAGS)),$(EQUALITY_NAMES)))
 	@rm -f $$@ $$@.fxl
 	@$(call BENCH_CROSS,$(1))ar rcs $$@.fxl $$^
 	@$(call BENCH_CROSS,$(1))nm -g --defined-only $$@.fxl | sed -n 's/.* \(fxl_\([a-zA-Z0-9_]*\)\)$$$$/\1 portable_\2/p' > $$@.names

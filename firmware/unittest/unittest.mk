@@ -53,7 +53,7 @@ UNIT_OBJCOPY.libtests.a := $(UNIT_OBJCOPY.libhelpers.a) --wildcard --keep-global
 
 define CORE_TEST_RULES
 $(CORE_OUT)/$(1)/unit/libhelpers.a: $(BOARD_TEST_HELPERS:%.c=$(CORE_OUT)/$(1)/unit/%.o)
-$(CORE_OUT)/$(1)/unit/libfixel.a: $(patsubst %,$(BOARD_TEST_LIB)/%.o,$(call LIB_NAMES_FOR,$(subst cpu-,-mcpu=,$(subst _, ,$(1)))))
+$(CORE_OUT)/$(1)/unit/libfixel.a: $(patsubst %,$(BOARD_TEST_LIB)/%.o,$(call CORE_LIB_NAMES,$(1)))
 $(CORE_OUT)/$(1)/unit/libtests.a: $(BOARD_TESTS:%=$(CORE_OUT)/$(1)/unit/%.o)
 $(addprefix $(CORE_OUT)/$(1)/unit/,libtests.a libhelpers.a libfixel.a):
 	$$(MAKE_FOLDER)
@@ -92,7 +92,7 @@ BOARD_TEST_PROGRAMS = $(FIRMWARE_QUIET)$(PY) firmware/unittest/programs.py --fol
 # With make test ONLY=, of the files of tests that are chosen alone (UNITS_CHOSEN): their objects, and what they need of the rest.
 UNITS_CHOSEN_SOURCES = $(UNITS_CHOSEN:%=host_tests/unit/%.c) $(UNITS_CHOSEN_HELPERS)
 UNITS_CHOSEN_HELPERS = $(sort $(foreach test,$(UNITS_CHOSEN),$(UNIT_HELPERS.host_tests/unit/$(test).c:%=host_tests/unit/%.c)))
-UNITS_CHOSEN_LIBRARY = $(filter $(call LIB_NAMES_FOR,$(BOARD_CORE.$(1))),$(call LIB_NEEDED,$(UNITS_CHOSEN_SOURCES)))
+UNITS_CHOSEN_LIBRARY = $(filter $(call CORE_LIB_NAMES,$(notdir $(BOARD_CORE_OUT))),$(call LIB_NEEDED,$(UNITS_CHOSEN_SOURCES)))
 
 define BOARD_TEST_RULES
 BOARD_UNITS_FOLDER.$(1) := $(FIRMWARE_OUT)/$(1)/unit

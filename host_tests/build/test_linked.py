@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What a program does not name it does not link, and make compiles of the library what the program needs and little else (lib/needs.py)."""
 
+import glob
+import os
 import re
 import subprocess
 import sys
@@ -20,6 +22,7 @@ int main(void)
 """
 MORE = {"fxl_bsp_check", "fxl_beam_check", "fxl_beams_fit", "fxl_cluster_check", "fxl_clusters", "fxl_list_clusters"}
 
+CROSS = os.environ.get("CROSS", "arm-none-eabi-")
 UNDEFINED, DEFINED = " U ", re.compile(r" [BDRTVW] ")
 
 
@@ -126,13 +129,16 @@ KINDS = {
     "a record": ({"lib/a/one.c": "const int fxl_one[2][3] = {0};"}, "void *p = &fxl_one;"),
     "a call of a call": ({"lib/a/one.c": "void fxl_one(void) { fxl_three(); }", "lib/a/three.c": "int fxl_three(int x)\n{\n}"},
                          "void main(void) { fxl_one(); }"),
-    "a header's code": ({"lib/a/one.c": "void fxl_one(void) { }"}, '#include "code.h"\n'),
-    "a header's macro": ({"lib/a/one.c": "void fxl_one(void) { }"}, '#include "macro.h"\n'),
+    "a header's code": ({"lib/a/one.c": "void fxl_one(void) { }"}, '#include "code.h"\nvoid main(void) { f(); }'),
+    "a header's macro": ({"lib/a/one.c": "void fxl_one(void) { }"}, '#include "macro.h"\nvoid main(void) { ONE(); }'),
+    "a header's function, named by its macro": ({"lib/a/one.c": "void fxl_one(void) { }"}, '#include "code.h"\n#include "macro.h"\nvoid main(void) { G(); }'),
+    "a header's record": ({"lib/a/one.c": "void fxl_one(void) { }"}, '#include "record.h"\n'),
     "code of a header, for a name": ({"lib/a/one.c": '#define THIS fxl_one\n#include "../include/this.h"\n'}, "int main = fxl_one;"),
-    "in place but for a small library": ({"lib/a/one.c": '#define FXL_HERE\n#include "../include/place.h"\n'}, '#include "code.h"\n'),
+    "in place but for a small library": ({"lib/a/one.c": '#define FXL_HERE\n#include "../include/place.h"\n'}, "int main = fxl_one;"),
     "assembly": ({"lib/a/one.S": "    .global fxl_one\nfxl_one:\n    b fxl_three\n", "lib/a/three.c": "int fxl_three(int x)\n{\n}"},
                  "void main(void) { fxl_one(); }")}
-HEADERS = {"code.h": HEADER % "static inline void f(void) { fxl_one(); }\n", "macro.h": HEADER % "#define ONE() \\\n    fxl_one()\n",
+HEADERS = {"code.h": HEADER % "static inline void f(void) { fxl_one(); }\n", "macro.h": HEADER % "#define ONE() \\\n    fxl_one()\n#define G() f()\n",
+           "record.h": HEADER % "static void (*const p[])(void) = {fxl_one};\n",
            "this.h": "const int THIS = {3};\n", "place.h": "FXL_IN_PLACE void fxl_one(int x)\n#if SMALL\n;\n#else\n{ }\n#endif\n"}
 
 
@@ -174,8 +180,13 @@ def test_a_name_that_a_macro_makes_of_its_own_argument_may_be_any(tmp_path):
 
 
 def test_comments_and_declarations_need_nothing(tmp_path):
-    found = needs(tmp_path, {"lib/a/two.c": "void fxl_two(void) { }"}, '#include "code.h"\n/* fxl_two(); */ // fxl_two();\n')
+    found = needs(tmp_path, {"lib/a/two.c": "void fxl_two(void) { }"}, '#include "code.h"\n/* fxl_two(); */ // fxl_two();\nchar *s = "fxl_two";')
     assert found == {"main.c": set()}
+
+
+@pytest.mark.parametrize("header", ["code.h", "macro.h"])
+def test_a_headers_functions_and_macros_that_a_program_does_not_name_need_nothing(tmp_path, header):
+    assert needs(tmp_path, {"lib/a/one.c": "void fxl_one(void) { }"}, f'#include "{header}"\n') == {"main.c": set()}
 
 
 def test_a_record_is_chosen_by_its_name(tmp_path):
@@ -187,5 +198,27 @@ def test_a_walk_is_built_without_what_it_never_calls(tmp_path):
     done = subprocess.run(["make", "-n", "V=1", f"BUILD={tmp_path}", f"{tmp_path}/boards/mps2-an385/walk.elf"], cwd=CHECKOUT,
                           capture_output=True, text=True, check=True)
     assert "/render.c" in done.stdout and "/offsets.c" in done.stdout and "/fill_rows_armv7m.S" in done.stdout
-    for name in ("slide.c", "clip_once.c", "pages.c", "world_change.c", "fill_rows_armv6m.S"):
+    for name in ("slide.c", "clip_once.c", "pages.c", "world_change.c", "fill_rows_armv6m.S", "fill_compact_armv7m.S", "depth_runs.c"):
         assert f"/{name}" not in done.stdout
+
+
+# A core of each kind of kernels; the last one has vectors.
+CORES = {"m0": "-mcpu=cortex-m0 -O2", "m3": "-mcpu=cortex-m3 -O2", "m3, compact": "-mcpu=cortex-m3 -Os", "m3, small": "-mcpu=cortex-m3 -Os -DFXL_SMALL",
+         "m55": "-mcpu=cortex-m55 -mfloat-abi=hard -O2"}
+
+
+@pytest.mark.parametrize("core", CORES)
+def test_what_a_core_has_no_text_of_is_not_compiled(tmp_path, core):
+    """Of the sources whose lines all stand under conditions: those that lib/needs.py finds empty, and no others, make an object without a name."""
+    sources = {os.path.splitext(name)[0].removeprefix("lib/"): name for name in sorted(glob.glob("lib/*/*.[cS]", root_dir=CHECKOUT))}
+    subprocess.run([sys.executable, "lib/needs.py", "--conditions", tmp_path / "x", *sources.values()], cwd=CHECKOUT, check=True)
+    compiler = [f"{CROSS}gcc", "-mthumb", "-masm-syntax-unified", *CORES[core].split(), "-w", "-I.", "-Ilib/include"]
+    printed = "".join(subprocess.run([*compiler, "-E", "-P", f"{tmp_path}/x{ending}"], cwd=CHECKOUT, text=True, capture_output=True, check=True).stdout
+                      for ending in (".c", ".S"))
+    full = set(re.findall(r"^fxl_text_of (\S+)$", printed, re.MULTILINE))
+    conditional = set((tmp_path / "x.mk").read_text(encoding="utf-8").split(" := ")[1].split())
+    assert {"x.c", "x.S"} < full and conditional - full and full - {"x.c", "x.S"} < conditional
+    for name in conditional - {"draw/offsets"}:         # assertions alone
+        subprocess.run([*compiler, "-c", sources[name], "-o", tmp_path / "x.o"], cwd=CHECKOUT, check=True)
+        names = subprocess.run([f"{CROSS}nm", "--defined-only", tmp_path / "x.o"], text=True, capture_output=True, check=True).stdout
+        assert (name in full) == (" T fxl_" in names), f"{name}: {names}"
