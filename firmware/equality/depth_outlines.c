@@ -5,6 +5,8 @@
  * be equal, also what lies around it.
  */
 
+#include <string.h>
+
 #include "equality.h"
 #include "paint/depth_rows.h"
 #include "paint/smooth_outline.h"
@@ -21,8 +23,8 @@
 
 typedef struct {
     fxl_depth_head head;
-    uint16_t cells[CELLS];
-    uint16_t pixels[CELLS + 2 * AROUND];
+    FXL_ALIGN_8 uint16_t cells[CELLS];
+    FXL_ALIGN_8 uint16_t pixels[CELLS + 2 * AROUND];
 } memory;
 
 static memory by_core, by_portable;
@@ -293,12 +295,14 @@ static void any_linear_plane(const fxl_band *band, fxl_depth_plane *plane)
     plane->gradient.at = (int32_t)(middle - (uint32_t)plane->gradient.down * band->first_row);
 }
 
-/* Cells of which nothing is drawn, or that are near the plane, or any. */
+/* Cells of which nothing is drawn, or that are near the plane, or any: those of the band and of two
+ * rows below it. The others keep what both sides have. */
 static void any_cells(const fxl_band *band, const fxl_depth_plane *plane)
 {
     const uint32_t kind = any_32() >> 8 & 7u;
+    const uint32_t count = (uint32_t)band->width * (band->rows + 2u);
     fxl_depth_octave octave;
-    for (uint32_t i = 0; i < CELLS; i++) {
+    for (uint32_t i = 0; i < CELLS && i < count; i++) {
         uint16_t cell = 0;
         if (kind >= 5 && (kind == 7 || (any_32() & 0x300u) == 0)) {
             const int32_t x = (int32_t)(i % band->width), y = (int32_t)(i / band->width);
@@ -378,14 +382,11 @@ static void any_colours(const fxl_band *band, polygon *of)
 
 static bool is_same(void)
 {
-    bool same = true;
-    for (uint32_t i = 0; i < CELLS; i++) {
-        same &= by_core.cells[i] == by_portable.cells[i];
-    }
-    for (uint32_t i = 0; i < CELLS + 2 * AROUND; i++) {
-        same &= by_core.pixels[i] == by_portable.pixels[i];
-        by_core.pixels[i] = by_portable.pixels[i] = 0;
-    }
+    const bool same =
+        equality_same_words(by_core.cells, by_portable.cells, sizeof by_core.cells) &&
+        equality_same_words(by_core.pixels, by_portable.pixels, sizeof by_core.pixels);
+    memset(by_core.pixels, 0, sizeof by_core.pixels);
+    memset(by_portable.pixels, 0, sizeof by_portable.pixels);
     return same;
 }
 

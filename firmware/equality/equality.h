@@ -64,6 +64,9 @@ EQUALITY_TESTS(EQUALITY_TEST)
 /* Counts one input, and whether both sides gave the same result. */
 void equality_case(bool same);
 
+/* Returns whether two memories of whole words hold the same. */
+bool equality_same_words(const void *a, const void *b, uint32_t bytes);
+
 /* Returns the number of inputs in this test. */
 uint32_t equality_cases(void);
 

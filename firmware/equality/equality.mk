@@ -13,8 +13,8 @@ EQUALITY_CORE = $(patsubst %-os,%,$(patsubst %-small,%,$(1)))
 EQUALITY_LIB = $(EQUALITY_NAMES:%=$(if $(filter %-small,$(1)),small/,$(if $(filter %-os,$(1)),os/))lib/%)
 EQUALITY_FLAGS = $(if $(filter %-small,$(1)),BENCH_CC_SMALL,$(if $(filter %-os,$(1)),BENCH_CC_OS,BENCH_CC))
 
-# The rooms with kernels; a program here names nothing of the others.
-EQUALITY_NAMES := $(filter math/% scene/% view/% clip/% raster/% paint/% draw/% screen/row_to_16%,$(LIB_NAMES))
+# What of the library the programs name.
+EQUALITY_NAMES := $(call LIB_NEEDED,$(wildcard firmware/equality/*.c))
 
 # The program's own.
 EQUALITY_OBJECTS := $(patsubst %.c,%.o,$(notdir $(filter-out %/sides.c,$(wildcard firmware/equality/*.c)))) core.o portable.o

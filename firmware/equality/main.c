@@ -34,6 +34,19 @@ void equality_case(bool same)
     differences += !same;
 }
 
+typedef uint32_t __attribute__((may_alias)) word;
+
+/* By memcmp, which goes by bytes, some kernels' tests took half of their time. */
+bool equality_same_words(const void *a, const void *b, uint32_t bytes)
+{
+    const word *left = a, *right = b;
+    word differ = 0;
+    for (uint32_t i = 0; i < bytes / sizeof(word); i++) {
+        differ |= left[i] ^ right[i];
+    }
+    return differ == 0;
+}
+
 uint32_t equality_cases(void)
 {
     return cases;

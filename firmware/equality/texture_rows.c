@@ -38,13 +38,9 @@ static int64_t any_value(void)
 
 static bool is_same(void)
 {
-    bool same = true;
-    for (uint32_t y = 0; y < ROWS; y++) {
-        for (uint32_t i = 0; i < sizeof by_core[0]; i++) {
-            same &= by_core[y][i] == by_portable[y][i];
-            by_core[y][i] = by_portable[y][i] = 0xA5;
-        }
-    }
+    const bool same = equality_same_words(by_core, by_portable, sizeof by_core);
+    memset(by_core, 0xA5, sizeof by_core);
+    memset(by_portable, 0xA5, sizeof by_portable);
     return same;
 }
 
