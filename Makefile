@@ -543,7 +543,7 @@ equality: ## compare every kernel of every core with the portable one, on the em
 fuzz: ## fuzz the scene loader, the whole pipeline and the tools' input, print the branches reached [RUNS=10000 EXAMPLES=1500 JOBS= CLUSTER= FRESH=1]
 	@$(SET_UP) fuzz
 	@$(MAKE) $(FUZZ_PROGRAMS) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%)
-	@$(TOOL) fuzz --examples $(FUZZ_TOOLS_EXAMPLES) --build $(BUILD) --clang '$(FUZZ_CLANG)'
+	@$(TOOL) fuzz --examples $(FUZZ_TOOLS_EXAMPLES) --build $(BUILD)
 
 CORPUS_PROGRAMS = $(if $(ADD),$(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%))
 corpus: ## list the fuzzer's corpus, or add a file to that of a harness, with what the library answers [HARNESS= ADD=]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Fuzz targets: with libFuzzer and the sanitizers (make fuzz), once more to
-# measure branches, and as plain programs that replay files (make test): once
-# with GCC's sanitizers, and once to count the branches.
+# Fuzz targets: with libFuzzer and the sanitizers (make fuzz), and as plain
+# programs that replay files: once with GCC's sanitizers (make test), and once
+# to count the branches (both).
 
 FUZZ_TARGETS := scene pipeline
 FUZZ_OUT := $(BUILD)/host/fuzz
@@ -14,7 +14,6 @@ FUZZ_SANITIZERS := -fsanitize=address,undefined,fuzzer-no-link -fno-sanitize-rec
 FUZZ_CFLAGS := -std=c11 -g1 $(RELATIVE_PATHS) -Ilib/include -Ilib -MMD -MP
 # No silent wrap: in the library an unsigned one counts too, but where it is meant.
 FUZZ_WRAPS := -fsanitize=unsigned-integer-overflow -fsanitize-ignorelist=host_tests/fuzz/wraps.txt
-FUZZ_COVERAGE := -O1 -fprofile-instr-generate -fcoverage-mapping
 
 FUZZ_SHARED := $(filter-out fuzz_scene fuzz_pipeline replay,$(basename $(notdir $(wildcard host_tests/fuzz/*.c))))
 FUZZ_PARTS_scene := fuzz_scene $(FUZZ_SHARED)
@@ -31,16 +30,6 @@ $(FUZZ_OUT)/asan/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	$(MAKE_FOLDER)
 	$(SAY)
 	$(FUZZ_CLANG) $(FUZZ_CFLAGS) -O1 $(FUZZ_SANITIZERS) -c $< -o $@
-
-# --- branches: the library as it is shipped, without assertions ----------------
-
-$(eval $(call LIB_RULES,$(FUZZ_OUT)/cover/lib,\
-    $$(FUZZ_CLANG) $$(FUZZ_CFLAGS) $$(FUZZ_COVERAGE) -c $$< -o $$@,host_tests/fuzz/fuzz.mk,$$(SAY)))
-
-$(FUZZ_OUT)/cover/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
-	$(MAKE_FOLDER)
-	$(SAY)
-	$(FUZZ_CLANG) $(FUZZ_CFLAGS) -O1 -fsanitize=fuzzer-no-link -c $< -o $@
 
 # --- replay --------------------------------------------------------------------
 
@@ -70,10 +59,6 @@ $(FUZZ_OUT)/fuzz_$(1): $(FUZZ_PARTS_$(1):%=$(FUZZ_OUT)/asan/%.o) $(FUZZ_LIB:%=$(
 	$$(SAY)
 	$$(FUZZ_CLANG) -fsanitize=address,undefined,fuzzer $$^ -o $$@
 
-$(FUZZ_OUT)/cover_$(1): $(FUZZ_PARTS_$(1):%=$(FUZZ_OUT)/cover/%.o) $(FUZZ_LIB:%=$(FUZZ_OUT)/cover/lib/%.o)
-	$$(SAY)
-	$$(FUZZ_CLANG) -fprofile-instr-generate -fsanitize=fuzzer $$^ -o $$@
-
 FUZZ_REPLAY_OBJECTS_$(1) := $(patsubst %,$(FUZZ_OUT)/replay/%.o,replay $(FUZZ_PARTS_$(1)))
 $(FUZZ_OUT)/replay_$(1): $$(FUZZ_REPLAY_OBJECTS_$(1)) $(BUILD)/host/unit/libfixel.a
 	$$(SAY)
@@ -91,5 +76,5 @@ $(foreach target,$(FUZZ_TARGETS),$(eval $(call FUZZ_PROGRAM,$(target))))
 # make test has a fixed seed and few examples; here are ten times as many, and another seed with each RUNS=.
 FUZZ_TOOLS_EXAMPLES := 1500
 
-FUZZ_PROGRAMS := $(foreach target,$(FUZZ_TARGETS),$(FUZZ_OUT)/fuzz_$(target) $(FUZZ_OUT)/cover_$(target))
+FUZZ_PROGRAMS := $(foreach target,$(FUZZ_TARGETS),$(FUZZ_OUT)/fuzz_$(target) $(FUZZ_OUT)/branches_$(target))
 HOST_TOOLS += $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/branches_%)

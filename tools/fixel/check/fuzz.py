@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Fuzzes the scene loader and the whole pipeline, and prints which branches were reached.
 
-    fixel fuzz --runs N --build DIR [--clang CLANG]        what make fuzz does
+    fixel fuzz --runs N --build DIR                        what make fuzz does
     fixel fuzz ... --renew-corpus                          then renews host_tests/fuzz/corpus
     fixel fuzz --add-records --build DIR                   fuzzes nothing: adds to host_tests/fuzz/record
 
@@ -17,7 +17,9 @@ Exit: 0 nothing found, 1 findings (each kept as a file), 2 could not run.
 
 import argparse
 import base64
+import collections
 import functools
+import gzip
 import json
 import os
 import pathlib
@@ -86,10 +88,10 @@ def findings_of(rows, build):
 
 # --- branches ------------------------------------------------------------------
 
-def run_tool(command, **environment):
+def run_tool(command, folder=CHECKOUT, **environment):
     """Standard output of a command that must end well."""
     try:
-        done = children.run(command, text=True, errors="replace", cwd=CHECKOUT, env={**os.environ, **environment})
+        done = children.run(command, text=True, errors="replace", cwd=folder, env={**os.environ, **environment})
     except OSError as error:
         raise ToolError(f"{command[0]}: cannot be started: {error.strerror}; "
                         "tools/setup.sh fuzz installs it") from error
@@ -98,57 +100,57 @@ def run_tool(command, **environment):
     return done.stdout
 
 
-def llvm_tool(clang, name):
-    """The LLVM tool that belongs to a clang."""
-    found = run_tool([clang, f"--print-prog-name={name}"]).strip()
-    if not shutil.which(found):
-        raise ToolError(f"{name} of {clang} is missing; tools/setup.sh fuzz installs it")
-    return found
+# A condition that the compiler cannot decide has two branches, a switch one a case. What the compiler decides in this build (FXL_IS_SMALL,
+# the kernels of other cores) or leaves out (FXL_ASSERT) has none. A function of a header counts once, however many files include it.
+
+def run_branches(program, files, folder):
+    """Runs a program that counts branches on files. What it counts is added to that of the runs before in the folder."""
+    run_tool([program, *files], GCOV_PREFIX=str(folder))
 
 
-def replay_for_branches(build):
-    """Profiles of all inputs, in the repository and found."""
-    profiles = []
-    for target in TARGETS:
-        profile = build / "fuzz" / f"{target}.profraw"
-        profile.unlink(missing_ok=True)
-        run_tool([build / "host" / "fuzz" / f"cover_{target}", "-runs=0", corpus.unpacked(target, build),
-                  build / "fuzz" / "found" / target],
-                 LLVM_PROFILE_FILE=str(profile))
-        profiles.append(profile)
-    return profiles
+def branches_taken(objects, folder):
+    """{(file, line, number of the branch in the line): times taken} of lib/. An object of a source that is gone does not
+    count."""
+    place = folder / objects.resolve().relative_to("/")
+    for notes in objects.rglob("*.gcno"):
+        if not (CHECKOUT / "lib" / notes.relative_to(objects)).with_suffix(".c").exists():
+            continue
+        to = place / notes.relative_to(objects)
+        to.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(notes, to)
+    run_tool(["gcov", "--json-format", "--branch-probabilities", "--preserve-paths", *sorted(place.rglob("*.gcno"))], folder=place)
+    taken = collections.Counter()
+    for report in place.glob("*.gcov.json.gz"):
+        for file in json.loads(gzip.decompress(report.read_bytes()))["files"]:
+            name = relative(CHECKOUT / file["file"])
+            if name.startswith("lib/"):
+                _add_lines(taken, name, file["lines"])
+    return taken
 
 
-def branch_sides(exported):
-    """{(file, line, column): [times true, times false]} of lib/, over all instances."""
-    sides = {}
-    for file in exported["files"]:
-        name = relative(file["filename"])
-        for line, column, _, _, true, false, *_ in file["branches"]:
-            counts = sides.setdefault((name, line, column), [0, 0])
-            counts[0] += true
-            counts[1] += false
-    return {place: counts for place, counts in sides.items() if place[0].startswith("lib/")}
+def _add_lines(taken, name, lines):
+    numbers = collections.Counter()
+    for line in lines:
+        number = line["line_number"]
+        for branch in line["branches"]:
+            taken[name, number, numbers[number]] += branch["count"]
+            numbers[number] += 1
 
 
-def measure_branches(build, clang):
-    """Percentage of lib's branch sides that were taken, how many there are, and the others."""
-    profiles = replay_for_branches(build)
-    merged = build / "fuzz" / "all.profdata"
-    run_tool([llvm_tool(clang, "llvm-profdata"), "merge", "-o", merged, *profiles])
-    programs = [build / "host" / "fuzz" / f"cover_{target}" for target in TARGETS]
-    exported = json.loads(run_tool([llvm_tool(clang, "llvm-cov"), "export", programs[0],
-                                    "-object", programs[1], f"-instr-profile={merged}"]))
-    sides = branch_sides(exported["data"][0])
-    uncovered = []
-    for (file, line, column), counts in sorted(sides.items()):
-        text = (CHECKOUT / file).read_text(encoding="utf-8").splitlines()[line - 1].strip()
-        uncovered += [{"file": file, "line": line, "column": column, "never": side, "text": text}
-                      for side, count in zip(("true", "false"), counts) if count == 0]
-    total = 2 * len(sides)
-    if total == 0:
-        raise ToolError("llvm-cov saw no branch of lib/; remove build/host/fuzz and try again")
-    return 100 * (total - len(uncovered)) / total, total, uncovered
+def measure_branches(build):
+    """Percentage of lib's branches that all inputs take, in the repository and found, how many branches there are, and the others."""
+    programs = build / "host" / "fuzz"
+    with scratch.folder("branches") as folder:
+        for target in TARGETS:
+            files = [*corpus.unpacked(target, build).iterdir(), *(build / "fuzz" / "found" / target).iterdir()]
+            run_branches(programs / f"branches_{target}", files, folder)
+        taken = branches_taken(programs / "branches" / "lib", folder)
+    if not taken:
+        raise ToolError("gcov saw no branch of lib/; remove build/host/fuzz and try again")
+    uncovered = [{"file": file, "line": line, "branch": number,
+                  "text": (CHECKOUT / file).read_text(encoding="utf-8").splitlines()[line - 1].strip()}
+                 for (file, line, number), count in sorted(taken.items()) if count == 0]
+    return 100 * (len(taken) - len(uncovered)) / len(taken), len(taken), uncovered
 
 
 # --- the corpus of the repository -----------------------------------------------
@@ -192,8 +194,7 @@ def print_result(result, total):
         print(f"{each['target']:10} {each['executions']:>12,} executions, {each['inputs']:,} inputs reach code that the corpus does not")
     print(f"branches of lib reached: {result['branches_percent']:.2f} % of {total}")
     for each in result["uncovered"]:
-        print(f"  {each['file']}:{each['line']}:{each['column']} never {each['never']}: "
-              f"{each['text']}")
+        print(f"  {each['file']}:{each['line']} branch {each['branch']} never: {each['text']}")
     for each in result["findings"]:
         print(f"{coloured('FINDING', 'red')} in {each['target']}, in {each['shards']} shards: {each['what']}")
         print(f"  again: {each['command']}")
@@ -208,7 +209,6 @@ def parser():
     made.add_argument("--examples", type=int, default=0,
                       help="first give the tools so many random inputs a test; --runs chooses which")
     made.add_argument("--build", default="build", help="folder of the programs")
-    made.add_argument("--clang", default="clang", help="the clang that built them")
     made.add_argument("--renew-corpus", action="store_true",
                       help="then renew the corpus of the repository")
     made.add_argument("--add-records", action="store_true", help="fuzz nothing, add records of the corpus's new inputs")
@@ -242,7 +242,7 @@ def main(argv):
     if options.renew_corpus and not findings:
         renew_corpus(build)
         corpus.add_records(build)
-    percent, total, uncovered = measure_branches(build, options.clang)
+    percent, total, uncovered = measure_branches(build)
     result = {"executions": sum(row["runs"] for row in rows), "crashes": len(findings), "branches_percent": round(percent, 2),
               "targets": [{"target": row["harness"], "executions": row["runs"], "inputs": len(row["inputs"])} for row in rows],
               "findings": findings, "uncovered": uncovered}
