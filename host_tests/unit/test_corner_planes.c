@@ -284,7 +284,7 @@ void test_segments_are_within_a_third_where_the_least_weight_suffices(void)
 }
 
 /* SPEC 9.8 */
-void test_colours_take_longer_sides_but_no_thin_triangle(void)
+void test_colours_take_longer_sides_and_thin_triangles(void)
 {
     const fxl_q18_46 depth = (fxl_q18_46)1 << 46;
     fxl_screen_corners large = {
@@ -305,9 +305,12 @@ void test_colours_take_longer_sides_but_no_thin_triangle(void)
     TEST_ASSERT_FALSE(fxl_corner_planes_begin(&large, &triangle.view.lens, FXL_COLOURS_SIDE_MAX,
                                               &triangle.planes));
     large.width--;
-    large.points[2].y = FXL_COLOURS_SIDE_MAX / 8; /* 1/16 of the box */
-    TEST_ASSERT_TRUE(fxl_corner_planes_begin(&large, &triangle.view.lens, FXL_COLOURS_SIDE_MAX,
-                                             &triangle.planes));
+    for (int k = 0; k < 2; k++) { /* 1/16 of the box, and 1/128 */
+        large.points[2].y = FXL_COLOURS_SIDE_MAX / (k == 0 ? 8 : 64);
+        TEST_ASSERT_TRUE(fxl_corner_planes_begin(&large, &triangle.view.lens, FXL_COLOURS_SIDE_MAX,
+                                                 &triangle.planes));
+        TEST_ASSERT_EQUAL(k != 0, triangle.planes.may_be_steep);
+    }
     large.points[2].y--;
     TEST_ASSERT_FALSE(fxl_corner_planes_begin(&large, &triangle.view.lens, FXL_COLOURS_SIDE_MAX,
                                               &triangle.planes));

@@ -7,9 +7,12 @@ void fxl_find_depth(const fxl_model_view *model_view, const fxl_face *face,
                     const fxl_traversal *traversal, fxl_corner_planes *planes, bool has_words,
                     fxl_depth_plane *plane)
 {
-    if (planes == NULL) {
+    if (planes != NULL && has_words && fxl_corner_planes_depth_words(planes, plane)) {
+        return;
+    }
+    if (planes == NULL || planes->is_for_words) {
         fxl_find_depth_by_normal(model_view, face, traversal, plane);
-    } else if (!has_words || !fxl_corner_planes_depth_words(planes, plane)) {
+    } else {
         fxl_corner_planes_depth(planes, plane);
     }
 }

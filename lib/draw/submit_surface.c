@@ -208,8 +208,10 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
                          : find_large(surface, texture, model_view, face, of, traversal, &corners,
                                       &polygon->gradients);
     if (find_depth != NULL) {
-        find_depth(model_view, face, traversal, is_small ? &planes : NULL, is_found,
-                   &polygon->depth);
+        const bool may_have_words = is_found && on_screen.width <= FXL_WORDS_SIDE_MAX &&
+                                    on_screen.height <= FXL_WORDS_SIDE_MAX;
+        find_depth(model_view, face, traversal, is_small || may_have_words ? &planes : NULL,
+                   is_found, &polygon->depth);
     }
 }
 

@@ -175,8 +175,9 @@ uint32_t fxl_surface_polygon_read(const fxl_screen_polygon *record, fxl_surface_
 void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,
                           fxl_paint *paint);
 
-/* fxl_find_depth: what a painter with a depth buffer links. planes: of the face, where it is small;
- * else null. has_words: its attributes are words, so its depth may be words too. */
+/* fxl_find_depth: what a painter with a depth buffer links. planes: of the face, where it is small,
+ * or has_words and sides up to FXL_WORDS_SIDE_MAX; else null. has_words: its attributes are words,
+ * so its depth may be words too. */
 typedef void fxl_depth_finder(const fxl_model_view *model_view, const fxl_face *face,
                               const fxl_traversal *traversal, fxl_corner_planes *planes,
                               bool has_words, fxl_depth_plane *plane);

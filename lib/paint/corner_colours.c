@@ -51,13 +51,6 @@ void fxl_corner_colours_light(const fxl_light_settings *settings, const int32_t 
     }
 }
 
-static inline uint32_t range_of_channel(const int32_t values[3])
-{
-    const int32_t low = values[0] < values[1] ? values[0] : values[1];
-    const int32_t high = values[0] < values[1] ? values[1] : values[0];
-    return (uint32_t)((values[2] > high ? values[2] : high) - (values[2] < low ? values[2] : low));
-}
-
 /* Whether a constant weight is near enough for any channels: weights differ by at most 2^-7 of the
  * least one, and ranges are below 2^22. */
 static inline bool is_near(const fxl_corner_planes *planes)
@@ -79,27 +72,85 @@ static inline bool stays_within(const int32_t values[3], int32_t more, int32_t e
     return true;
 }
 
-/* What is added to each channel, where a constant weight may be asked for: the mean of what it
- * takes off. False: it changes a channel too much. Ranges are below 2^22 and weights below 2^30. */
+/* Weights at the corners, of which the least has 15 bits: they are rounded down. */
+typedef struct {
+    int32_t least, d1, d2; /* the differences of corners 1 and 2 from corner 0: at most 3 2^15 + 3 */
+} short_weights;
+
+static inline short_weights shorten(const fxl_corner_planes *planes)
+{
+    const uint32_t least = planes->weight_most - planes->weight_range;
+    const unsigned drop = 17u - fxl_leading_zeros(least);
+    const int32_t first = planes->weights[0] >> drop;
+    const short_weights weights = {(int32_t)(least >> drop), (planes->weights[1] >> drop) - first,
+                                   (planes->weights[2] >> drop) - first};
+    return weights;
+}
+
+/* What a constant weight takes off a channel, times the weight of the pixel: from a quarter of
+ * `least` to a quarter of `most`, in 2^-8 level. With L the corners' shares of a place it is the
+ * sum of L_i L_j d_ij e_ij over the pairs of corners, where d are the differences of the channel
+ * and e those of weights. It is largest, and least, half-way between two corners; its mean over the
+ * triangle is a twelfth of `sum`. */
+typedef struct {
+    int32_t least, most;
+    uint32_t sum; /* modulo 2^32 */
+} channel_bend;
+
+/* The largest weight is below four times the least. So differences are at most 3 2^15 + 3 and below 2^14, and
+ * products below 2^31. Roundings: of a channel 2^-8, and of a weight 2^-14 of the least one, so a
+ * product over that is off by less than 1/64 level. */
+static inline channel_bend bend_of(const int32_t values[3], const short_weights *weights)
+{
+    const int32_t d1 = (values[1] - values[0]) >> 8, d2 = (values[2] - values[0]) >> 8;
+    const int32_t a = d1 * weights->d1, b = d2 * weights->d2;
+    const int32_t c = (d2 - d1) * (weights->d2 - weights->d1);
+    const int32_t least = a < b ? a : b, most = a > b ? a : b;
+    const int32_t low = c < least ? c : least, high = c > most ? c : most;
+    const channel_bend bend = {low < 0 ? low : 0, high > 0 ? high : 0,
+                               (uint32_t)a + (uint32_t)b + (uint32_t)c};
+    return bend;
+}
+
+/* Limits of a bend by the least weight, in 2^-10 level, less what its rounding may be: to each side
+ * 1/16 of a level, 1/8 and 0.3; and 0.6 from one end to the other. */
+#define BEND_NONE 60
+#define BEND_FINE 124
+#define BEND_SIDE 300
+#define BEND_BOTH 600
+
+/* The mean of a bend, or what is nearest to it and leaves 0.3 of a level to each side; in 16.16. Of
+ * a bend within BEND_BOTH: so numbers are below 3 2^25, and times 16 below 2^31. */
+static inline int32_t mean_of(const channel_bend *bend, int32_t least)
+{
+    const int32_t from = 3 * (bend->most - BEND_SIDE * least);
+    const int32_t to = 3 * (bend->least + BEND_SIDE * least);
+    const int32_t sum = (int32_t)bend->sum;
+    return (sum < from ? from : sum > to ? to : sum) * 16 / least * 4 / 3;
+}
+
+/* What is added to each channel, where a constant weight may be asked for: what it takes off in the
+ * mean. False: it changes a channel too much. Limits are below 2^25. */
 /* SPEC 9.1.1 */
 static bool find_means(const fxl_corner_planes *planes, int32_t (*values)[3], bool is_coarse,
                        int32_t means[3])
 {
-    const uint32_t least = planes->weight_most - planes->weight_range;
+    const short_weights weights = shorten(planes);
+    const int32_t least = weights.least, none = (is_coarse ? BEND_NONE : BEND_FINE) * least;
     for (uint32_t k = 0; k < 3; k++) {
-        const int32_t *of = values[k];
-        const uint64_t error = fxl_product_unsigned(range_of_channel(of), planes->weight_range);
+        const channel_bend bend = bend_of(values[k], &weights);
+        const int32_t side = bend.most > -bend.least ? bend.most : -bend.least;
         means[k] = 0;
-        if (error <= fxl_product_unsigned(least, 4u * FXL_AFFINE_ERROR_LIGHT)) {
+        if (side <= none) {
             continue;
         }
-        if (!is_coarse || error > fxl_product_unsigned(least, 4u * FXL_WORDS_ERROR_COLOUR)) {
+        if (!is_coarse || side > BEND_BOTH * least || bend.most - bend.least > BEND_BOTH * least) {
             return false;
         }
-        const int32_t mean = fxl_corner_planes_mean(planes, of[1] - of[0], of[2] - of[0]);
-        if (stays_within(of, mean, k == 1 ? 64 << 16 : 32 << 16)) {
+        const int32_t mean = mean_of(&bend, least);
+        if (stays_within(values[k], mean, k == 1 ? 64 << 16 : 32 << 16)) {
             means[k] = mean;
-        } else if (error > fxl_product_unsigned(least, 3u * FXL_WORDS_ERROR_COLOUR)) {
+        } else if (side > BEND_SIDE * least) {
             return false;
         }
     }

@@ -26,15 +26,14 @@ void fxl_corner_colours(const fxl_corner *const corners[3], int32_t (*values)[3]
 void fxl_corner_colours_light(const fxl_light_settings *settings, const int32_t light[3],
                               int32_t (*values)[3]);
 
-/* The gradients of a triangle with a constant weight, in words; planes: of a small one, or with
- * FXL_COLOURS_SIDE_MAX. Where is_affine, that weight is asked for; false otherwise if it changes a
- * channel by more than FXL_AFFINE_ERROR_LIGHT; where is_coarse, by more than
- * FXL_WORDS_ERROR_COLOUR, and from FXL_AFFINE_ERROR_LIGHT on the mean of that is taken off, which
- * leaves 3/4. Where a corner's channel would then be within 1/16 of what no pixel shows, nothing is
- * taken off, and the limit is 3/4 of FXL_WORDS_ERROR_COLOUR. Also false where the face is no
- * triangle, or where a corner's share of a pixel changes by 4 or more a pixel: *gradients is then
- * undefined. Error in the triangle, beyond that, given the corners: k of the range of a channel
- * (corner_planes.h), and 2048 2^-22 level. */
+/* The gradients of a triangle with a constant weight, in words; planes: with FXL_COLOURS_SIDE_MAX.
+ * Where is_affine, that weight is asked for; false otherwise if it changes a channel by more than
+ * 1/8 of a level; where is_coarse, by more than 0.6 from where most is taken off to where least is:
+ * the mean of that is added, or what is nearest to it and leaves 0.3 of a level. Where a corner's
+ * channel would then be within 1/16 of what no pixel shows, nothing is added, and the limit is 0.3 to each
+ * side. Also false where the face is no triangle, or where a corner's share of a pixel changes by 4
+ * or more a pixel: *gradients is then undefined. Error in the triangle, beyond that, given the
+ * corners: k of the range of a channel (corner_planes.h), and 2048 2^-22 level. */
 bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values)[3],
                                bool is_affine, bool is_coarse, fxl_gradients *gradients);
 

@@ -71,7 +71,7 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     const fxl_screen_point *p = corners->points;
     const uint32_t width = (uint32_t)corners->width, height = (uint32_t)corners->height;
     const uint32_t range = (uint32_t)side_max - FXL_SMALL_SIDE_MIN;
-    const bool for_words = side_max == FXL_WORDS_SIDE_MAX;
+    const bool for_words = side_max != FXL_SMALL_SIDE_MAX;
     if (width - FXL_SMALL_SIDE_MIN > range || height - FXL_SMALL_SIDE_MIN > range) {
         return false;
     }
@@ -81,7 +81,8 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     const uint64_t box = fxl_product_unsigned(width, height);
     planes->area = fxl_magnitude(area);
     planes->may_be_steep = planes->area << 3 < box;
-    if (planes->area << 9 < box || (planes->may_be_steep && !for_words)) {
+    if (planes->area << (side_max == FXL_COLOURS_SIDE_MAX ? 6 : 9) < box ||
+        (planes->may_be_steep && !for_words)) {
         return false;
     }
     if (!find_weights(corners, lens, planes)) {

@@ -91,7 +91,9 @@ static inline uint32_t fxl_range_of(const int32_t values[3])
  * differ by more, and one with sides up to that, are for words: only fxl_corner_planes_linear takes
  * them, the first two if 1/z changes by less than the largest one a pixel.
  *
- * FXL_COLOURS_SIDE_MAX: one with sides up to that is for colours: only corner_colours.h takes it.
+ * FXL_COLOURS_SIDE_MAX: one with sides up to that is for colours: only corner_colours.h takes it,
+ * and fxl_corner_planes_depth_words where sides are up to FXL_WORDS_SIDE_MAX. So is one that fills
+ * 1/128 of the box, and one whose 1/z differ by more.
  *
  * In the triangle the rounding of the coefficients moves a plane by less than k = 2^-29 + 2^-28 n
  * (1 + b) of the range of its values at the corners, where the triangle fills 1/n of the box and b
@@ -165,7 +167,6 @@ void fxl_corner_planes_density(const fxl_corner_planes *planes, bool is_affine, 
 #define FXL_AFFINE_ERROR_TEXEL 1024u
 #define FXL_AFFINE_ERROR_LIGHT 8192u
 #define FXL_WORDS_ERROR_LIGHT  16384u /* of fxl_corner_planes_linear: 1/4 */
-#define FXL_WORDS_ERROR_COLOUR 26208u /* of fxl_corner_colours_linear: below 0.4, a multiple of 4 */
 
 #ifdef __cplusplus
 }

@@ -7,30 +7,77 @@
 /* The most by which corners differ, in 7.25, and the most of a coefficient. */
 #define DIFFERENCE_MAX (INT32_MAX - (1 << 23) + 1)
 
+#define APART_MAX ((3 << 15) + 3) /* of two weights of shorten */
+
+/* Any weights of a face whose least one has at least 26 bits. */
+static fxl_corner_planes any_weights(void)
+{
+    fxl_corner_planes planes;
+    ASSUME(planes.weight_most >= 1u << 26 && planes.weight_most < 1u << 30);
+    ASSUME(planes.weight_range < planes.weight_most - planes.weight_most / 4);
+    for (int i = 0; i < 3; i++) {
+        ASSUME(planes.weights[i] >= (int32_t)(planes.weight_most - planes.weight_range) &&
+               planes.weights[i] <= (int32_t)planes.weight_most);
+    }
+    return planes;
+}
+
 /* [[row]]
- * function = "range_of_channel"
- * property = "no two corners differ by more, and nothing overflows"
- * checks = 121
+ * function = "shorten"
+ * property = "the least weight has 15 bits, no two are more than three times that apart, and nothing overflows"
+ * checks = 38
  * unwind = 4
  */
-void prove_range_of_channel(void)
+void prove_shorten(void)
+{
+    const fxl_corner_planes planes = any_weights();
+    const short_weights weights = shorten(&planes);
+    ASSERT("15 bits", weights.least >> 14 == 1);
+    ASSERT("differences", WITHIN(weights.d1, APART_MAX) && WITHIN(weights.d2, APART_MAX));
+    ASSERT("of the other two", WITHIN(weights.d2 - weights.d1, APART_MAX));
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "bend_of"
+ * property = "no product overflows, for all levels from 1/16 to 63 15/16 and all weights of shorten"
+ * checks = 64
+ */
+void prove_bend_of(void)
 {
     const int32_t values[3] = {nondet_s32(), nondet_s32(), nondet_s32()};
+    const short_weights weights = {nondet_s32(), nondet_s32(), nondet_s32()};
     for (int i = 0; i < 3; i++) {
-        ASSUME(values[i] >= 0 && values[i] <= 1 << 22);
+        ASSUME(values[i] >= 1 << 12 && values[i] <= (1 << 22) - (1 << 12));
     }
-    const uint32_t range = range_of_channel(values);
-    ASSERT("no two differ by more",
-           (uint32_t)(values[1] - values[0] + (int32_t)range) <= 2 * range &&
-               (uint32_t)(values[2] - values[0] + (int32_t)range) <= 2 * range &&
-               (uint32_t)(values[2] - values[1] + (int32_t)range) <= 2 * range);
+    ASSUME(WITHIN(weights.d1, APART_MAX) && WITHIN(weights.d2, APART_MAX));
+    ASSUME(WITHIN(weights.d2 - weights.d1, APART_MAX));
+    const channel_bend bend = bend_of(values, &weights);
+    ASSERT("nothing is taken off a corner", bend.least <= 0 && bend.most >= 0);
+    ASSERT("the end has a negative", bend.least > INT32_MIN);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "mean_of"
+ * property = "within 0.3 of a level of both ends of a bend within 0.6, and nothing overflows"
+ * checks = 36
+ */
+void prove_mean_of(void)
+{
+    const channel_bend bend = {nondet_s32(), nondet_s32(), nondet_u32()};
+    const int32_t least = nondet_s32();
+    ASSUME(least >> 14 == 1 && bend.least <= 0 && bend.most >= 0);
+    ASSUME(WITHIN(bend.least, BEND_BOTH * least) && WITHIN(bend.most, BEND_BOTH * least));
+    ASSUME(bend.most - bend.least <= BEND_BOTH * least);
+    ASSERT("at most 0.3 of a level", WITHIN(mean_of(&bend, least), 19661));
     PROOF_ENDS();
 }
 
 /* [[row]]
  * function = "stays_within"
  * property = "exactly where all corners stay 1/16 away from both ends, and nothing overflows"
- * checks = 28
+ * checks = 26
  * unwind = 4
  */
 void prove_stays_within(void)
@@ -41,7 +88,7 @@ void prove_stays_within(void)
     ASSUME(more >= -(1 << 16) && more <= 1 << 16);
     for (int i = 0; i < 3; i++) {
         ASSUME(values[i] >= 0 && values[i] <= end);
-        stays = stays && values[i] + more >= 4096 && values[i] + more + 4096 <= end;
+        stays &= values[i] + more >= 4096 && values[i] + more <= end - 4096;
     }
     ASSERT("exactly there", stays_within(values, more, end) == stays);
     PROOF_ENDS();
