@@ -3,6 +3,7 @@
 #include "light_row.h"
 #include "texel_place.h"
 #include "texture_level.h"
+#include "../raster/fill.h"
 #include "rgb565_colour.h"
 
 /* place sampling: the loops; paint_repeated is that for textures that repeat */
@@ -205,27 +206,55 @@ static void paint_opaque(const fxl_paint *paint, const fxl_paint_row *row, int32
     }
 }
 
-/* Mixes colours into a row, as a surface blends or adds. */
+/* What a surface that blends or adds makes of two colours in a word. */
 /* rgb565 2.2, 2.3 */
+static inline uint32_t mixed_of(uint32_t colours, uint32_t beneath, uint32_t sixteenths)
+{
+    return sixteenths == 0 ? fxl_add_565(colours, beneath)
+                           : fxl_blend_565(colours, beneath, sixteenths);
+}
+
+/* Mixes words of two colours each into a row. Not in place for both: the compiler would choose in
+ * each round. */
+static inline __attribute__((always_inline)) void
+mix_words(const fxl_word *colours, fxl_word *pixels, const fxl_word *end, uint32_t sixteenths)
+{
+    for (; pixels != end; pixels++) {
+        *pixels = mixed_of(*colours++, *pixels, sixteenths);
+    }
+}
+
+/* Mixes colours into a row. Requires both at the beginning of a word, or neither. */
 static inline void mix_row(const fxl_paint_565 *of, const uint16_t *colours, uint16_t *pixels,
                            uint32_t count)
 {
-    if (of->sixteenths == 0) {
-        for (uint32_t i = 0; i < count; i++) {
-            pixels[i] = fxl_add_565(colours[i], pixels[i]);
-        }
-        return;
-    }
     const uint32_t sixteenths = of->sixteenths;
-    for (uint32_t i = 0; i < count; i++) {
-        pixels[i] = fxl_blend_565(colours[i], pixels[i], sixteenths);
+    if (!FXL_IS_COMPACT) {
+        if (count != 0 && ((uintptr_t)pixels & 2u) != 0) {
+            *pixels = (uint16_t)mixed_of(*colours++, *pixels, sixteenths);
+            pixels++;
+            count--;
+        }
+        const fxl_word *above = (const fxl_word *)(const void *)colours;
+        fxl_word *words = (fxl_word *)(void *)pixels;
+        if (sixteenths == 0) {
+            mix_words(above, words, words + count / 2, 0);
+        } else {
+            mix_words(above, words, words + count / 2, sixteenths);
+        }
+        colours += count & ~1u;
+        pixels += count & ~1u;
+        count &= 1u;
+    }
+    for (; count != 0; count--, pixels++) {
+        *pixels = (uint16_t)mixed_of(*colours++, *pixels, sixteenths);
     }
 }
 
 /* --- what is mixed -------------------------------------------------------------------------- */
 
 #define MIXED 64 /* columns that are mixed at once */
-#define LINES 16 /* at once */
+#define LINES 16 /* of 16 columns; of 64 that are segments, 5 */
 
 /* Neighbouring texels. */
 typedef struct {
@@ -258,36 +287,55 @@ static inline column_numbers after(const column_numbers *at, const column_number
     return next;
 }
 
-/* The log of the segments of the 16 columns that begin with a weight. */
-static inline uint32_t log_of(const fxl_paint *paint, int64_t weight)
+/* The weight at a column: below 2^16. */
+static inline uint32_t weight_after(const fxl_paint *paint, const fxl_paint_row *row,
+                                    uint32_t column)
 {
-    const fxl_gradients *gradients = paint->gradients;
-    const uint32_t left = upper_weight(weight);
-    const uint32_t right = upper_weight(sum_64(weight, shifted_left(gradients->weight.along, 4)));
+    return upper_weight(sum_64(
+        row->weight, fxl_multiply_s64_u16(paint->gradients->weight.along, column)));
+}
+
+/* Whether all segments of the pixels x0 <= x < x1 have 16 columns. The weight is linear, so it
+ * suffices to look at both ends. */
+static inline bool has_sixteens(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0,
+                                uint32_t x1)
+{
+    const uint32_t least = paint->gradients->weight_min[0];
+    return paint->division == FXL_DIVIDE_16 && weight_after(paint, row, x0 & ~15u) >= least &&
+           weight_after(paint, row, (x1 + 15u) & ~15u) >= least;
+}
+
+/* The log of the segments of the 16 columns that have x0. */
+static inline uint32_t log_of(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0)
+{
     uint32_t least[3];
-    if (paint->division == FXL_DIVIDE_16 && left >= gradients->weight_min[0] &&
-        right >= gradients->weight_min[0]) {
-        return 4;
-    }
-    fxl_find_least_weights(gradients, paint->division, least);
-    return fxl_segment_log(least, left, right);
+    fxl_find_least_weights(paint->gradients, paint->division, least);
+    return fxl_segment_log(least, weight_after(paint, row, x0 & ~15u),
+                           weight_after(paint, row, (x0 & ~15u) + 16u));
 }
 
-/* fxl_attribute_of, whose drop is `drop` less the leading zeros of the weight. */
-static inline int32_t divided(int64_t value, const fxl_reciprocal *reciprocal, int32_t drop)
+static inline int32_t upper_32(int64_t number)
 {
-    const int64_t product = fxl_multiply_s32((int32_t)(value >> 32), reciprocal->value);
-    const int32_t right = drop - (int32_t)reciprocal->zeros - 32; /* of the upper word */
-    return right >= 0 ? (int32_t)(product >> 32) >> (right > 31 ? 31 : right)
-                      : (int32_t)(uint32_t)(product >> (right < -32 ? 0 : right + 32));
+    return (int32_t)(number >> 32);
 }
 
-static inline void divide(const column_numbers *at, int32_t u_drop, int32_t v_drop, int32_t *u,
+/* fxl_attribute_of of u and v. Most are drops of the products' upper words by less than 32. */
+static inline void divide(const fxl_gradients *gradients, const column_numbers *at, int32_t *u,
                           int32_t *v)
 {
     const fxl_reciprocal reciprocal = fxl_reciprocal_of(upper_weight(at->weight));
-    *u = divided(at->u, &reciprocal, u_drop);
-    *v = divided(at->v, &reciprocal, v_drop);
+    const int32_t upper_u = upper_32(at->u), upper_v = upper_32(at->v);
+    const int32_t u_shift = gradients->shifts[FXL_ATTRIBUTE_U];
+    const int32_t v_shift = gradients->shifts[FXL_ATTRIBUTE_V];
+    const int32_t left = 30 - (int32_t)reciprocal.zeros;
+    const int32_t u_drop = left - u_shift, v_drop = left - v_shift;
+    if ((uint32_t)(u_drop | v_drop) < 32u) {
+        *u = upper_32(fxl_multiply_s32(upper_u, reciprocal.value)) >> u_drop;
+        *v = upper_32(fxl_multiply_s32(upper_v, reciprocal.value)) >> v_drop;
+    } else {
+        *u = fxl_attribute_of(upper_u, &reciprocal, u_shift);
+        *v = fxl_attribute_of(upper_v, &reciprocal, v_shift);
+    }
 }
 
 /* What numbers change in 2^log columns. */
@@ -298,37 +346,32 @@ static inline void find_step(const column_numbers *along, uint32_t log, column_n
     step->v = shifted_left(along->v, log);
 }
 
-/* The lines of texels of the pixels x0 <= x < x1: paint_segment's, and a pixel that is divided by
- * itself is one. Returns the column before which they end. */
+/* The lines of texels of the pixels x0 <= x < x1, whose segments have 2^log columns: paint_segment's,
+ * and a pixel that is divided by itself is one. Returns how many they are. */
 /* surfaces 2.2 */
-static uint32_t find_lines(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0,
-                           uint32_t x1, texel_line *lines, uint32_t *count)
+static inline __attribute__((always_inline)) uint32_t
+find_lines(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0, uint32_t x1, uint32_t log,
+           texel_line *lines)
 {
     const fxl_gradients *gradients = paint->gradients;
     const fxl_gradient *attributes = gradients->attributes;
-    const int32_t u_drop = 62 - gradients->shifts[FXL_ATTRIBUTE_U];
-    const int32_t v_drop = 62 - gradients->shifts[FXL_ATTRIBUTE_V];
     const column_numbers first = {row->weight, row->attributes[FXL_ATTRIBUTE_U],
                                   row->attributes[FXL_ATTRIBUTE_V]};
     const column_numbers along = {gradients->weight.along, attributes[FXL_ATTRIBUTE_U].along,
                                   attributes[FXL_ATTRIBUTE_V].along};
-    column_numbers at = after(&first, &along, x0 & ~15u), step = {0, 0, 0};
-    uint32_t log = log_of(paint, at.weight), found = 0;
-    uint32_t column = (x0 >> log) << log;
-    if ((column & 15u) != 0) {
-        at = after(&first, &along, column);
-    }
-    find_step(&along, log, &step);
+    uint32_t column = (x0 >> log) << log, found = 0;
+    column_numbers at = after(&first, &along, column), step;
     int32_t u0, v0, u1, v1;
-    divide(&at, u_drop, v_drop, &u0, &v0);
-    while (x0 != x1 && found != LINES) {
+    find_step(&along, log, &step);
+    divide(gradients, &at, &u0, &v0);
+    do {
         const uint32_t skipped = x0 - column;
         texel_line *line = &lines[found++];
         column += 1u << log;
         at.weight = sum_64(at.weight, step.weight);
         at.u = sum_64(at.u, step.u);
         at.v = sum_64(at.v, step.v);
-        divide(&at, u_drop, v_drop, &u1, &v1);
+        divide(gradients, &at, &u1, &v1);
         line->u_step = (uint32_t)((int32_t)((uint32_t)u1 - (uint32_t)u0) >> log);
         line->v_step = (uint32_t)((int32_t)((uint32_t)v1 - (uint32_t)v0) >> log);
         line->u = (uint32_t)u0 + skipped * line->u_step;
@@ -337,31 +380,20 @@ static uint32_t find_lines(const fxl_paint *paint, const fxl_paint_row *row, uin
         x0 += line->count;
         u0 = u1;
         v0 = v1;
-        if ((column & 15u) == 0 && x0 != x1) {
-            const uint32_t next = log_of(paint, at.weight);
-            if (next != log) {
-                log = next;
-                find_step(&along, log, &step);
-            }
-        }
-    }
-    *count = found;
-    return x0;
+    } while (x0 != x1);
+    return found;
 }
 
-/* The colours of texels of 16 or of 8 bits, repeated, that are not the key. The compiler cannot
- * tell them from what the loop reads, so it has copies. */
-static inline __attribute__((always_inline)) void show_lines(const fxl_paint *paint,
-                                                             const texel_line *line,
-                                                             const texel_line *last,
-                                                             uint16_t *colour, uint32_t bits)
+/* The colours of texels of 16 or of 8 bits, repeated; where they are keyed, of those that are not
+ * the key. The compiler cannot tell them from what the loop reads, so it has copies. */
+static inline __attribute__((always_inline)) void
+show_lines(const fxl_paint *paint, const texel_line *line, const texel_line *last, uint16_t *colour,
+           bool is_wide, bool is_keyed)
 {
     const fxl_texture_level level = paint->level;
     const uint16_t *palette = paint->of_565.palette;
     const uint16_t *wide = (const uint16_t *)(const void *)level.texels;
-    const uint32_t key = (level.flags & FXL_TEXTURE_KEYED) == 0 ? UINT32_MAX
-                         : bits == 16                           ? paint->of_565.key
-                                                                : level.key;
+    const uint32_t key = is_wide ? paint->of_565.key : level.key;
     const uint32_t columns = level.columns_less_1, rows = level.rows_less_1 << level.log_width;
     const uint32_t row_drop = 16u - level.log_width; /* log_width is at most 8 */
     for (; line != last; line++) {
@@ -370,9 +402,9 @@ static inline __attribute__((always_inline)) void show_lines(const fxl_paint *pa
         uint32_t u = line->u, v = line->v;
         do {
             const uint32_t place = (v >> row_drop & rows) + (u >> 16 & columns);
-            const uint32_t texel = bits == 16 ? wide[place] : level.texels[place];
-            if (texel != key) {
-                *colour = (uint16_t)(bits == 16 ? texel : palette[texel]);
+            const uint32_t texel = is_wide ? wide[place] : level.texels[place];
+            if (!is_keyed || texel != key) {
+                *colour = (uint16_t)(is_wide ? texel : palette[texel]);
             }
             u += u_step;
             v += v_step;
@@ -389,18 +421,26 @@ static inline bool has_lines(const fxl_paint *paint)
            paint->of_565.part_of_level == 0;
 }
 
-static inline void show_texels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
-                               int32_t x1, uint16_t *colours)
+static inline void show_texels(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0,
+                               uint32_t x1, uint16_t *colours)
 {
     texel_line lines[LINES];
-    uint32_t count;
-    while (x0 < x1) {
-        const int32_t end =
-            (int32_t)find_lines(paint, row, (uint32_t)x0, (uint32_t)x1, lines, &count);
-        if ((paint->level.flags & FXL_LEVEL_565) != 0) {
-            show_lines(paint, lines, lines + count, colours, 16);
+    while (x0 != x1) {
+        const uint32_t next = (x0 & ~15u) + 16u;
+        uint32_t end = x1, count;
+        if (has_sixteens(paint, row, x0, x1)) {
+            count = find_lines(paint, row, x0, x1, 4, lines);
         } else {
-            show_lines(paint, lines, lines + count, colours, 8);
+            end = next < x1 ? next : x1;
+            count = find_lines(paint, row, x0, end, log_of(paint, row, x0), lines);
+        }
+        if ((paint->level.flags & FXL_TEXTURE_KEYED) != 0) {
+            show_lines(paint, lines, lines + count, colours,
+                       (paint->level.flags & FXL_LEVEL_565) != 0, true);
+        } else if ((paint->level.flags & FXL_LEVEL_565) != 0) {
+            show_lines(paint, lines, lines + count, colours, true, false);
+        } else {
+            show_lines(paint, lines, lines + count, colours, false, false);
         }
         colours += end - x0;
         x0 = end;
@@ -417,16 +457,17 @@ static __attribute__((noinline)) void paint_mixed(const fxl_paint *paint, const 
 {
     const fxl_paint_565 *of = &paint->of_565;
     const bool has_holes = paint->opacity < 16 || (paint->level.flags & FXL_TEXTURE_KEYED) != 0;
-    uint16_t colours[MIXED];
+    FXL_ALIGN_8 uint16_t words[MIXED + 1];
     while (x0 < x1) {
         const int32_t end = smaller(x0 + MIXED, x1);
         uint16_t *pixels = (uint16_t *)(void *)row->pixels + x0;
+        uint16_t *colours = words + ((uintptr_t)pixels >> 1 & 1u);
         const uint32_t count = (uint32_t)(end - x0);
         for (uint32_t i = 0; has_holes && i < count; i++) {
             colours[i] = of->adds ? 0 : pixels[i];
         }
         if (has_lines(paint)) {
-            show_texels(paint, row, x0, end, colours);
+            show_texels(paint, row, (uint32_t)x0, (uint32_t)end, colours);
         } else {
             const uintptr_t column_0 = (uintptr_t)colours - 2u * (uint32_t)x0;
             fxl_paint_row drawn = *row;

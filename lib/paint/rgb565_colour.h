@@ -17,44 +17,57 @@ extern "C" {
 #define FXL_GREEN_565 0x07E0u
 #define FXL_BLUE_565  0x001Fu
 
-/* The channels of a colour with zeros between them: green above, then red, then blue. Each has four
- * bits of room for a product with 16 at most. */
+/* Of two colours in a word: channels with zeros between them, blue and red of the lower one and green
+ * of the upper one. Each has four bits of room for a product with 16 at most. */
 #define FXL_SPREAD_565 0x07E0F81Fu
-static inline uint32_t fxl_spread_565(uint32_t colour)
-{
-    uint32_t channels = FXL_SPREAD_565;
-    FXL_HIDE(channels);
-    return (colour | colour << 16) & channels;
-}
 
 /* place stipple: a blend: how two colours of RGB565 are mixed */
-/* (colour * sixteenths + beneath * (16 - sixteenths)) / 16 of each channel, rounded down. The sum
- * is 16 times a channel's largest value at most: in the uppermost place below 63 * 2^25. Requires
- * sixteenths <= 16. */
+/* Of the colours that spread channels belong to: (colour * sixteenths + beneath * (16 -
+ * sixteenths)) / 16 of each channel, rounded down. The sum is 16 times a channel's largest value at
+ * most: in the uppermost place below 63 * 2^25. Requires sixteenths <= 16. */
 /* rgb565 2.2 */
-static inline uint16_t fxl_blend_565(uint32_t colour, uint32_t beneath, uint32_t sixteenths)
+static inline uint32_t fxl_blend_spread_565(uint32_t colour, uint32_t beneath, uint32_t sixteenths)
 {
-    const uint32_t sum =
-        fxl_spread_565(colour) * sixteenths + fxl_spread_565(beneath) * (16u - sixteenths);
-    const uint32_t mixed = sum >> 4 & FXL_SPREAD_565;
-    return (uint16_t)(mixed | mixed >> 16);
-}
-
-/* The lowest bits above the channels of a spread colour: where the sum of two carries. */
-#define FXL_CARRIES_565 0x08010020u
-
-/* The sum of each channel, or its largest value. A sum of channels of 5 or 6 bits has one bit more,
- * for which there is room. A carry less a 32nd of it are the 5 bits below it, and its 64th is the
- * 6th one, of green; of the others it is masked. */
-/* rgb565 2.3 */
-static inline uint16_t fxl_add_565(uint32_t a, uint32_t b)
-{
-    const uint32_t sum = fxl_spread_565(a) + fxl_spread_565(b), carries = sum & FXL_CARRIES_565;
-    const uint32_t full = (carries - (carries >> 5)) | carries >> 6;
     uint32_t channels = FXL_SPREAD_565;
     FXL_HIDE(channels);
-    const uint32_t mixed = (sum | full) & channels;
-    return (uint16_t)(mixed | mixed >> 16);
+    const uint32_t sum =
+        (colour & channels) * sixteenths + (beneath & channels) * (16u - sixteenths);
+    return sum >> 4 & channels;
+}
+
+/* The halves of a word. */
+static inline uint32_t fxl_exchanged_565(uint32_t colours)
+{
+    return colours << 16 | colours >> 16;
+}
+
+/* The same of all channels of two colours, one in each half of a word. */
+/* rgb565 2.2 */
+static inline uint32_t fxl_blend_565(uint32_t colours, uint32_t beneath, uint32_t sixteenths)
+{
+    const uint32_t others = fxl_blend_spread_565(fxl_exchanged_565(colours),
+                                                 fxl_exchanged_565(beneath), sixteenths);
+    return fxl_blend_spread_565(colours, beneath, sixteenths) | fxl_exchanged_565(others);
+}
+
+/* The lowest and the highest bits of the channels of two colours. */
+#define FXL_LOWEST_565  0x08210821u
+#define FXL_HIGHEST_565 0x84108410u
+
+/* The sum of each channel, or its largest value, of two colours in each word. Half a sum, rounded
+ * down, is what both channels have and half of what one has: it fits a channel. Its highest bit says
+ * that the sum does not. Twice such a bit less a 16th of it are 5 bits from it down; the 6th one of
+ * green is its 32nd, which of the others is no lowest bit. */
+/* rgb565 2.3 */
+static inline uint32_t fxl_add_565(uint32_t a, uint32_t b)
+{
+    uint32_t lowest = FXL_LOWEST_565, highest = FXL_HIGHEST_565;
+    FXL_HIDE(lowest);
+    FXL_HIDE(highest);
+    const uint32_t unlike = a ^ b, half = (a & b) + ((unlike & ~lowest) >> 1);
+    const uint32_t carries = half & highest;
+    const uint32_t sum = (half ^ carries) << 1 | ((unlike | carries >> 5) & lowest);
+    return sum | ((carries << 1) - (carries >> 4));
 }
 
 /* One channel of dark + (colour - dark) * part / 256, rounded to nearest, halves upward. Channels

@@ -92,7 +92,7 @@ def stipple():
 
 # [[row]]
 # id = "channels of RGB565"
-# function = "lib/paint/rgb565_colour.h:fxl_spread_565"
+# function = "lib/paint/rgb565_colour.h:fxl_blend_spread_565"
 # property = "they are 5, 6 and 5 bits, and green is above in a word"
 # checks = 4
 # text = [
@@ -108,11 +108,14 @@ def spread():
 
 
 # [[row]]
-# id = "carries of RGB565"
+# id = "ends of channels of RGB565"
 # function = "lib/paint/rgb565_colour.h:fxl_add_565"
-# property = "they are the bits above the channels of a word"
-# checks = 1
-# text = ["#define FXL_CARRIES_565 {}u"]
-def carries():
-    """The bits above green in the upper half, and above red and blue in the lower one."""
-    return [1 << (16 + 11) | 1 << 16 | 1 << 5]
+# property = "they are the lowest and the highest bits of the channels of two colours"
+# checks = 2
+# text = [
+#     "#define FXL_LOWEST_565  {}u",
+#     "#define FXL_HIGHEST_565 {}u",
+# ]
+def ends():
+    """The bits of one colour, in both halves of a word."""
+    return [(1 << 11 | 1 << 5 | 1) * 65537, (1 << 15 | 1 << 10 | 1 << 4) * 65537]

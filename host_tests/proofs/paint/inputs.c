@@ -112,38 +112,39 @@ static uint32_t lowest(uint32_t channel)
 }
 
 /* [[row]]
- * id = "every colour, spread"
- * function = "lib/paint/rgb565_colour.h:fxl_spread_565"
- * property = "each channel has its place, for every colour"
- * checks = 65536
+ * id = "every exchange"
+ * function = "lib/paint/rgb565_colour.h:fxl_exchanged_565"
+ * property = "the halves of a word change places, for every colour in either"
+ * checks = 131072
  * every = true
  */
-void enumerate_spread(void)
+void enumerate_exchanged(void)
 {
     for (uint32_t colour = 0; colour < 1u << 16; colour++) {
-        const uint32_t spread = fxl_spread_565(colour);
-        TRY(colour, spread == ((colour >> 5 & 63u) << 21 | (colour >> 11) << 11 | (colour & 31u)));
+        TRY(colour, fxl_exchanged_565(colour) == colour << 16);
+        TRY(colour, fxl_exchanged_565(colour << 16) == colour);
     }
 }
 
 /* [[row]]
  * id = "every blend"
  * function = "lib/paint/rgb565_colour.h:fxl_blend_565"
- * property = "each channel is the mean by sixteenths, rounded down, for every two levels of it and every part"
- * checks = 208896
+ * property = "each channel of both colours is the mean by sixteenths, rounded down, for every two levels of it and every part"
+ * checks = 417792
  */
-/* Channels of the sum are fields of a word, so one meets another only by a carry, which is there if
+/* Channels of a sum are fields of a word, so one meets another only by a carry, which is there if
  * it is with the largest colours. So a channel is tried with the others at both ends. */
 void enumerate_blend(void)
 {
     for (uint32_t part = 0; part <= 16; part++) {
-        for (uint32_t i = 0; i < 3; i++) {
-            const uint32_t channel = channels[i], unit = lowest(channel), rest = 0xFFFFu & ~channel;
-            for (uint32_t a = 0; a <= channel; a += unit) {
-                for (uint32_t b = 0; b <= channel; b += unit) {
-                    const uint32_t wanted = (a / unit * part + b / unit * (16 - part)) / 16 * unit;
-                    TRY(a, fxl_blend_565(a, b, part) == wanted);
-                    TRY(a, fxl_blend_565(a | rest, b | rest, part) == (wanted | rest));
+        for (uint32_t i = 0; i < 6; i++) {
+            const uint32_t channel = channels[i % 3] << 16 * (i / 3), unit = lowest(channel), rest = ~channel;
+            const uint32_t most = channel / unit;
+            for (uint32_t a = 0; a <= most; a++) {
+                for (uint32_t b = 0; b <= most; b++) {
+                    const uint32_t wanted = (a * part + b * (16 - part)) / 16 * unit;
+                    TRY(a, fxl_blend_565(a * unit, b * unit, part) == wanted);
+                    TRY(a, fxl_blend_565(a * unit | rest, b * unit | rest, part) == (wanted | rest));
                 }
             }
         }

@@ -5,7 +5,7 @@
 #include "proof.h"
 
 #ifndef CASE
-#define CASE 16
+#define CASE 0
 #endif
 
 /* --- colours ----------------------------------------------------------------------------------------------- */
@@ -17,35 +17,63 @@ static uint32_t channel_of(uint32_t colour, uint32_t k)
 
 /* [[row]]
  * function = "lib/paint/rgb565_colour.h:fxl_add_565"
- * property = "each channel of any two colours is their sum, or its largest level"
+ * property = "each channel of any two words of two colours is their sum, or its largest level"
  * checks = 1
  */
 void prove_add_565(void)
 {
-    const uint32_t a = nondet_u16(), b = nondet_u16(), k = nondet_u32();
+    const uint32_t a = nondet_u32(), b = nondet_u32(), k = nondet_u32(), half = nondet_bool() ? 16 : 0;
     ASSUME(k < 3);
-    const uint32_t most = k == 1 ? 63 : 31, added = channel_of(a, k) + channel_of(b, k);
-    const uint32_t found = fxl_add_565(a, b);
+    const uint32_t most = k == 1 ? 63 : 31;
+    const uint32_t added = channel_of(a >> half & 0xFFFFu, k) + channel_of(b >> half & 0xFFFFu, k);
+    const uint32_t found = fxl_add_565(a, b) >> half & 0xFFFFu;
     ASSERT("a sum that is held", channel_of(found, k) == (added > most ? most : added));
     PROOF_ENDS();
 }
 
 /* [[row]]
+ * function = "mixed_of"
+ * property = "any two words, blended by each part or added: a colour that is blended with itself stays, and so does one to which 0 is added"
+ * checks = 16
+ * cases = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16]
+ */
+/* [[row]]
+ * function = "lib/paint/rgb565_colour.h:fxl_blend_spread_565"
+ * id = "spread channels that are blended"
+ * property = "any two words and each part: nothing is between the channels"
+ * checks = 16
+ * cases = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16]
+ */
+void prove_mixed_of(void)
+{
+    const uint32_t above = nondet_u32(), beneath = nondet_u32();
+    ASSERT("channels", (fxl_blend_spread_565(above, beneath, CASE) & ~FXL_SPREAD_565) == 0);
+    ASSERT("stays", mixed_of(CASE == 0 ? 0 : beneath, beneath, CASE) == beneath);
+    PROOF_ENDS();
+}
+
+/* [[row]]
  * function = "mix_row"
- * property = "any 3 pixels, blended by any part or added: nothing is out of bounds, and where what is above is as beneath, or adds 0, they stay"
+ * property = "any 5 pixels from either half of a word on, blended or added: nothing is out of bounds, and no other pixel is written"
+ * checks = 95
+ * unwind = 4
+ */
+/* [[row]]
+ * function = "mix_words"
+ * id = "words of mixed pixels"
+ * property = "the same"
  * checks = 95
  * unwind = 4
  */
 void prove_mix_row(void)
 {
-    uint16_t above[3], pixels[3];
+    FXL_ALIGN_8 uint16_t above[6], pixels[6];
     fxl_paint_565 of;
-    const uint32_t count = nondet_u32(), k = nondet_u32();
-    ASSUME(count <= 3 && k < count && of.sixteenths <= 16);
+    const uint32_t count = nondet_u32(), k = nondet_u32(), first = nondet_u32();
+    ASSUME(count <= 5 && k < 6 && first <= 1 && of.sixteenths <= 16);
     const uint16_t before = pixels[k];
-    const bool is_hole = of.sixteenths == 0 ? above[k] == 0 : above[k] == before;
-    mix_row(&of, above, pixels, count);
-    ASSERT("a hole stays", !is_hole || pixels[k] == before);
+    mix_row(&of, above + first, pixels + first, count);
+    ASSERT("no other", pixels[k] == before || (k >= first && k < first + count));
     PROOF_ENDS();
 }
 
@@ -117,28 +145,47 @@ void prove_after(void)
  * property = "any weights and rule: 0, 2, 3 or 4"
  * checks = 180
  */
+/* [[row]]
+ * function = "has_sixteens"
+ * property = "the same: only with FXL_DIVIDE_16"
+ * checks = 180
+ */
+/* [[row]]
+ * function = "weight_after"
+ * property = "the same: from 1 on"
+ * checks = 180
+ */
 void prove_log_of(void)
 {
     fxl_paint paint;
     fxl_gradients gradients;
+    fxl_paint_row row;
+    const uint32_t x0 = nondet_u32(), x1 = nondet_u32();
+    ASSUME(x0 < x1 && x1 < 1u << 15);
     paint.gradients = &gradients;
-    const uint32_t log = log_of(&paint, nondet_s64());
+    const uint32_t log = log_of(&paint, &row, x0), weight = weight_after(&paint, &row, x0 & ~15u);
     ASSERT("columns of a segment", log == 0 || (log >= 2 && log <= 4));
+    ASSERT("a weight", weight >= 1 && weight <= INT32_MAX);
+    ASSERT("16 columns", !has_sixteens(&paint, &row, x0, x1) || paint.division == FXL_DIVIDE_16);
     PROOF_ENDS();
 }
 
 /* [[row]]
  * function = "divide"
- * property = "any numbers"
+ * property = "any numbers: fxl_attribute_of"
+ * checks = 52
+ */
+/* [[row]]
+ * function = "upper_32"
+ * property = "any number"
  * checks = 52
  */
 void prove_divide(void)
 {
     column_numbers at;
+    fxl_gradients gradients;
     int32_t u, v;
-    const int32_t u_drop = nondet_s32(), v_drop = nondet_s32();
-    ASSUME(u_drop >= -66 && u_drop <= 190 && v_drop >= -66 && v_drop <= 190);
-    divide(&at, u_drop, v_drop, &u, &v);
+    divide(&gradients, &at, &u, &v);
     PROOF_ENDS();
 }
 
@@ -162,21 +209,21 @@ static uint16_t texels[8], palette[256];
  * function = "show_lines"
  * property = "texels of 8 and 16 bits, a texture of 4 x 2, any coordinates: nothing is out of bounds"
  * checks = 232
- * unwind = 5
- * cases = [8, 16]
+ * unwind = 3
+ * cases = [0, 1, 2, 3]
  */
 void prove_show_lines(void)
 {
     fxl_paint paint;
     texel_line line;
-    uint16_t shown[4];
+    uint16_t shown[2];
     paint.level.texels = (const uint8_t *)texels;
     paint.level.colours = NULL;
     paint.level.log_width = 2;
     paint.level.columns_less_1 = 3;
     paint.level.rows_less_1 = 1;
     paint.of_565.palette = palette;
-    ASSUME(line.count >= 1 && line.count <= 4);
-    show_lines(&paint, &line, &line + 1, shown, CASE);
+    ASSUME(line.count >= 1 && line.count <= 2);
+    show_lines(&paint, &line, &line + 1, shown, (CASE & 1) != 0, (CASE & 2) != 0);
     PROOF_ENDS();
 }
