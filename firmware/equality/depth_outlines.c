@@ -157,7 +157,9 @@ static bool draw_by_kernel(const polygon *of, const fxl_band *band)
 {
     static fxl_scan scan;
     fxl_depth_outline outline;
-    if (!fxl_depth_outline_begin(&by_core, &of->plane, band, of->pixel_bits / 8, &outline)) {
+    outline.plane = of->plane;
+    if (!fxl_depth_outline_can_draw(&by_core.head, band, of->pixel_bits / 8) ||
+        !fxl_depth_outline_begin(&by_core, band, of->pixel_bits / 8, &outline)) {
         return false;
     }
     outline.scan = &scan;
@@ -397,14 +399,15 @@ static void compare(bool (*draw)(const polygon *of, const fxl_band *band), uint3
     polygon of;
     const uint32_t width = 1u + (any_32() >> 8) % ROW, tall = CELLS / width;
     const uint32_t rows = 1u + (any_32() >> 7) % (tall < 50 ? tall : 50);
-    const uint32_t height = 1u + (any_32() >> 9) % (2 * rows);
+    const uint32_t most = (any_32() & 0x200u) != 0 ? 9 : CELLS; /* every other one is small */
+    const uint32_t height = 1u + (any_32() >> 9) % (2 * rows < most ? 2 * rows : most);
     fxl_band band = {.width = (uint16_t)width,
                      .stride = (uint16_t)width,
                      .first_row = (uint16_t)((any_32() >> 9 & 1u) * (any_32() >> 11) % 900u),
                      .rows = (uint16_t)rows};
     const int32_t top =
         (int32_t)(band.first_row << 16) - (int32_t)((any_32() >> 8) % (height << 15));
-    const uint32_t narrow = 1u + (any_32() >> 9) % width,
+    const uint32_t narrow = 1u + (any_32() >> 9) % (width < most ? width : most),
                    left = (any_32() >> 9) % (width - narrow + 1);
     of.count = (any_32() & 1u) != 0 ? 3u : 3u + (any_32() >> 11 & 3u);
     of.pixel_bits = 8u + (any_32() >> 9 & 8u);

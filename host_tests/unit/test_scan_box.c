@@ -3,7 +3,6 @@
 #include "picture.h"
 #include "study/scan_box.h"
 #include "raster/scan.h"
-#include "raster/tiny.h"
 #include "unit.h"
 
 /* The brute-force scan against the edge walk and against the definition. */

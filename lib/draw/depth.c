@@ -6,7 +6,7 @@
 #include "../math/arith.h"
 #include "depth_plane.h"
 #include "submit.h"
-#include "../paint/depth_row.h"
+#include "../paint/depth_outline.h"
 
 /* Products of a row whose components are at most 2^30 and a normal: a sum is below 2^62. */
 static int64_t row_times(const fxl_direction *row, const fxl_direction *normal)
@@ -185,6 +185,8 @@ void fxl_depth_draw_parts(const fxl_renderer *renderer, fxl_workspace *workspace
         if (part.rows < CLEARED_BY_FACES) {
             fxl_depth_clear_all(workspace, &part, cell_bytes);
         }
+        workspace->draws_outlines = FXL_DRAWS_DEPTH_OUTLINES &&
+                                    fxl_depth_outline_can_draw(head, &part, pixel_bytes);
         draw_part(renderer, workspace, &part);
         left -= part.rows;
         if (left == 0) {

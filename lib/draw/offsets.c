@@ -199,10 +199,10 @@ AT(fxl_gradients, weight_min, GRADIENTS_WEIGHT_MIN);
 
 AT(fxl_depth_plane, one, DEPTH_PLANE_ONE);
 
-AT(fxl_depth_outline, value, DEPTH_OUTLINE_VALUE);
-AT(fxl_depth_outline, along, DEPTH_OUTLINE_ALONG);
-AT(fxl_depth_outline, down, DEPTH_OUTLINE_DOWN);
-AT(fxl_depth_outline, row_cell, DEPTH_OUTLINE_ROW_CELL);
+AT(fxl_depth_outline, plane.gradient.at, DEPTH_OUTLINE_VALUE);
+AT(fxl_depth_outline, plane.gradient.along, DEPTH_OUTLINE_ALONG);
+AT(fxl_depth_outline, plane.gradient.down, DEPTH_OUTLINE_DOWN);
+AT(fxl_depth_outline, plane.one, DEPTH_OUTLINE_ROW_CELL);
 AT(fxl_depth_outline, zeros, DEPTH_OUTLINE_ZEROS);
 AT(fxl_depth_outline, cells, DEPTH_OUTLINE_CELLS);
 AT(fxl_depth_outline, one, DEPTH_OUTLINE_ONE);

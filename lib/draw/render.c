@@ -309,6 +309,7 @@ fxl_status fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
                                      .counters = workspace->rest_counted ? &uncounted
                                                                          : &workspace->counters,
                                      .mode = FXL_SUBMIT_ANY,
+                                     .draws_one = renderer->clipper->next == NULL,
                                      .draw = draws_at_once ? renderer->target->flat : NULL};
     if (!(renderer->draw_display_list != NULL ? renderer->draw_display_list(&traversal)
                                               : draw_display_list(&traversal)) ||

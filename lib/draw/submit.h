@@ -28,6 +28,7 @@ struct fxl_traversal {
     fxl_resume_point *resume; /* where to go on; kept where the traversal is stopped */
     fxl_counters *counters;
     fxl_submit_mode mode;
+    bool draws_one; /* a band is drawn, by a clipper that gives one polygon of a face at most */
     /* FXL_SUBMIT_ANY: draws a face at once, over what is there. Null: it goes the way of all. */
     bool (*draw)(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band);
 };

@@ -12,7 +12,6 @@
 
 #include "../raster/fill.h"
 #include "../raster/scan.h"
-#include "../raster/tiny.h"
 #include "../view/model_view.h"
 #include "pixel_row.h"
 #include "renderer.h"
@@ -91,25 +90,33 @@ static inline __attribute__((always_inline)) void paint_row(void *with, fxl_pixe
     fxl_depth_paint_row(&of->depth, y, x0, x1, FXL_TARGET_DEPTH_BITS, false, paint_run, &row);
 }
 
+/* A plane, where the kernel of outlines takes it, if there is one. */
+#if FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
+typedef fxl_depth_outline flat_outline;
+#else
+typedef struct {
+    fxl_depth_plane plane;
+} flat_outline;
+#endif
+
 /* Draws a polygon by the kernel of outlines, where there is one and it can. */
-static inline fxl_depth_drawn draw_outline(fxl_workspace *workspace, const fxl_depth_plane *plane,
+static inline fxl_depth_drawn draw_outline(fxl_workspace *workspace, flat_outline *outline,
                                            const fxl_screen_point *points, uint32_t count,
                                            uint8_t colour, uint8_t shade, const fxl_band *band)
 {
 #if FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
-    fxl_depth_outline outline;
-    if (!fxl_depth_outline_begin(workspace->target_memory, plane, band, FXL_PIXEL_BITS / 8,
-                                 &outline)) {
+    if (!workspace->draws_outlines ||
+        !fxl_depth_outline_begin(workspace->target_memory, band, FXL_PIXEL_BITS / 8, outline)) {
         return FXL_DEPTH_NOT_DRAWN;
     }
-    outline.filling = fxl_filling_word(fxl_filling_of(band, colour, shade, workspace->dark));
+    outline->filling = fxl_filling_word(fxl_filling_of(band, colour, shade, workspace->dark));
 #if !FXL_KERNELS_ARMV7M
-    outline.scan = &workspace->work.scan;
+    outline->scan = &workspace->work.scan;
 #endif
-    return FXL_DRAW_DEPTH_OUTLINE(points, count, band, &outline);
+    return FXL_DRAW_DEPTH_OUTLINE(points, count, band, outline);
 #else
     (void)workspace;
-    (void)plane;
+    (void)outline;
     (void)points;
     (void)count;
     (void)colour;
@@ -136,15 +143,14 @@ static __attribute__((noinline)) void paint_by_rows(fxl_workspace *workspace,
 
 /* Returns true if it is known that the polygon reaches a row. */
 static inline __attribute__((always_inline)) bool
-paint_flat_here(fxl_workspace *workspace, const fxl_depth_plane *plane,
-                const fxl_screen_point *points, uint32_t count, uint8_t colour, uint8_t shade,
-                const fxl_band *band)
+paint_flat_here(fxl_workspace *workspace, flat_outline *outline, const fxl_screen_point *points,
+                uint32_t count, uint8_t colour, uint8_t shade, const fxl_band *band)
 {
     fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
     const fxl_depth_drawn drawn =
-        draw_outline(workspace, plane, points, count, colour, shade, band);
+        draw_outline(workspace, outline, points, count, colour, shade, band);
     if (drawn == FXL_DEPTH_NOT_DRAWN) {
-        paint_by_rows(workspace, plane, points, count, colour, shade, band);
+        paint_by_rows(workspace, &outline->plane, points, count, colour, shade, band);
     }
     return drawn == FXL_DEPTH_DRAWN;
 }
@@ -153,7 +159,9 @@ static __attribute__((noinline)) bool
 paint_flat(fxl_workspace *workspace, const fxl_depth_plane *plane, const fxl_screen_point *points,
            uint32_t count, uint8_t colour, uint8_t shade, const fxl_band *band)
 {
-    return paint_flat_here(workspace, plane, points, count, colour, shade, band);
+    flat_outline outline;
+    outline.plane = *plane;
+    return paint_flat_here(workspace, &outline, points, count, colour, shade, band);
 }
 
 /* fxl_target.flat: what has no depth is at infinity. Front to back, the first of these to cover a
@@ -215,13 +223,6 @@ static fxl_outcome submit_polygons(const fxl_model_view *model_view, const fxl_f
                                      &polygon, false);
 }
 
-/* Whether a face gives at most one polygon, which is drawn into the band at once. */
-static bool draws_one_polygon(const fxl_traversal *traversal)
-{
-    return traversal->display_list == NULL && traversal->mode != FXL_SUBMIT_MEASURE &&
-           traversal->clipper->next == NULL;
-}
-
 /* The depth of the face that is drawn now: fxl_find_depth_by_normal, whose usual case is here. */
 static inline void find_depth(const fxl_model_view *model_view, const fxl_face *face,
                               const fxl_traversal *traversal, fxl_depth_plane *plane)
@@ -238,9 +239,13 @@ static inline void find_depth(const fxl_model_view *model_view, const fxl_face *
 
 /* Whether to try a face as a tiny one. Most are higher. Where a kernel draws outlines, those of
  * FXL_TINY_SIDE pixels and more are not tried: few of them are tiny, which saves less than the
- * others cost. */
-static inline bool may_be_tiny(const fxl_screen_polygon *screen)
+ * others cost. The kernels of Armv7-M draw small triangles themselves. */
+static inline bool may_be_tiny(const fxl_workspace *workspace)
 {
+    const fxl_screen_polygon *screen = &workspace->screen;
+    if (FXL_KERNELS_ARMV7M && FXL_TARGET_DEPTH_BITS == 16 && workspace->draws_outlines) {
+        return false;
+    }
     const uint32_t end = (FXL_DRAWS_DEPTH_OUTLINES ? FXL_TINY_SIDE : FXL_TINY_SIDE + 1) * 65536;
     const fxl_screen_point *points = screen->points;
     const uint32_t x = end - (uint32_t)points[0].x, y = end - (uint32_t)points[0].y;
@@ -307,9 +312,9 @@ static inline bool draw_polygon(const fxl_model_view *model_view, const fxl_face
     fxl_workspace *workspace = traversal->workspace;
     const fxl_screen_polygon *screen = &workspace->screen;
     const uint8_t shade = FXL_PIXEL_IS_MIXED ? screen->shade : 0;
-    fxl_depth_plane plane;
+    flat_outline outline;
     bool draws = true;
-    if (may_be_tiny(screen)) {
+    if (may_be_tiny(workspace)) {
         const tiny_drawn drawn = draw_tiny(model_view, face, traversal);
         if (drawn == TINY_IS_DRAWN) {
             return true;
@@ -317,9 +322,9 @@ static inline bool draw_polygon(const fxl_model_view *model_view, const fxl_face
         draws = drawn == TINY_IS_NOT;
     }
     if (draws) {
-        find_depth(model_view, face, traversal, &plane);
+        find_depth(model_view, face, traversal, &outline.plane);
     }
-    return (draws && paint_flat_here(workspace, &plane, screen->points, screen->count,
+    return (draws && paint_flat_here(workspace, &outline, screen->points, screen->count,
                                      face->material, shade, traversal->band)) ||
            fxl_outline_has_rows(screen, traversal->renderer->frame.view.lens.height);
 }
@@ -347,7 +352,7 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face,
                    const fxl_traversal *traversal, const fxl_shader *shader)
 {
     (void)shader;
-    if (draws_one_polygon(traversal)) {
+    if (traversal->draws_one) {
         return draw_face(model_view, face, traversal);
     }
     const uint32_t used = traversal->renderer->frame.display_list.used;

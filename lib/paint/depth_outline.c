@@ -48,10 +48,11 @@ static inline void find_columns(const fxl_screen_point *points, uint32_t count, 
 static inline bool find_sheet(const fxl_depth_outline *outline, uint32_t column, uint32_t columns,
                               uint32_t row, uint32_t rows, sheet *codes)
 {
+    const fxl_gradient *gradient = &outline->plane.gradient;
     const uint64_t corner =
-        (uint64_t)outline->value + times(outline->along, column) + times(outline->down, row);
-    const uint64_t across = times(outline->along, columns - 1u);
-    const uint64_t below = times(outline->down, rows - 1u);
+        (uint64_t)gradient->at + times(gradient->along, column) + times(gradient->down, row);
+    const uint64_t across = times(gradient->along, columns - 1u);
+    const uint64_t below = times(gradient->down, rows - 1u);
     const uint32_t upper = (uint32_t)(corner >> 32);
     const uint32_t differing = (upper ^ (uint32_t)((corner + across) >> 32)) |
                                (upper ^ (uint32_t)((corner + below) >> 32)) |
@@ -67,9 +68,9 @@ static inline bool find_sheet(const fxl_depth_outline *outline, uint32_t column,
     }
     const int32_t above = (int32_t)outline->octaves - 2 - number;
     const uint32_t bias = ((uint32_t)above << (outline->mantissa + 16u)) + 65536u;
-    codes->at = ((uint64_t)outline->value << (32 - drop)) + ((uint64_t)bias << 32);
-    codes->down = (uint64_t)outline->down << (32 - drop);
-    codes->step = fxl_depth_shifted(outline->along, drop);
+    codes->at = ((uint64_t)gradient->at << (32 - drop)) + ((uint64_t)bias << 32);
+    codes->down = (uint64_t)gradient->down << (32 - drop);
+    codes->step = fxl_depth_shifted(gradient->along, drop);
     return true;
 }
 

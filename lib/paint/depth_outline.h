@@ -18,13 +18,12 @@ extern "C" {
 
 /* What the kernel needs of a polygon, and what it keeps from row to row. Cells are counted from the
  * first one of the band. An octave here is the number of leading zeros of the gradient's upper
- * word. Of an outline that has one octave the members from `one` on are overwritten: 64 bits, whose
- * upper word is the code of cell 0 in the next row, their change a row, and the step. */
+ * word. In assembly, plane.gradient.at becomes the value in column 0 of the next row, and the words
+ * from plane.one on the number of that row's first cell and of cells a row. Of an outline that has
+ * one octave the members from `one` on are overwritten: 64 bits, whose upper word is the code of
+ * cell 0 in the next row, their change a row, and the step. */
 typedef struct {
-    FXL_ALIGN_8 int64_t value; /* of the plane in column 0 of row 0; then of the next row */
-    int64_t along, down;
-    uint32_t row_cell;  /* of column 0 of the next row: the kernel's own */
-    uint32_t row_cells; /* of a row: the kernel's own */
+    FXL_ALIGN_8 fxl_depth_plane plane;
     uint32_t zeros;     /* of the octave that is known; above 32: of none; 0: the outline has one */
     int32_t drop;       /* of it, as of fxl_depth_octave; so the next two */
     uint32_t bias;
@@ -78,25 +77,20 @@ static inline uintptr_t fxl_depth_outline_pixels(const fxl_depth_head *head, con
     return pixel_bytes == 1 ? pixels - cells / 2 : pixels - cells;
 }
 
-/* Prepares a polygon whose pixels have `pixel_bytes` bytes. Returns false if the kernel cannot draw
- * it: *outline is undefined then. It draws planes of which a value whose upper word is not above 0
- * is beyond the last octave. */
-static inline bool fxl_depth_outline_begin(const void *memory, const fxl_depth_plane *plane,
-                                           const fxl_band *band, uint32_t pixel_bytes,
-                                           fxl_depth_outline *outline)
+/* Prepares a polygon whose pixels have `pixel_bytes` bytes, and whose plane *outline has. Returns
+ * false if the kernel cannot draw it: it draws planes of which a value whose upper word is not above
+ * 0 is beyond the last octave. Requires fxl_depth_outline_can_draw. */
+static inline bool fxl_depth_outline_begin(const void *memory, const fxl_band *band,
+                                           uint32_t pixel_bytes, fxl_depth_outline *outline)
 {
     const fxl_depth_head *head = (const fxl_depth_head *)memory;
-    if (plane->one < 32 + head->scale.octaves ||
-        !fxl_depth_outline_can_draw(head, band, pixel_bytes)) {
+    if (outline->plane.one < 32 + head->scale.octaves) {
         return false;
     }
     outline->cells = (uint16_t *)(uintptr_t)(head + 1);
     outline->pixels = fxl_depth_outline_pixels(head, band, pixel_bytes);
-    outline->value = plane->gradient.at;
-    outline->along = plane->gradient.along;
-    outline->down = plane->gradient.down;
     outline->zeros = UINT32_MAX;
-    outline->one = plane->one;
+    outline->one = outline->plane.one;
     outline->octaves = head->scale.octaves;
     outline->mantissa = head->scale.mantissa;
     return true;

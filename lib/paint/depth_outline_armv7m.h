@@ -135,7 +135,14 @@
     b       .Lrow
     .endm
 
+/* Triangles whose box has so many rows, columns and centres at most are drawn by edge functions. */
+#define SMALL_ROWS    7
+#define SMALL_COLUMNS 8
+#define SMALL_CENTRES 40
+
 #include "../raster/outline_armv7m.h"
+
+#include "small_triangle_armv7m.h"
 
     /* More points than three. */
 .Lextend:

@@ -17,7 +17,10 @@
  *   begin_rows_below  a macro: the label .Lrows_below
  *   fill_rows         a macro: continues where the rows of a trapezoid are filled. r4-r11: the
  *                     edges, r12: rows less 1. That continues at .Lrows_below, where r4-r11 are
- *                     those of the row below */
+ *                     those of the row below
+ *
+ * and, if it draws small triangles itself, SMALL_ROWS: one of so many rows or fewer continues at its
+ * .Lsmall, which may go to .Ltwo_chains with r0-r3, r6-r9 and r11 as they were. */
 
 #define ROW_OF_LEFT  (FRAME_LEFT + 4)
 #define ROW_OF_RIGHT (FRAME_RIGHT + 4)
@@ -170,6 +173,10 @@
     asr     r6, r6, #16
     asr     r7, r7, #16
     sub     r8, r7, r6
+#ifdef SMALL_ROWS
+    cmp     r8, #SMALL_ROWS
+    bls     .Lsmall
+#endif
     b       .Ltwo_chains
 #endif
 

@@ -91,6 +91,25 @@ bool fxl_active_edges_next(fxl_active_edges *edges, fxl_span *span);
 void fxl_active_edges_fill(fxl_active_edges *edges, const fxl_span *span, const fxl_band *band,
                            uint8_t colour);
 
+/* --- tiny triangles: of at most 2 x 2 pixel centres ------------------------ */
+
+#define FXL_TINY_SIDE 2
+
+/* Compiled for few bytes, triangles are scanned whatever their size. */
+#define FXL_HAS_TINY (!FXL_IS_SMALL && !FXL_IS_COMPACT)
+
+/* The pixels that a triangle covers in a band: bit FXL_TINY_SIDE j + i is that of column + i of
+ * row + j. */
+typedef struct {
+    int32_t column, row;
+    uint32_t pixels;
+} fxl_tiny;
+
+/* Finds the pixels of a band, all of whose columns are drawn, that a triangle covers: those of a
+ * scan, by the exact edge functions at each centre. Returns false if it is not tiny: *tiny is
+ * undefined then. Exact. */
+bool fxl_tiny_find(const fxl_screen_point *points, const fxl_band *band, fxl_tiny *tiny);
+
 #ifdef __cplusplus
 }
 #endif

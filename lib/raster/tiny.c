@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A file of its own: each target with a depth buffer would have these functions in several places.
  */
-#include "tiny.h"
+#include "scan.h"
 
 #include "../math/arith.h"
 #include "../math/pixel_centre.h"

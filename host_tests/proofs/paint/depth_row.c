@@ -358,7 +358,8 @@ void prove_depth_outline_begin(void)
     const uint32_t pixel_bytes = nondet_bool() ? 1 : 2;
     any_painting();
     band.pixels = pixels;
-    const bool begun = fxl_depth_outline_begin(&memory, &plane, &band, pixel_bytes, &outline);
+    outline.plane = plane;
+    const bool begun = fxl_depth_outline_can_draw(&memory.head, &band, pixel_bytes) && fxl_depth_outline_begin(&memory, &band, pixel_bytes, &outline);
     ASSERT("front to back, all columns", !begun || (!memory.head.or_equal && band.columns == 0 && !fxl_depth_is_in_words(&plane)));
     ASSERT("its cells", !begun || (uint8_t *)outline.cells == (uint8_t *)memory.cells);
     PROOF_ENDS();

@@ -122,6 +122,7 @@ typedef struct fxl_workspace {
     uint16_t sorted_instance;  /* whose they are, as fxl_resume_point counts instances */
     uint16_t front_count;      /* how many of its faces face the eye */
     uint16_t sorted_count;     /* how many are in the order: fewer, where some were dropped */
+    bool draws_outlines;       /* kernels draw outlines with a depth into the band */
     void *target_memory;       /* the target's, of the caller's memory; or null */
     fxl_vertex_cache cache;
     uint32_t target_memory_size;
