@@ -158,21 +158,23 @@ static bool find_means(const fxl_corner_planes *planes, int32_t (*values)[3], bo
 }
 
 /* What all channels of a face share: how much of a difference between corners a pixel along and a
- * pixel down adds, times 2^29; and where corner 0 is, from the centre of the pixel in `row` and the
- * column, times 2^32: less than half a pixel away. */
+ * pixel down adds, times 2^(29 - less); and where corner 0 is, from the centre of the pixel in `row`
+ * and the column, times 2^32: less than half a pixel away. */
 typedef struct {
     int32_t along[2], down[2], x, y, row;
+    unsigned less;
 } shared_planes;
 
-/* value 2^shift. False if that is 2^31 or more. */
-static inline bool shift_up(int32_t value, unsigned shift, int32_t *shifted)
+#define LESS_MAX 4u
+
+static inline int32_t shifted_up(int32_t value, unsigned shift)
 {
-    *shifted = (int32_t)((uint32_t)value << shift);
-    return *shifted >> shift == value;
+    return (int32_t)((uint32_t)value << shift);
 }
 
 /* Exponents are from 17 to 40. What is cut off a coefficient changes a channel by less than 64
- * 2^-29 level a pixel. False: a coefficient is 4 or more, so a side of the face is short. */
+ * 2^-29 level a pixel. False: a coefficient is 4 2^LESS_MAX or more, so a side of the face is
+ * short. The largest coefficient is at least 2^28. */
 static inline bool share(const fxl_corner_planes *planes, int32_t column, shared_planes *shared)
 {
     const int32_t *along = planes->along, *down = planes->down;
@@ -180,12 +182,18 @@ static inline bool share(const fxl_corner_planes *planes, int32_t column, shared
     shared->row = (planes->y + 32768) >> 16;
     shared->x = (int32_t)((uint32_t)(planes->x - column * 65536) << 16);
     shared->y = (int32_t)((uint32_t)planes->y << 16);
+    shared->less = 0;
     if (cut < 0) {
-        const unsigned shift = (unsigned)-cut;
-        return shift_up(along[0], shift, &shared->along[0]) &&
-               shift_up(along[1], shift, &shared->along[1]) &&
-               shift_up(down[0], shift, &shared->down[0]) &&
-               shift_up(down[1], shift, &shared->down[1]);
+        const int32_t bits = (along[0] ^ (along[0] >> 31)) | (along[1] ^ (along[1] >> 31)) |
+                             (down[0] ^ (down[0] >> 31)) | (down[1] ^ (down[1] >> 31));
+        const unsigned room = fxl_leading_zeros((uint32_t)bits) - 1u;
+        const unsigned shift = (unsigned)-cut < room ? (unsigned)-cut : room;
+        shared->less = (unsigned)-cut - shift;
+        shared->along[0] = shifted_up(along[0], shift);
+        shared->along[1] = shifted_up(along[1], shift);
+        shared->down[0] = shifted_up(down[0], shift);
+        shared->down[1] = shifted_up(down[1], shift);
+        return shared->less <= LESS_MAX;
     }
     shared->along[0] = along[0] >> cut;
     shared->along[1] = along[1] >> cut;
@@ -194,14 +202,26 @@ static inline bool share(const fxl_corner_planes *planes, int32_t column, shared
     return true;
 }
 
+/* Whether the differences of all channels, in 7.(25 + less), are below 2^31 - 2^23: those of corners
+ * are at most 2^22 - 2^14. */
+static inline bool differences_fit(int32_t (*values)[3], unsigned less)
+{
+    uint32_t bits = 0;
+    for (uint32_t k = 0; k < 3; k++) {
+        const int32_t d1 = values[k][1] - values[k][0], d2 = values[k][2] - values[k][0];
+        bits |= (uint32_t)((d1 ^ (d1 >> 31)) | (d2 ^ (d2 >> 31)));
+    }
+    return (bits + (1u << 14)) >> (22u - less) == 0;
+}
+
 /* A channel in 10.22, modulo 2^32, in row 0 of a column, and what a column and a row add. */
 typedef struct {
     uint32_t at;
     int32_t along, down;
 } channel_words;
 
-/* first: at corner 0, in 10.22. d1, d2: the differences of the others, in 7.25, at most 2^31 -
- * 2^23. So sums of two products are at most 2^63 - 2^55, and a step is at most 2^31 - 2^23; two
+/* first: at corner 0, in 10.22. d1, d2: the differences of the others, in 7.(25 + less), at most
+ * 2^31 - 2^23. So sums of two products are at most 2^63 - 2^55, and a step is at most 2^31 - 2^23; two
  * products of steps are at most 2^63 - 2^55 too. Roundings: a step's, 2^-22 a pixel. */
 static FXL_ONE_COPY channel_words find_channel(const shared_planes *shared, uint32_t first,
                                                int32_t d1, int32_t d2)
@@ -263,7 +283,7 @@ bool fxl_corner_colours_unlit(const fxl_corner *const corners[3], const fxl_corn
     const int32_t colours[3] = {corners[0]->texel.u, corners[1]->texel.u, corners[2]->texel.u};
     shared_planes shared;
     if (!planes->is_triangle || !(is_affine || is_near(planes)) ||
-        !share(planes, column, &shared)) {
+        !share(planes, column, &shared) || shared.less != 0) {
         return false;
     }
     const channel_words channels[3] = {channel_of_colours(&shared, colours, 0xFF0000, 3, 1u << 18),
@@ -277,8 +297,8 @@ static inline channel_words channel_of_values(const shared_planes *shared, const
                                               int32_t more)
 {
     return find_channel(shared, (uint32_t)(values[0] + more) << 6,
-                        (int32_t)((uint32_t)(values[1] - values[0]) << 9),
-                        (int32_t)((uint32_t)(values[2] - values[0]) << 9));
+                        shifted_up(values[1] - values[0], 9u + shared->less),
+                        shifted_up(values[2] - values[0], 9u + shared->less));
 }
 
 bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values)[3],
@@ -289,7 +309,7 @@ bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values
     int32_t means[3] = {0, 0, 0};
     if (!planes->is_triangle ||
         !(is_affine || is_near(planes) || find_means(planes, values, is_coarse, means)) ||
-        !share(planes, column, &shared)) {
+        !share(planes, column, &shared) || (shared.less != 0 && !differences_fit(values, shared.less))) {
         return false;
     }
     const channel_words channels[3] = {channel_of_values(&shared, values[0], means[0]),

@@ -30,15 +30,16 @@ void fxl_corner_colours_light(const fxl_light_settings *settings, const int32_t 
  * Where is_affine, that weight is asked for; false otherwise if it changes a channel by more than
  * 1/8 of a level; where is_coarse, by more than 0.6 from where most is taken off to where least is:
  * the mean of that is added, or what is nearest to it and leaves 0.3 of a level. Where a corner's
- * channel would then be within 1/16 of what no pixel shows, nothing is added, and the limit is 0.3 to each
- * side. Also false where the face is no triangle, or where a corner's share of a pixel changes by 4
- * or more a pixel: *gradients is then undefined. Error in the triangle, beyond that, given the
- * corners: k of the range of a channel (corner_planes.h), and 2048 2^-22 level. */
+ * channel would then be within 1/16 of what no pixel shows, nothing is added, and the limit is 0.3
+ * to each side. Also false where the face is no triangle, or where a corner's share of a pixel
+ * changes by 64 or more a pixel, or by so much that a channel might by 512 levels: *gradients is
+ * then undefined. Error in the triangle, beyond that, given the corners: k of the range of a channel
+ * (corner_planes.h), and 2048 2^-22 level. */
 bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values)[3],
                                bool is_affine, bool is_coarse, fxl_gradients *gradients);
 
-/* The same of a face that is not lit, by its corners, without its values. Also false where weights differ by
- * more than 1/128 of the least one, and not is_affine. */
+/* The same of a face that is not lit, by its corners, without its values. Also false where weights
+ * differ by more than 1/128 of the least one, and not is_affine; and where a share changes by 4. */
 bool fxl_corner_colours_unlit(const fxl_corner *const corners[3], const fxl_corner_planes *planes,
                               bool is_affine, fxl_gradients *gradients);
 

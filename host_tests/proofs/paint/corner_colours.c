@@ -154,20 +154,23 @@ void prove_is_near(void)
 }
 
 /* [[row]]
- * function = "shift_up"
- * property = "nothing overflows, and true exactly where the result fits"
- * checks = 29
+ * function = "differences_fit"
+ * property = "true only where all differences are below 2^31 - 2^23 when shifted"
+ * checks = 39
+ * unwind = 10
  */
-void prove_shift_up(void)
+void prove_differences_fit(void)
 {
-    const int32_t value = nondet_s32();
-    const unsigned shift = nondet_u8();
-    int32_t shifted;
-    ASSUME(shift >= 1 && shift <= 12);
-    const bool fits = shift_up(value, shift, &shifted);
-    ASSERT("true exactly if it fits",
-           fits == WITHIN((int64_t)value * (1 << shift) * 2 + 1, (int64_t)1 << 32));
-    ASSERT("exactly", !fits || shifted == (int64_t)value * (1 << shift));
+    int32_t values[3][3];
+    const uint32_t less = nondet_u32(), k = nondet_u32(), i = nondet_u32();
+    ASSUME(less >= 1 && less <= LESS_MAX && k < 3 && i >= 1 && i < 3);
+    for (int j = 0; j < 9; j++) {
+        ASSUME(values[j / 3][j % 3] >= 0 && values[j / 3][j % 3] <= 1 << 22);
+    }
+    if (differences_fit(values, less)) {
+        const int64_t apart = (int64_t)values[k][i] - values[k][0];
+        ASSERT("below", WITHIN(apart * (512 << less), DIFFERENCE_MAX - 1));
+    }
     PROOF_ENDS();
 }
 
@@ -185,6 +188,7 @@ void prove_share(void)
     ASSUME(planes.exponent >= 17 && planes.exponent <= 40);
     ASSUME(WITHIN(planes.along[0], 1 << 30) && WITHIN(planes.along[1], 1 << 30));
     ASSUME(WITHIN(planes.down[0], 1 << 30) && WITHIN(planes.down[1], 1 << 30));
+    ASSUME(planes.along[0] >= 1 << 28 || planes.along[0] < -(1 << 28));
     if (share(&planes, corner >> 16, &shared)) {
         ASSERT("less than half a pixel away", shared.row * 65536 + (shared.y >> 16) == planes.y);
         ASSERT("in x too", (corner >> 16) * 65536 + (shared.x >> 16) == planes.x);
@@ -198,8 +202,9 @@ static shared_planes any_shared(void)
                                   {nondet_s32(), nondet_s32()},
                                   nondet_s32(),
                                   nondet_s32(),
-                                  nondet_s32()};
-    ASSUME(WITHIN(shared.row, 2048));
+                                  nondet_s32(),
+                                  nondet_u32()};
+    ASSUME(WITHIN(shared.row, 2048) && shared.less <= LESS_MAX);
     return shared;
 }
 
@@ -261,6 +266,10 @@ void prove_channel_of_values(void)
     }
     int32_t more = nondet_s32(); /* stays_within */
     ASSUME(more >= (1 << 12) - values[0] && more <= (1 << 22) - (1 << 12) - values[0]);
+    for (int i = 1; i < 3; i++) { /* differences_fit */
+        const int64_t apart = (int64_t)values[i] - values[0];
+        ASSUME(WITHIN(apart * (512 << shared.less), DIFFERENCE_MAX - 1));
+    }
     (void)channel_of_values(&shared, values, more);
     PROOF_ENDS();
 }
