@@ -328,6 +328,17 @@ def test_the_command(tmp_path):
     assert words and all("ESTIMATE" in line for line in words)
 
 
+@pytest.mark.parametrize("workload, kernels", [("vcold", {"fxl_draw_colour_outline": 1000}), ("head", {"fxl_draw_smooth_outline_16": 60}),
+                                               ("c500-depth", {"fxl_draw_depth_outline_16": 400})])
+def test_the_kernel_of_a_scene_draws_its_faces(tmp_path, workload, kernels):
+    """Where a face takes another way its pixels are the same, so no other test sees that a kernel is not called: so often a frame at least."""
+    done = run_cli("profile", "--workload", workload, "--core", "m3", "--out", tmp_path)
+    assert done.returncode == 0, done.stderr
+    data = json.loads((tmp_path / "profile.json").read_text())
+    entered = {row["function"]: row["entered"] / data["frames"] for row in data["functions"]}
+    assert not {name: entered.get(name) for name, least in kernels.items() if entered.get(name, 0) < least}
+
+
 @pytest.mark.parametrize("workload, core, words", [("w9", "m3", ("no workload 'w9'", "w3b")),
                                                    ("w1", "m7", ("no core 'm7'", "m55"))])
 def test_the_command_says_what_there_is(workload, core, words):
