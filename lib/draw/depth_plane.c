@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The portable text of fxl_find_depth_plane, with the bounds that the kernel shares.
+/* The portable text of fxl_find_depth_plane, with the bounds that the kernels share.
  *
  * With the normal n in the view, a point P of the plane, and the direction D of a pixel, the plane
  * is seen at distance z = (n . P) focal / (n . D). So the depth near_z / z is the gradient of n .
@@ -10,7 +10,7 @@
 #include "../math/family.h"
 #include "../view/view.h"
 
-#if !FXL_KERNELS_ARMV7M
+#if !FXL_KERNELS_ARMV7M && !(FXL_KERNELS_ARMV6M && !FXL_IS_COMPACT)
 
 /* Products of a row and a normal, of unit length or shorter: a sum is below 2^61. */
 static int64_t row_times(const fxl_direction *row, const fxl_direction *normal)

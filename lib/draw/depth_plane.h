@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The depth of the plane through a point with a normal. A kernel: Armv7-M has its own. Internal. */
+/* The depth of the plane through a point with a normal. A kernel: Armv6-M and Armv7-M have their own. Internal. */
 #ifndef FXL_DEPTH_PLANE_H
 #define FXL_DEPTH_PLANE_H
 

@@ -286,7 +286,8 @@ draw_tiny(const fxl_model_view *model_view, const fxl_face *face, const fxl_trav
         band, face->material, FXL_PIXEL_IS_MIXED ? workspace->screen.shade : 0, workspace->dark);
     uint32_t pixels = tiny.pixels;
     for (int32_t y = tiny.row; pixels != 0; y++, pixels >>= FXL_TINY_SIDE) {
-        const int64_t depth = plane.gradient.at + plane.gradient.down * y;
+        const int64_t depth =
+            plane.gradient.at + fxl_multiply_s64_u16(plane.gradient.down, (uint32_t)y);
         void *cells = (uint8_t *)(uintptr_t)(head + 1) +
                       (size_t)(y - band->first_row) * band->width * (FXL_TARGET_DEPTH_BITS / 8);
         for (int32_t i = 0; i < FXL_TINY_SIDE; i++) {

@@ -132,14 +132,15 @@ static inline void fxl_depth_octave_of(fxl_depth_scale scale, const fxl_depth_pl
     }
 }
 
-/* The code of the pixel in column x of a face whose plane is not in words, of a row where the
- * gradient in column 0 is `depth`. */
+/* The code of the pixel in column x, below 2^16, of a face whose plane is not in words, of a row
+ * where the gradient in column 0 is `depth`. */
 /* billboards 4.2 */
 static inline uint32_t fxl_depth_code_at(fxl_depth_scale scale, const fxl_depth_plane *plane,
                                          int64_t depth, int32_t x)
 {
     fxl_depth_octave octave;
-    fxl_depth_octave_of(scale, plane, depth + plane->gradient.along * x, &octave);
+    fxl_depth_octave_of(scale, plane,
+                        depth + fxl_multiply_s64_u16(plane->gradient.along, (uint32_t)x), &octave);
     return octave.is_constant
                ? octave.bias
                : octave.bias + fxl_depth_shifted(depth, octave.drop) + octave.step * (uint32_t)x;

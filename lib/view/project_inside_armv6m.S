@@ -158,7 +158,7 @@ fxl_project_inside:
     lsrs    r6, r3, #15                     /* D */
     lsrs    r7, r6, #9
     subs    r7, r7, #64
-    ldr     r4, =reciprocals
+    ldr     r4, =fxl_reciprocals_armv6m
     ldrb    r4, [r4, r7]
     movs    r7, r4                          /* 2 r - r^2 D, twice */
     muls    r7, r4
@@ -214,9 +214,11 @@ fxl_project_inside:
     .pool
     .size fxl_project_inside, . - fxl_project_inside
 
-/* fxl_reciprocals of core.h. */
-    .section .rodata.reciprocals, "a", %progbits
-reciprocals:
+/* fxl_reciprocals of core.h, for other kernels too. */
+    .section .rodata.fxl_reciprocals_armv6m, "a", %progbits
+    .global fxl_reciprocals_armv6m
+    .hidden fxl_reciprocals_armv6m
+fxl_reciprocals_armv6m:
     .byte   254, 250, 246, 243, 239, 236, 232, 229, 226, 223, 220, 217, 214, 211, 209, 206
     .byte   204, 201, 199, 196, 194, 192, 189, 187, 185, 183, 181, 179, 177, 175, 173, 172
     .byte   170, 168, 166, 165, 163, 161, 160, 158, 157, 155, 154, 152, 151, 150, 148, 147

@@ -348,7 +348,7 @@ void prove_depth_rows(void)
 /* [[row]]
  * function = "lib/paint/depth_outline.h:fxl_depth_outline_begin"
  * property = "any plane and band: what is taken is front to back, has all columns, and the cells of the band"
- * checks = 160
+ * checks = 124
  * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
  */
 void prove_depth_outline_begin(void)
