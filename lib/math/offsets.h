@@ -256,6 +256,7 @@
 #define VERTEX_UNPROJECTED 0x80
 #define DEPTH_NOT_DRAWN    0
 #define DEPTH_NO_ROW       2
+#define DEPTH_NOT_CLEAR    3
 #define CLIP_INSIDE        0
 #define CLIP_OUTSIDE       2
 #define CLIP_RANGE         5

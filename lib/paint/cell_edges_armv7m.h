@@ -34,6 +34,25 @@
     adc     r8, r8, r10
     .endm
 
+/* For kernels that draw only where rows are cleared. r3: the outline, whose cells are at an offset;
+ * r6: the first row, r7: the last row plus 1; r4, r5 and r8 are overwritten. */
+    .macro test_clear cells
+    ldr     r4, [r3, #\cells]
+    ldrsh   r5, [r4, #DEPTH_HEAD_CLEAR_FROM - DEPTH_HEAD_SIZE]
+    ldrsh   r8, [r4, #DEPTH_HEAD_CLEAR_TO - DEPTH_HEAD_SIZE]
+    cmp     r6, r5
+    it      ge
+    cmpge   r8, r7
+    blt     .Lnot_clear
+    .endm
+
+    .macro return_not_clear
+.Lnot_clear:
+    movs    r0, #DEPTH_NOT_CLEAR
+    add     sp, sp, #FRAME_SIZE
+    pop     {r4-r11, pc}
+    .endm
+
 /* Input: zeros: the leading zeros of a value's upper word; r3: the outline. Results: \bias, \drop. Goes
  * to \nearer or \farther if no octave has the value. \count and \mantissa are overwritten. */
     .macro find_octave zeros, bias, count, drop, mantissa, nearer, farther

@@ -71,13 +71,7 @@ fxl_paint_colour_run:
 
 /* At the first row, r6: its words, less the change from row to row. */
     .macro begin_filling
-    ldr     r4, [r3, #COLOUR_OUTLINE_CELLS]
-    ldrsh   r5, [r4, #DEPTH_HEAD_CLEAR_FROM - DEPTH_HEAD_SIZE]
-    ldrsh   r8, [r4, #DEPTH_HEAD_CLEAR_TO - DEPTH_HEAD_SIZE]
-    cmp     r6, r5
-    it      ge
-    cmpge   r8, r7
-    blt     .Lnot_clear
+    test_clear COLOUR_OUTLINE_CELLS
     ldm     r3, {r4, r5, r8, r10, r11}
     .irp    number, r4, r5, r8, r10, r11
     ldr     lr, [r3, #COLOUR_OUTLINE_CODE_DOWN + .Lword]
@@ -88,7 +82,7 @@ fxl_paint_colour_run:
     .endm
     .set    .Lword, 0
 
-    .macro  fill_rows
+    .macro fill_rows
     b       .Lrow
     .endm
 
@@ -127,10 +121,7 @@ fxl_paint_colour_run:
 fxl_draw_colour_outline:
 #include "../raster/outline_armv7m.h"
 
-.Lnot_clear:
-    movs    r0, #3                  /* FXL_DEPTH_NOT_CLEAR */
-    add     sp, sp, #FRAME_SIZE
-    pop     {r4-r11, pc}
+    return_not_clear
 
     /* The right edge is not right of the left one. */
 .Lexchanged_row:

@@ -11,13 +11,7 @@
 
 /* At the first row, r6: its words, less the change from row to row. */
     .macro begin_filling
-    ldr     r4, [r3, #SMOOTH_OUTLINE_CELLS]
-    ldrsh   r5, [r4, #DEPTH_HEAD_CLEAR_FROM - DEPTH_HEAD_SIZE]
-    ldrsh   r8, [r4, #DEPTH_HEAD_CLEAR_TO - DEPTH_HEAD_SIZE]
-    cmp     r6, r5
-    it      ge
-    cmpge   r8, r7
-    blt     .Lnot_clear
+    test_clear SMOOTH_OUTLINE_CELLS
     ldm     r3, {r4, r5, r8, r10}
     mla     r4, r5, r6, r4
     mla     r10, r8, r6, r10
@@ -86,10 +80,7 @@
 
 #include "../raster/outline_armv7m.h"
 
-.Lnot_clear:
-    movs    r0, #3                  /* FXL_DEPTH_NOT_CLEAR */
-    add     sp, sp, #FRAME_SIZE
-    pop     {r4-r11, pc}
+    return_not_clear
 
     /* The right edge is not right of the left one. */
 .Lno_pixel:
