@@ -570,13 +570,14 @@ prove: ## prove properties of the library's text for every input, and say of eac
 	@$(TOOL) prove --build $(BUILD)
 
 # ONLY here is the name of one unit test; without it, all.
-COVERED_TESTS = $(if $(ONLY),$(COVERAGE_OUT)/$(or $(call ONE_OF,$(ONLY),$(notdir $(COVERAGE_TESTS))),\
-    $(error ONLY: there is no unit test "$(ONLY)"; host_tests/unit has them)),$(COVERAGE_TESTS))
+COVERED_TEST = $(or $(call ONE_OF,$(ONLY),$(notdir $(COVERAGE_TESTS))),$(error ONLY: there is no unit test "$(ONLY)"; host_tests/unit has them))
+COVERED_TESTS = $(if $(ONLY),$(COVERAGE_OUT)/only/$(COVERED_TEST)/$(COVERED_TEST),$(COVERAGE_TESTS))
+COVERED_LIBRARY = $(if $(ONLY),$(dir $(COVERED_TESTS))$(notdir $(COVERAGE_LIBRARY)),$(COVERAGE_LIBRARY))
 COVERED_REPLAYS = $(if $(ONLY),,$(FUZZ_TARGETS))
-coverage: ## print which lines, branches and conditions of lib/ the unit tests and the fuzzer's corpus reach; the rest must have a reason [ONLY= of one unit test, such as test_scan]
+coverage: ## print which lines, branches and conditions of lib/ the unit tests and the fuzzer's corpus reach; the rest must have a reason [ONLY= of one unit test, such as test_scan, and the sources that it links]
 	@$(SET_UP) coverage
 	@$(MAKE) $(COVERED_TESTS) $(COVERED_REPLAYS:%=$(COVERAGE_OUT)/replay_%)
-	@$(TOOL) coverage --library $(COVERAGE_LIBRARY) --tests $(COVERED_TESTS) --out $(BUILD)/coverage/coverage.json \
+	@$(TOOL) coverage --library $(COVERED_LIBRARY) --tests $(COVERED_TESTS) --out $(BUILD)/coverage/coverage.json \
 	    $(foreach target,$(COVERED_REPLAYS),--replay $(COVERAGE_OUT)/replay_$(target) host_tests/fuzz/corpus/$(target).zip) $(if $(value ONLY),,--reasons host_tests/unit/uncovered.toml)
 
 rules: ## check lib/ by the rules of MISRA C:2012 that cppcheck 2.10 knows: the lines of each rule may only become fewer [RENEW=1]

@@ -12,6 +12,7 @@ import tempfile
 import threading
 
 import pytest
+from board_programs import made
 from conftest import CHECKOUT, run_cli
 
 from fixel.base import sampling
@@ -348,6 +349,10 @@ def test_samples_reach_every_bug(root):
 
 
 def test_a_sample_of_seeded_bugs_is_caught(tmp_path):
+    """What the bugs need is built where other tests run it too, and copied from there."""
+    tests = {test for bug in sampling.choose(CHECKOUT, "seeded bugs", planting.seeded(CHECKOUT), SAMPLE) for test in bug.tests}
+    for program in sorted(map(seeded_bugs.target, tests)):
+        made(program)
     done = run_cli("seeded-bugs", "--sample", SAMPLE, "--build", tmp_path)
     assert done.returncode == 0, done.stdout + done.stderr
     assert f"{SAMPLE} of {SAMPLE} bugs caught" in done.stdout + done.stderr

@@ -38,6 +38,21 @@ $(COVERAGE_OUT)/libhelpers.a: $(COVERAGE_HELPERS)
 # The tests find the library beside themselves.
 COVERAGE_LINK = $(COVERAGE_CLANG) $^ -Wl,-rpath,'$$ORIGIN' -o $@ -lm
 
+# One test alone, for make coverage ONLY=: with a library of the sources that it links, and no others. $(1): its name.
+COVERAGE_OBJECTS_OF = $(patsubst $(UNIT_OUT)/%,$(COVERAGE_OUT)/%,$(call UNIT_OBJECTS_OF,$(1)))
+define COVERAGE_ONLY
+$(COVERAGE_OUT)/only/$(1)/$(notdir $(COVERAGE_LIBRARY)): $(filter $(COVERAGE_OUT)/lib/%,$(call COVERAGE_OBJECTS_OF,$(1)))
+	$$(MAKE_FOLDER)
+	$$(SAY)
+	$(COVERAGE_CLANG) -shared -fprofile-instr-generate $$^ -o $$@
+
+$(COVERAGE_OUT)/only/$(1)/$(1): $(filter-out $(COVERAGE_OUT)/lib/%,$(call COVERAGE_OBJECTS_OF,$(1))) \
+        $(UNIT_PART_OBJECTS:$(UNIT_OUT)/%=$(COVERAGE_OUT)/%) $(COVERAGE_OUT)/only/$(1)/$(notdir $(COVERAGE_LIBRARY))
+	$$(SAY)
+	$$(COVERAGE_LINK)
+endef
+$(foreach test,$(filter $(COVERAGE_OUT)/only/%,$(MAKECMDGOALS)),$(eval $(call COVERAGE_ONLY,$(notdir $(test)))))
+
 $(COVERAGE_TESTS): $(COVERAGE_OUT)/test_%: $(COVERAGE_OUT)/test_%.o $(COVERAGE_OUT)/test_%_main.o \
         $(COVERAGE_OUT)/unity.o $(COVERAGE_OUT)/assert.o $(COVERAGE_OUT)/libhelpers.a $(COVERAGE_LIBRARY)
 	$(SAY)
