@@ -121,6 +121,13 @@
 #endif
     .endm
 
+/* The least number of pixels of a row that are painted by eights. */
+#if FXL_KERNELS_MVE
+#define MANY 4
+#else
+#define MANY 8
+#endif
+
 /* r12 counts the rows; of rows that may have several octaves its bit 31 is set as well, and it is 1
  * more. Bit 30 is set while the rest of a row is to be painted. */
 #define SEVERAL_OCTAVES 0x80000000
@@ -192,7 +199,7 @@
     strd    r7, r8, [r1, #CODE - DEPTH_OUTLINE_CELLS]
     add     r4, r4, r2, lsl #1
     add     r2, r4, r0, lsl #1
-    cmp     r0, #8
+    cmp     r0, #MANY
     blo     .Lfew
     sub     r11, r2, #16
     b       .Lmany
@@ -244,9 +251,42 @@
     add     r4, r4, r2, lsl #1
     add     r2, r4, r0, lsl #1
     sub     r11, r2, #16
-    cmp     r4, r11
-    bhi     .Lfew
+    cmp     r0, #MANY
+    blo     .Lfew
 .Lmany:
+#if FXL_KERNELS_MVE
+    /* Eight pixels at once, the last ones by a predicate. q0, q1: the codes of even and of odd
+     * ones; r7: what they change in eight. */
+    movs    r8, #0
+    lsl     r7, lr, #3
+    vidup.u32 q0, r8, #2
+    vmul.i32 q0, q0, lr
+    vadd.i32 q0, q0, r3
+    vadd.i32 q1, q0, lr
+    dlstp.16 lr, r0
+#if PIXEL_BITS == 16
+    add     r0, r4, r5
+#else
+    add     r0, r5, r4, lsr #1
+#endif
+.Leight:
+    vmov    q2, q1
+    vsri.32 q2, q0, #16
+    vldrh.u16 q3, [r4]
+    vpttt.u16 hi, q2, q3
+    vstrht.16 q2, [r4]
+    vdupt.16 q3, r6
+#if PIXEL_BITS == 16
+    vstrht.16 q3, [r0], #16
+#else
+    vstrbt.16 q3, [r0], #8
+#endif
+    vadd.i32 q0, q0, r7
+    vadd.i32 q1, q1, r7
+    adds    r4, r4, #16
+    letp    lr, .Leight
+    b       .Lrow_done
+#else
     /* Rounded down, a code may be below 1 as the cell of a pixel where nothing was drawn. */
     mla     r1, lr, r0, r3
     sub     r1, r1, lr
@@ -297,8 +337,9 @@
 #endif
     cmp     r4, r11
     bls     .Leight
+#endif
 
-    /* Fewer than eight pixels, each tested for itself. */
+    /* Fewer than MANY pixels, each tested for itself. */
 .Lfew:
     sub     r0, r2, r4
 #if PIXEL_BITS == 16
@@ -352,6 +393,7 @@
     adds    r1, r1, #DEPTH_OUTLINE_ZEROS
     b       .Lpart
 
+#if !FXL_KERNELS_MVE
     /* Some of eight pixels may be hidden. */
 .Leach_of_eight:
     .rept   8
@@ -403,6 +445,7 @@
     cmp     r4, r2
     blo     .Leach
     b       .Lrow_done
+#endif
 
     /* The right edge is not right of the left one. */
 .Lno_pixel:
