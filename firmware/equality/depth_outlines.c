@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels of outlines in a depth buffer, of one colour, in C too, with light and with colours at
- * corners, and of runs in it, against the rows of lib/paint/depth_row.h, painted by fxl_paint_pixels
+ * corners, with texels, and of runs in it, against the rows of lib/paint/depth_row.h, painted by fxl_paint_pixels
  * where there is light or colours. Each side has cells and pixels of its own. All of that memory must
  * be equal, also what lies around it.
  */
@@ -34,7 +34,7 @@ typedef struct {
     fxl_screen_point points[6];
     uint32_t count;
     uint32_t pixel_bits;
-    bool is_smooth, has_colours;
+    bool is_smooth, has_colours, has_texels;
     fxl_gradients gradients; /* of light, or of colours */
     fxl_paint paint;         /* of them */
 } polygon;
@@ -45,7 +45,7 @@ typedef struct {
     int32_t y;
 } row_of_pixels;
 
-static uint8_t ramp[64 * 256];
+static FXL_ALIGN_8 uint8_t ramp[64 * 256]; /* texels, too */
 static uint16_t palette[256];
 
 /* fxl_run_painter. */
@@ -75,6 +75,11 @@ static void draw_by_rows(const polygon *of, const fxl_band *band)
     static fxl_scan scan;
     fxl_depth_painting painting;
     const fxl_trapezoid *trapezoid;
+    if (of->has_texels) {
+        (void)portable_draw_texels(&of->paint, &of->plane, &by_portable, of->points, of->count, band,
+                                   &scan);
+        return;
+    }
     fxl_depth_begin(&painting, &by_portable, &of->plane, band);
     portable_scan_outline(of->points, of->count, band, &scan);
     while ((trapezoid = portable_scan_next_trapezoid(&scan)) != NULL) {
@@ -148,6 +153,17 @@ static bool draw_colours(const polygon *of, const fxl_band *band)
     }
     fxl_colour_outline_set(&by_core.head, &of->plane, &of->gradients, band, &outline);
     return has_drawn(of, band, fxl_draw_colour_outline(of->points, of->count, band, &outline));
+}
+
+#endif
+
+#if FXL_DRAWS_SMOOTH_OUTLINES
+
+static bool draw_texels(const polygon *of, const fxl_band *band)
+{
+    static fxl_scan scan;
+    (void)fxl_draw_texels(&of->paint, &of->plane, &by_core, of->points, of->count, band, &scan);
+    return true;
 }
 
 #endif
@@ -382,6 +398,36 @@ static void any_colours(const fxl_band *band, polygon *of)
     of->paint = (fxl_paint){.gradients = &of->gradients, .has_colours = true, .opacity = 16};
 }
 
+/* Any words, and light, which is held nowhere; texels of 8 and of 16 bits. */
+static void any_texels(polygon *of)
+{
+    const uint32_t kind = any_32() >> 9, columns = kind >> 4 & 7u;
+    const uint32_t any = kind >> 8 & 7u, rows = columns + any > 13u ? 13u - columns : any;
+    fxl_gradient *attributes = of->gradients.attributes;
+    for (uint32_t i = 0; i < FXL_ATTRIBUTES; i++) {
+        attributes[i].at = (int32_t)any_32();
+        attributes[i].along = (int32_t)any_32() >> (any_32() >> 9 & 15u);
+        attributes[i].down = (int32_t)any_32() >> (any_32() >> 9 & 15u);
+        of->gradients.shifts[i] = (int8_t)(FXL_SHIFT_OF_TEXELS - (any_32() >> 9 & 7u));
+    }
+    of->gradients.count = kind & 1u ? 3 : 2;
+    of->paint = (fxl_paint){
+        .gradients = &of->gradients,
+        .level = {.texels = ramp,
+                  .columns_less_1 = (1u << columns) - 1u,
+                  .rows_less_1 = (1u << rows) - 1u,
+                  .log_width = (uint8_t)columns,
+                  .flags = kind & 2u ? 0x80u : 0}, /* FXL_LEVEL_565 */
+        .levels_less_1 = 31,
+        .is_evenly_lit = (kind & 1u) == 0,
+        .light = (uint16_t)(any_32() >> 9),
+        .of_565 = {.palette = palette,
+                   .part_of_level = kind & 4u ? 65536u / 31u : 0,
+                   .dark = (uint16_t)(any_32() >> 9)},
+    };
+    palette[any_32() >> 9 & 255u] = (uint16_t)(any_32() >> 9);
+}
+
 static bool is_same(void)
 {
     const bool same =
@@ -392,7 +438,7 @@ static bool is_same(void)
     return same;
 }
 
-enum { PLAIN, SMOOTH, COLOURED };
+enum { PLAIN, SMOOTH, COLOURED, TEXTURED };
 
 static void compare(bool (*draw)(const polygon *of, const fxl_band *band), uint32_t kind)
 {
@@ -413,7 +459,8 @@ static void compare(bool (*draw)(const polygon *of, const fxl_band *band), uint3
     of.pixel_bits = 8u + (any_32() >> 9 & 8u);
     of.is_smooth = kind == SMOOTH;
     of.has_colours = kind == COLOURED;
-    of.pixel_bits = of.has_colours ? 16u : of.pixel_bits;
+    of.has_texels = kind == TEXTURED;
+    of.pixel_bits = of.has_colours || of.has_texels ? 16u : of.pixel_bits;
     for (uint32_t i = 0; i < of.count; i++) {
         of.points[i].x = (int32_t)(left << 16) + any_place(narrow);
         of.points[i].y = top + any_place(height);
@@ -425,7 +472,7 @@ static void compare(bool (*draw)(const polygon *of, const fxl_band *band), uint3
     }
     by_core.head.scale = by_portable.head.scale = (fxl_depth_scale){octaves, mantissa};
     any_plane(&band, &of.plane);
-    if (of.is_smooth || of.has_colours) {
+    if (of.is_smooth || of.has_colours || of.has_texels) {
         any_linear_plane(&band, &of.plane);
     }
     any_cells(&band, &of.plane);
@@ -433,6 +480,8 @@ static void compare(bool (*draw)(const polygon *of, const fxl_band *band), uint3
         any_light(&band, &of);
     } else if (of.has_colours) {
         any_colours(&band, &of);
+    } else if (of.has_texels) {
+        any_texels(&of);
     }
     band.pixels = (uint8_t *)(by_core.pixels + AROUND);
     if (draw(&of, &band)) {
@@ -470,6 +519,14 @@ void test_colour_outlines(uint32_t rounds)
 {
     for (uint32_t i = 0; i < rounds; i++) {
         compare(draw_colours, COLOURED);
+    }
+}
+
+void test_texel_outlines(uint32_t rounds)
+{
+    fill_ramp();
+    for (uint32_t i = 0; i < rounds; i++) {
+        compare(draw_texels, TEXTURED);
     }
 }
 

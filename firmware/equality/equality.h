@@ -54,6 +54,7 @@ extern const equality_test equality_tests[];
     TEST("depth-outlines", test_depth_outlines, OUTLINES)       \
     TEST("smooth-outlines", test_smooth_outlines, SMOOTH)       \
     TEST("colour-outlines", test_colour_outlines, SMOOTH)       \
+    TEST("texel-outlines", test_texel_outlines, SMOOTH)         \
     TEST("smooth-planes", test_smooth_planes, SMOOTH)           \
     TEST("depth-runs", test_depth_runs, SMOOTH)
 

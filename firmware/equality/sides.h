@@ -11,6 +11,7 @@
 #include "paint/colour_run.h"
 #include "paint/paint_divided.h"
 #include "paint/plain_rows.h"
+#include "paint/smooth_outline.h"
 #include "raster/draw_outline.h"
 
 #define SIDES(side) \
@@ -63,6 +64,9 @@ bool portable_paint_rows_565(fxl_plain_rows *rows);
 int32_t portable_paint_divided(const fxl_divided_face *face, const fxl_paint_row *row, int32_t x0,
                                int32_t x1);
 void portable_paint_colour_run(const fxl_colour_words *words, uint16_t *pixels, uint32_t count);
+bool portable_draw_texels(const fxl_paint *paint, const fxl_depth_plane *depth, const void *memory,
+                          const fxl_screen_point *points, uint32_t count, const fxl_band *band,
+                          fxl_scan *scan);
 uint32_t portable_depth_keep_visible(uint16_t *cells, uint32_t count, uint32_t code, uint32_t step);
 uint32_t portable_depth_skip_hidden(const uint16_t *cells, uint32_t count, uint32_t code,
                                     uint32_t step);

@@ -2,6 +2,7 @@
 /* The depth and the light of small triangles in words, against planes in double. */
 #include "corner_unit.h"
 #include "paint/light_row.h"
+#include "paint/smooth_outline.h"
 
 void setUp(void)
 {
@@ -114,6 +115,74 @@ void test_words_are_codes_and_light(void)
     TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.bent);
     TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.thin);
     TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.balanced);
+}
+
+typedef struct {
+    uint32_t checked, bent, far_apart, steep;
+} texel_counts;
+
+/* u, v and light of a small triangle, at a place in it. Returns whether they are words. */
+static bool check_texels(texel_counts *counts)
+{
+    const int32_t most[3] = {1 << unit_between(16, 22), 1 << unit_between(16, 22), 31 << 16};
+    fxl_gradients gradients;
+    fxl_depth_plane plane;
+    int32_t values[3][3];
+    double exact[3][3], weights[3], x, y;
+    bool is_far = false;
+    corner_make(unit_random() % 2 ? 0.5 : 1.0 / 64);
+    if (!fxl_corner_planes_begin(&triangle.corners, &triangle.view.lens, FXL_SMALL_SIDE_MAX,
+                                 &triangle.planes)) {
+        return false;
+    }
+    for (int k = 0; k < 3; k++) {
+        weights[k] = triangle.view.lens.near_z * 1073741824.0 / (double)triangle.corners.depths[k];
+        for (int i = 0; i < 3; i++) {
+            exact[i][k] = values[i][k] = (i == 2 ? 32768 : 0) + unit_between(0, most[i]);
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        const double error = affine_error(exact[i], weights);
+        is_far |= error > (i == 2 ? FXL_WORDS_ERROR_LIGHT : FXL_WORDS_ERROR_TEXEL) * 1.001;
+    }
+    const bool is_found =
+        fxl_find_texels(&triangle.planes, values, 3, false, &gradients, &plane);
+    TEST_ASSERT_FALSE(is_far && is_found);
+    counts->far_apart += is_far;
+    counts->steep += !is_far && !is_found;
+    if (!is_found) {
+        return false;
+    }
+    TEST_ASSERT_TRUE(fxl_has_texel_words(&gradients) && fxl_depth_is_in_words(&plane));
+    TEST_ASSERT_TRUE(fxl_weight_is_constant(&gradients));
+    corner_choose_place(&x, &y);
+    for (int i = 0; i < 3; i++) {
+        const double linear = corner_plane_at(exact[i], x, y) * 256;
+        const double found = word_at(&gradients.attributes[i], x, y, linear);
+        const double cut = corner_plane_rounding(exact[i]) * 256 + 2048;
+        const double error = i == 2 ? FXL_WORDS_ERROR_LIGHT : FXL_WORDS_ERROR_TEXEL;
+        TEST_ASSERT_NEAR(linear, found, cut);
+        TEST_ASSERT_NEAR(corner_attribute_at(exact[i], x, y) * 256, found,
+                         error * 1.001 * 256 + cut);
+    }
+    counts->bent += plane.one != FXL_DEPTH_IS_LINEAR;
+    return true;
+}
+
+/* SPEC 9.1.1 */
+void test_words_are_texels(void)
+{
+    texel_counts counts = {0, 0, 0, 0};
+    for (uint32_t seed = 1; seed <= CORNER_SEEDS; seed++) {
+        corner_begin_seed(seed);
+        for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+            counts.checked += check_texels(&counts);
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(CORNER_SEEDS * (UNIT_REPEAT / 400), counts.checked);
+    TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.bent);
+    TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.far_apart);
+    TEST_ASSERT_GREATER_THAN(0, counts.steep);
 }
 
 /* A face that has words; then its like that has none: with more corners, in a lens of one octave,

@@ -93,13 +93,16 @@ static fxl_q18_46 nearest_depth(const fxl_model_view *model_view, const fxl_face
     return nearest;
 }
 
-/* The gradients of a small face. Returns the level of its texture. */
+/* The gradients of a small face, and its depth where its texels are words: *has_words. find_texels:
+ * null: they are not. Returns the level of its texture. */
 static uint8_t find_small(const fxl_texture *texture, const fxl_model_view *model_view,
                           const fxl_face *face, const fxl_corner *const of[3],
-                          const fxl_traversal *traversal, fxl_corner_planes *planes,
-                          fxl_gradient_corners *corners, bool is_affine, fxl_gradients *gradients)
+                          const fxl_traversal *traversal, fxl_texels_finder *find_texels,
+                          fxl_corner_planes *planes, fxl_gradient_corners *corners, bool is_affine,
+                          fxl_surface_polygon *polygon, bool *has_words)
 {
     const bool has_levels = texture != NULL && texture->levels > 1;
+    fxl_gradients *gradients = &polygon->gradients;
     fxl_texel_density density;
     if (has_levels) {
         density.texels = fxl_texel_area(corners->values);
@@ -108,7 +111,11 @@ static uint8_t find_small(const fxl_texture *texture, const fxl_model_view *mode
                                                 planes->corners->depths, !planes->is_triangle),
                                   &density);
     }
-    fxl_corner_planes_find(planes, corners->values, corners->count, is_affine, gradients);
+    *has_words = find_texels != NULL && find_texels(planes, corners->values, corners->count,
+                                                    is_affine, gradients, &polygon->depth);
+    if (!*has_words) {
+        fxl_corner_planes_find(planes, corners->values, corners->count, is_affine, gradients);
+    }
     return has_levels ? fxl_texture_level_choose(texture, &density, gradients) : 0;
 }
 
@@ -155,11 +162,24 @@ static bool has_few_texels(int32_t (*values)[3])
     return bits >> 23 == 0;
 }
 
+/* Whether texels of a small triangle may be found as words: opaque ones, repeated and without a key,
+ * in no beam. */
+/* SPEC 9.1.1 */
+static inline bool may_have_words(const fxl_surfaces *surfaces, const fxl_surface *surface,
+                                  const fxl_texture *texture)
+{
+    const uint32_t other = (surface->opacity ^ 16u) |
+                           (surface->flags & ~(uint32_t)FXL_SURFACE_LIT) | texture->flags;
+    return other == 0 && texture->format != FXL_TEXTURE_4 && surfaces->beams == NULL &&
+           (surface->division == FXL_DIVIDE_16 || surface->division == FXL_AFFINE);
+}
+
 /* surfaces 6.1 */
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,
                       const fxl_traversal *traversal, fxl_depth_finder *find_depth,
-                      fxl_linear_finder *find_linear, fxl_surface_polygon *polygon)
+                      fxl_linear_finder *find_linear, fxl_texels_finder *find_texels,
+                      fxl_surface_polygon *polygon)
 {
     const fxl_view *view = model_view->view;
     const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
@@ -193,6 +213,7 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     const bool is_small = has_planes && !planes.is_for_words;
     const bool is_affine =
         has_planes && surface->division == FXL_AFFINE && are_on_screen(&on_screen, &view->lens);
+    bool is_in_words = false;
     const bool is_found =
         has_colours &&
         surfaces->painter->find_colours(
@@ -201,17 +222,25 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     /* What is divided at each pixel, or has more texels, keeps the exact planes. */
     const bool has_small_planes = is_small && surface->division != FXL_DIVIDE_1 &&
                                   (texture == NULL || has_few_texels(corners.values));
-    polygon->level = is_found ? 0
-                     : has_small_planes
-                         ? find_small(texture, model_view, face, of, traversal, &planes, &corners,
-                                      is_affine, &polygon->gradients)
-                         : find_large(surface, texture, model_view, face, of, traversal, &corners,
-                                      &polygon->gradients);
-    if (find_depth != NULL) {
-        const bool may_have_words = is_found && on_screen.width <= FXL_WORDS_SIDE_MAX &&
-                                    on_screen.height <= FXL_WORDS_SIDE_MAX;
-        find_depth(model_view, face, traversal, is_small || may_have_words ? &planes : NULL,
-                   is_found, &polygon->depth);
+    if (is_found) {
+        polygon->level = 0;
+    } else if (has_small_planes) {
+        polygon->level =
+            find_small(texture, model_view, face, of, traversal,
+                       texture != NULL && on_screen.is_triangle &&
+                               may_have_words(surfaces, surface, texture)
+                           ? find_texels
+                           : NULL,
+                       &planes, &corners, is_affine, polygon, &is_in_words);
+    } else {
+        polygon->level = find_large(surface, texture, model_view, face, of, traversal, &corners,
+                                    &polygon->gradients);
+    }
+    if (find_depth != NULL && !is_in_words) {
+        const bool may_be_words = is_found && on_screen.width <= FXL_WORDS_SIDE_MAX &&
+                                  on_screen.height <= FXL_WORDS_SIDE_MAX;
+        find_depth(model_view, face, traversal, is_small || may_be_words ? &planes : NULL, is_found,
+                   &polygon->depth);
     }
 }
 

@@ -285,6 +285,57 @@ static void clear_under(fxl_workspace *workspace, const fxl_screen_point *points
     fxl_depth_clear(workspace, band, rows.first, rows.end, FXL_TARGET_DEPTH_BITS / 8);
 }
 
+/* A polygon whose texels are in words, which is opaque. What it needs of a paint is found here alone.
+ * Not inline: what it has would be on the stack of others. */
+#if FXL_PIXEL_IS_MIXED && FXL_TARGET_DEPTH_BITS == 16
+
+#define DRAWS_TEXELS 1
+
+static __attribute__((noinline)) bool
+draw_texels(const fxl_surfaces *surfaces, fxl_workspace *workspace,
+            const fxl_surface_polygon *polygon, const fxl_screen_point *points, uint32_t count,
+            const fxl_band *band)
+{
+    const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
+    fxl_paint paint;
+    if (((const fxl_depth_head *)workspace->target_memory)->pass == FXL_DEPTH_BLENDED) {
+        return false;
+    }
+    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+    paint.gradients = &polygon->gradients;
+    fxl_texture_level_find(&surfaces->set->textures[surface->texture - 1], polygon->level,
+                           &paint.level);
+    paint.is_evenly_lit = polygon->is_evenly_lit;
+    paint.light = polygon->light;
+    paint.of_565.palette = band->palette;
+    paint.of_565.part_of_level = 0;
+    if (fxl_surface_is_lit(surfaces, surface)) {
+        fxl_surface_light_of(surfaces, &paint);
+        mix_light(surfaces, band, &paint);
+    }
+    return fxl_draw_texels(&paint, &polygon->depth, workspace->target_memory, points, count, band,
+                           &workspace->work.scan);
+}
+
+#else
+
+#define DRAWS_TEXELS 0
+
+static inline bool draw_texels(const fxl_surfaces *surfaces, fxl_workspace *workspace,
+                               const fxl_surface_polygon *polygon, const fxl_screen_point *points,
+                               uint32_t count, const fxl_band *band)
+{
+    (void)surfaces;
+    (void)workspace;
+    (void)polygon;
+    (void)points;
+    (void)count;
+    (void)band;
+    return false;
+}
+
+#endif
+
 /* A polygon row by row. */
 static ROWS_APART void paint_each_row(fxl_depth_painting *depth, const fxl_paint *paint,
                                       const fxl_segment_face *segments,

@@ -50,6 +50,7 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
 
 #define FIND_DEPTH  NULL
 #define FIND_LINEAR NULL
+#define FIND_TEXELS NULL
 
 #else
 
@@ -63,6 +64,9 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
                           uint32_t count, const fxl_band *band)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
+    if (DRAWS_TEXELS && fxl_has_texel_words(&polygon->gradients)) {
+        return draw_texels(surfaces, workspace, polygon, points, count, band);
+    }
     if (fxl_depth_is_in_words(&polygon->depth)) {
         const fxl_depth_drawn drawn =
             draw_smooth(surfaces, workspace, polygon, points, count, band);
@@ -85,9 +89,15 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
 #if FXL_TARGET_DEPTH_BITS == 32
 #define FIND_DEPTH  fxl_find_exact_depth
 #define FIND_LINEAR NULL
+#define FIND_TEXELS NULL
 #else
 #define FIND_DEPTH  fxl_find_depth
 #define FIND_LINEAR fxl_find_smooth_planes
+#if FXL_PIXEL_IS_MIXED
+#define FIND_TEXELS fxl_find_texels
+#else
+#define FIND_TEXELS NULL
+#endif
 #endif
 
 #endif
@@ -101,7 +111,7 @@ find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
 {
     const fxl_mapped_surface *of = (const fxl_mapped_surface *)what;
     fxl_surface_find(of->surfaces, of->mapped, model_view, face, traversal, FIND_DEPTH, FIND_LINEAR,
-                     polygon);
+                     FIND_TEXELS, polygon);
 }
 
 /* fxl_polygon_painter. */

@@ -4,6 +4,7 @@
 #include "../math/product.h"
 #include "light_row.h"
 #include "segments.h"
+#include "smooth_outline.h"
 
 /* --- what all values share ------------------------------------------------------------------ */
 
@@ -221,6 +222,59 @@ bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t lig
                &gradients->attributes[0]);
     gradients->shifts[0] = 53;
     gradients->count = 1;
+    gradients->weight = constant;
+    gradients->weight_min[0] = gradients->weight_min[1] = 1;
+    return fxl_corner_planes_depth_words(planes, depth);
+}
+
+/* --- a triangle with texels ------------------------------------------------------------------- */
+
+/* The words of a value, in 8.24. False: it changes by 128 or more a pixel. Exponents of small faces
+ * are from 20 on, so drops are from 12 on. */
+static inline bool find_value(const fxl_corner_planes *planes, const int32_t values[3],
+                              fxl_gradient *gradient)
+{
+    const int32_t d1 = values[1] - values[0], d2 = values[2] - values[0];
+    const int64_t along = fxl_product(d1, planes->along[0]) + fxl_product(d2, planes->along[1]);
+    const int64_t down = fxl_product(d1, planes->down[0]) + fxl_product(d2, planes->down[1]);
+    const unsigned drop = (unsigned)planes->exponent - 8u;
+    if ((upper_size(along) | upper_size(down)) >> (drop - 1u) != 0) {
+        return false;
+    }
+    find_words(planes, (uint32_t)values[0] << 8, along, down, drop, gradient);
+    return true;
+}
+
+/* Whether a constant weight changes no value by more than that of the rule. Ranges are below 2^31,
+ * and of weights below 2^30. */
+/* SPEC 9.1.1 */
+static inline bool is_nearly_linear(const fxl_corner_planes *planes, int32_t (*values)[3],
+                                    uint32_t count)
+{
+    const uint32_t least = planes->weight_most - planes->weight_range;
+    const uint32_t u = fxl_range_of(values[FXL_ATTRIBUTE_U]);
+    const uint32_t v = fxl_range_of(values[FXL_ATTRIBUTE_V]);
+    return fxl_product_unsigned(u > v ? u : v, planes->weight_range) <=
+               fxl_product_unsigned(least, 4u * FXL_WORDS_ERROR_TEXEL) &&
+           (count <= FXL_SEGMENT_LIGHT ||
+            fxl_product_unsigned(fxl_range_of(values[FXL_SEGMENT_LIGHT]), planes->weight_range) <=
+                fxl_product_unsigned(least, 4u * FXL_WORDS_ERROR_LIGHT));
+}
+
+bool fxl_find_texels(const fxl_corner_planes *planes, int32_t (*values)[3], uint32_t count,
+                     bool is_affine, fxl_gradients *gradients, fxl_depth_plane *depth)
+{
+    static const fxl_gradient constant = {FXL_CONSTANT_WEIGHT, 0, 0};
+    if (!(is_affine || is_nearly_linear(planes, values, count))) {
+        return false;
+    }
+    for (uint32_t i = 0; i < FXL_ATTRIBUTES && i < count; i++) {
+        if (!find_value(planes, values[i], &gradients->attributes[i])) {
+            return false;
+        }
+        gradients->shifts[i] = FXL_SHIFT_OF_TEXELS;
+    }
+    gradients->count = (uint8_t)count;
     gradients->weight = constant;
     gradients->weight_min[0] = gradients->weight_min[1] = 1;
     return fxl_corner_planes_depth_words(planes, depth);

@@ -166,7 +166,8 @@ void fxl_corner_planes_density(const fxl_corner_planes *planes, bool is_affine, 
  * parallelogram is off by up to 8 times the bound of the triangle. */
 #define FXL_AFFINE_ERROR_TEXEL 1024u
 #define FXL_AFFINE_ERROR_LIGHT 8192u
-#define FXL_WORDS_ERROR_LIGHT  16384u /* of fxl_corner_planes_linear: 1/4 */
+#define FXL_WORDS_ERROR_LIGHT  16384u /* of fxl_corner_planes_linear and fxl_find_texels: 1/4 */
+#define FXL_WORDS_ERROR_TEXEL  19660u /* of fxl_find_texels: below 0.3 */
 
 #ifdef __cplusplus
 }

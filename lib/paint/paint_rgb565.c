@@ -64,16 +64,19 @@ static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row,
 
 #include "paint_row.h"
 
-/* Opaque texels of 16 bits, repeated and without a key: paint_pixel's colours. The compiler cannot
- * tell pixels from what the loop reads, so it has copies. */
-static inline void paint_repeated(const fxl_paint *paint, const linear_pixels *linear,
-                                  uint16_t *pixel, const uint16_t *end, bool lit)
+/* Opaque texels of 16 or of 8 bits, repeated and without a key: paint_pixel's colours. The compiler
+ * cannot tell pixels from what the loop reads, so it has copies. */
+static inline __attribute__((always_inline)) void
+paint_repeated(const fxl_paint *paint, const linear_pixels *linear, uint16_t *pixel,
+               const uint16_t *end, bool is_wide, bool lit)
 {
     const fxl_paint copy = *paint;
     const fxl_texture_level *level = &paint->level;
-    const uint16_t *texels = (const uint16_t *)(const void *)level->texels;
+    const uint8_t *texels = level->texels;
+    const uint16_t *wide = (const uint16_t *)(const void *)texels, *palette = paint->of_565.palette;
     const uint32_t columns = level->columns_less_1, rows = level->rows_less_1 << level->log_width;
     const uint32_t row_drop = 16u - level->log_width; /* log_width is at most 8 */
+    const fxl_mixture_565 mixture = fxl_mixture_of_565(0, paint->of_565.dark);
     uint32_t u = linear->values[FXL_ATTRIBUTE_U], v = linear->values[FXL_ATTRIBUTE_V];
     uint32_t light = linear->values[FXL_ATTRIBUTES - 1]; /* light follows u and v, or is none */
     if (paint->is_evenly_lit) {
@@ -83,9 +86,10 @@ static inline void paint_repeated(const fxl_paint *paint, const linear_pixels *l
     const uint32_t v_step = linear->steps[FXL_ATTRIBUTE_V];
     const uint32_t light_step = linear->steps[FXL_ATTRIBUTES - 1];
     for (; pixel != end; pixel++) {
-        const uint16_t colour = texels[(v >> row_drop & rows) + (u >> 16 & columns)];
-        *pixel = lit ? fxl_mix_565(colour, copy.of_565.dark, part_of_light(&copy, (int32_t)light))
-                     : colour;
+        const uint32_t place = (v >> row_drop & rows) + (u >> 16 & columns);
+        const uint16_t colour = is_wide ? wide[place] : palette[texels[place]];
+        *pixel =
+            lit ? fxl_mixed_565(&mixture, colour, part_of_light(&copy, (int32_t)light)) : colour;
         u += u_step;
         v += v_step;
         light += light_step;
@@ -159,15 +163,19 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
         paint_lights(paint, row, x0, x1, &run);
         return;
     }
-    if (FXL_IS_COMPACT || paint->opacity < 16 || paint->level.flags != FXL_LEVEL_565) {
+    const uint32_t flags = paint->level.flags;
+    if (FXL_IS_COMPACT || paint->opacity < 16 || (flags & ~FXL_LEVEL_565) != 0 ||
+        paint->level.texels == NULL || paint->level.colours != NULL) {
         paint_each_linear(paint, row, x0, x1, linear);
         return;
     }
     uint16_t *pixels = (uint16_t *)(void *)row->pixels;
-    if (paint->of_565.part_of_level != 0) {
-        paint_repeated(paint, linear, pixels + x0, pixels + x1, true);
+    if (paint->of_565.part_of_level == 0) {
+        paint_repeated(paint, linear, pixels + x0, pixels + x1, flags != 0, false);
+    } else if (flags != 0) {
+        paint_repeated(paint, linear, pixels + x0, pixels + x1, true, true);
     } else {
-        paint_repeated(paint, linear, pixels + x0, pixels + x1, false);
+        paint_repeated(paint, linear, pixels + x0, pixels + x1, false, true);
     }
 }
 

@@ -118,6 +118,17 @@ static inline fxl_mixture_565 fxl_mixture_of_565(uint32_t colour, uint32_t dark)
     return mixture;
 }
 
+/* fxl_mix_565 of a colour and of the dark colour of a mixture of the colour 0. */
+static inline uint16_t fxl_mixed_565(const fxl_mixture_565 *mixture, uint32_t colour, uint32_t part)
+{
+    const uint32_t red =
+        mixture->red_dark + (mixture->red_step + (fxl_red_and_blue_565(colour) >> 8)) * part;
+    const uint32_t green =
+        mixture->green_dark + (mixture->green_step + (colour & FXL_GREEN_565)) * part;
+    return (uint16_t)((red >> 16 & FXL_RED_565) | (green >> 8 & FXL_GREEN_565) |
+                      (red >> 8 & FXL_BLUE_565));
+}
+
 /* Half of 1/256 of the light of a ramp, in levels with 24 bits after the point: what is added to it
  * so that parts are rounded to nearest. */
 static inline uint32_t fxl_half_part_565(uint32_t levels_less_1)

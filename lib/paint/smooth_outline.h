@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* An outline whose depth codes are linear on the screen, in a depth buffer of 16 bits, front to
- * back: of one colour and with light that is linear too, or with such colours at its corners.
+ * back: of one colour and with light that is linear too, or with such colours at its corners; and
+ * with texels and light that are linear, in any order.
  * Survey, edges, depth test and pixels are one call. Only Armv7-M has this, as depth_outline.h
  * says. Internal. */
 #ifndef FXL_SMOOTH_OUTLINE_H
 #define FXL_SMOOTH_OUTLINE_H
 
+#include "../raster/scan.h"
 #include "corner_colours.h"
 #include "depth_outline.h"
 #include "light_row.h"
@@ -157,6 +159,76 @@ static inline void fxl_colour_outline_set(const fxl_depth_head *head, const fxl_
     outline->code_along = along;
     outline->border = fxl_depth_border(head->scale, plane);
 }
+
+/* --- texels, in pixels of 16 bits; in C for all cores ------------------------------------------ */
+
+/* fxl_find_texels: what a painter of such pixels links.
+ *
+ * The gradients of a triangle with a constant weight, in words, and its depth. values: u, v and, if
+ * count is 3, light at the corners. planes: of a small face. Where is_affine, that weight is asked
+ * for; false otherwise if it changes u or v by more than FXL_WORDS_ERROR_TEXEL, or light by more
+ * than FXL_WORDS_ERROR_LIGHT. Also false where the depth is not in words
+ * (fxl_corner_planes_depth_words), or where a value changes by 128 or more a pixel: *gradients and
+ * *depth are undefined then. Error in the triangle, beyond that, given the corners: k of the range
+ * (corner_planes.h), and 2048 2^-24. */
+typedef bool fxl_texels_finder(const fxl_corner_planes *planes, int32_t (*values)[3],
+                               uint32_t count, bool is_affine, fxl_gradients *gradients,
+                               fxl_depth_plane *depth);
+fxl_texels_finder fxl_find_texels;
+
+/* Such gradients: attributes are words in 8.24, modulo 2^32, in column 0 of row 0, and the changes.
+ * A texture has at most 256 texels along a side, so coordinates wrap by themselves. Light is that of
+ * light_row.h. shifts: of u and v less by the bits that a level of the texture leaves out. */
+#define FXL_SHIFT_OF_TEXELS 120 /* no other is above 64, but FXL_SHIFT_OF_WORDS */
+
+static inline bool fxl_has_texel_words(const fxl_gradients *gradients)
+{
+    return gradients->shifts[0] > 64 && gradients->shifts[0] <= FXL_SHIFT_OF_TEXELS;
+}
+
+/* What is linear over the pixels: the code of depth_code.h, u, v, and light. Light is less the half
+ * level, and has half a part of 256 more, as of fxl_smooth_outline: in the triangle it is not below
+ * 0, as the half part is 2^15 for each level above 0, and rounding takes less than 2^14 for each. v
+ * is such that its row is from bit 16 + log on in a texture of 2^log columns. */
+typedef struct {
+    uint32_t code, u, v, light;
+} fxl_texel_words;
+
+/* What the pixels of a polygon depend on, and what the kernel keeps from row to row. */
+typedef struct {
+    fxl_texel_words at;    /* of column 0 of row 0. For the kernel: of cell 0 of the band in row 0, less its change a
+                              row; then of a row */
+    fxl_texel_words down;  /* what a row adds. For the kernel: a row of cells less */
+    fxl_texel_words along; /* what a column adds */
+    uint16_t *cells;       /* of the band */
+    uintptr_t pixels;      /* as of fxl_depth_outline: of the cell after the pixel's */
+    const uint8_t *texels;
+    const uint16_t *palette;          /* of texels of 8 bits */
+    uint32_t columns_mask, rows_mask; /* of u / 2^24, and of v / 2^16 */
+    uint32_t part_of_level;           /* 0: unlit */
+    uint32_t is_wide;                 /* texels of 16 bits */
+    fxl_mixture_565 mixture;          /* of the colour 0 */
+    uint32_t end, rows;               /* the kernel's own */
+    uint32_t border;                  /* fxl_depth_border */
+    bool or_equal;
+} fxl_texel_outline;
+
+#if FXL_DRAWS_SMOOTH_OUTLINES
+
+/* Draws an outline of count points, of one octave, front to back. Requires what
+ * fxl_draw_smooth_outline_16 does, and cleared cells. */
+fxl_depth_drawn fxl_draw_texel_outline(const fxl_screen_point *points, uint32_t count,
+                                       const fxl_band *band, fxl_texel_outline *outline);
+
+#endif
+
+/* Draws a polygon of such a face into a band whose depth buffer `memory` has, and whose cells are
+ * cleared. paint: of the face: gradients, level, is_evenly_lit, light, of what is lit levels_less_1, and of_565 but for its key
+ * and what is mixed; scan: workspace. Returns whether it reaches a row of the band. Safe
+ * for any gradients: no texel is read that is not of the level. */
+bool fxl_draw_texels(const fxl_paint *paint, const fxl_depth_plane *depth, const void *memory,
+                     const fxl_screen_point *points, uint32_t count, const fxl_band *band,
+                     fxl_scan *scan);
 
 #ifdef __cplusplus
 }

@@ -11,6 +11,7 @@
 #include "paint/paint_divided.h"
 #include "paint/plain_rows.h"
 #include "paint/rgb565_colour.h"
+#include "paint/smooth_outline.h"
 #include "paint/texture_level.h"
 #include "predict/counts.h"
 
@@ -123,6 +124,18 @@ WRAPPED(void, fxl_surface_paint_of,
     keeps_less = paint->blend != NULL || has_holes(paint);
     begins_listed =
         !begins_smooth && !keeps_less && polygon->has_depth && is_listed(&polygon->depth);
+}
+
+/* A triangle in words: as a smooth one, and its pixels, of which all count as visible, show texels. */
+WRAPPED(bool, fxl_draw_texels,
+        (const fxl_paint *paint, const fxl_depth_plane *depth, const void *memory,
+         const fxl_screen_point *points, uint32_t count, const fxl_band *band, fxl_scan *scan))
+{
+    const double top = band->first_row, bottom = top + band->rows;
+    *(paint->of_565.part_of_level != 0 ? &counted.wide_repeated_lit : &counted.wide_repeated) +=
+        area_between(points, count, top, bottom);
+    begins_smooth = true;
+    return __real_fxl_draw_texels(paint, depth, memory, points, count, band, scan);
 }
 
 /* Whether a run of a listed polygon is painted by the kernel of runs. */

@@ -32,6 +32,15 @@ static bool has_coarse_light(const ref_surface_view *view)
     return view->is_light_coarse && view->light && !view->texture;
 }
 
+/* The same of texels and their light: of opaque ones in 16 bits that repeat and have no key. */
+static bool has_coarse_texels(const ref_surface_view *view)
+{
+    const ref_surface *surface = view->surface;
+    return view->is_light_coarse && view->rgb565 && view->texture && !view->texture->clamps &&
+           !view->texture->is_keyed && surface->opacity == REF_OPAQUE &&
+           !ref_surface_mixes(surface) && surface->division != REF_DIVIDE_8 && !view->is_affine;
+}
+
 /* By the largest box that a small face may have. */
 static bool may_be_small(const ref_surface_view *view)
 {
@@ -48,7 +57,10 @@ static bool may_be_small(const ref_surface_view *view)
 static double linear_error(const ref_surface_view *view, int value, double scale)
 {
     if (view->texture && value < REF_BRIGHTNESS) {
-        return scale / 64;
+        return has_coarse_texels(view) ? 0.3 * scale : scale / 64;
+    }
+    if (has_coarse_texels(view)) {
+        return 0.25;
     }
     const bool is_exact = view->surface->division == REF_DIVIDE_8 || view->is_affine;
     if (view->surface->has_colours && !is_exact) {
