@@ -347,13 +347,28 @@ static void paint_mixed(uint16_t *pixels, uint32_t sixteenths, bool adds, int32_
     fxl_paint_pixels_565(&segment.paint, &segment.row, x0, x1);
 }
 
+/* Opaque pixels, one by one: in light that changes none of them, but is found for each. */
+static void paint_one_by_one(uint16_t *pixels, int32_t x0, int32_t x1)
+{
+    const fxl_paint paint = segment.paint;
+    segment.paint.of_565.part_of_level = 65536u / 2;
+    segment.gradients.count = 3;
+    segment.gradients.attributes[2] = segment.gradients.weight;
+    segment.gradients.shifts[2] = 20;
+    segment.row.attributes[2] = segment.row.weight;
+    paint_mixed(pixels, 0, false, x0, x1);
+    segment.paint = paint;
+    segment.gradients.count = 2;
+}
+
 /* What is blended or added has the texels and the holes that it has without that, over whatever is
- * beneath: a pixel that is the same over two backgrounds is drawn. */
+ * beneath: a pixel that is the same over two backgrounds is drawn. Those with holes are as they are
+ * one by one. */
 /* rgb565 2.2, 2.3, surfaces 2.2, 4.1 */
 void test_mixed_texels_are_opaque_ones_that_are_mixed(void)
 {
     static uint16_t dark[SEGMENT_COLUMNS], bright[SEGMENT_COLUMNS], beneath[SEGMENT_COLUMNS],
-        seen[SEGMENT_COLUMNS];
+        seen[SEGMENT_COLUMNS], single[SEGMENT_COLUMNS];
     uint32_t holes = 0, drawn = 0;
     for (uint32_t i = 0; i < SEGMENT_TEXELS; i++) {
         mixed_texels[i] = (uint16_t)(segment_any() % 8u * 0x1F35u);
@@ -365,13 +380,17 @@ void test_mixed_texels_are_opaque_ones_that_are_mixed(void)
         const int32_t x1 = x0 + 1 + (int32_t)(segment_any() % (uint32_t)(SEGMENT_COLUMNS - x0));
         choose_mixed_face(n);
         for (int32_t x = 0; x < SEGMENT_COLUMNS; x++) {
-            dark[x] = 0;
+            dark[x] = single[x] = 0;
             bright[x] = 0xFFFFu;
             seen[x] = beneath[x] = (uint16_t)segment_any();
         }
         paint_mixed(dark, 0, false, x0, x1);
         paint_mixed(bright, 0, false, x0, x1);
         paint_mixed(seen, n % 2 ? 1 + n % 16 : 0, n % 2 == 0, x0, x1);
+        if (n % 13 != 0) {
+            paint_one_by_one(single, x0, x1);
+            TEST_ASSERT_EQUAL_MEMORY(single, dark, sizeof dark);
+        }
         for (int32_t x = 0; x < SEGMENT_COLUMNS; x++) {
             const bool is_drawn = dark[x] == bright[x];
             const uint16_t expected = is_drawn ? mixed(dark[x], beneath[x]) : beneath[x];

@@ -233,10 +233,9 @@ mix_words(const fxl_word *colours, fxl_word *pixels, const fxl_word *end, uint32
 }
 
 /* Mixes colours into a row. Requires both at the beginning of a word, or neither. */
-static inline void mix_row(const fxl_paint_565 *of, const uint16_t *colours, uint16_t *pixels,
+static inline void mix_row(uint32_t sixteenths, const uint16_t *colours, uint16_t *pixels,
                            uint32_t count)
 {
-    const uint32_t sixteenths = of->sixteenths;
     if (!FXL_IS_COMPACT) {
         if (count != 0 && ((uintptr_t)pixels & 2u) != 0) {
             *pixels = (uint16_t)mixed_of(*colours++, *pixels, sixteenths);
@@ -262,135 +261,7 @@ static inline void mix_row(const fxl_paint_565 *of, const uint16_t *colours, uin
 /* --- what is mixed -------------------------------------------------------------------------- */
 
 #define MIXED 64 /* columns that are mixed at once */
-#define LINES 16 /* of 16 columns; of 64 that are segments, 5 */
-
-/* Neighbouring texels. */
-typedef struct {
-    uint32_t u, v, u_step, v_step, count;
-} texel_line;
-
-/* The numbers of 64 bits of a column. A segment may end beyond what gradients are bounded for: then
- * they wrap. */
-typedef struct {
-    int64_t weight, u, v;
-} column_numbers;
-
-static inline int64_t sum_64(int64_t a, int64_t b)
-{
-    return (int64_t)((uint64_t)a + (uint64_t)b);
-}
-
-static inline int64_t shifted_left(int64_t value, uint32_t bits)
-{
-    return (int64_t)((uint64_t)value << bits);
-}
-
-/* Numbers so many columns on: below 2^16. */
-static inline column_numbers after(const column_numbers *at, const column_numbers *step,
-                                   uint32_t columns)
-{
-    const column_numbers next = {sum_64(at->weight, fxl_multiply_s64_u16(step->weight, columns)),
-                                 sum_64(at->u, fxl_multiply_s64_u16(step->u, columns)),
-                                 sum_64(at->v, fxl_multiply_s64_u16(step->v, columns))};
-    return next;
-}
-
-/* The weight at a column: below 2^16. */
-static inline uint32_t weight_after(const fxl_paint *paint, const fxl_paint_row *row,
-                                    uint32_t column)
-{
-    return upper_weight(sum_64(
-        row->weight, fxl_multiply_s64_u16(paint->gradients->weight.along, column)));
-}
-
-/* Whether all segments of the pixels x0 <= x < x1 have 16 columns. The weight is linear, so it
- * suffices to look at both ends. */
-static inline bool has_sixteens(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0,
-                                uint32_t x1)
-{
-    const uint32_t least = paint->gradients->weight_min[0];
-    return paint->division == FXL_DIVIDE_16 && weight_after(paint, row, x0 & ~15u) >= least &&
-           weight_after(paint, row, (x1 + 15u) & ~15u) >= least;
-}
-
-/* The log of the segments of the 16 columns that have x0. */
-static inline uint32_t log_of(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0)
-{
-    uint32_t least[3];
-    fxl_find_least_weights(paint->gradients, paint->division, least);
-    return fxl_segment_log(least, weight_after(paint, row, x0 & ~15u),
-                           weight_after(paint, row, (x0 & ~15u) + 16u));
-}
-
-static inline int32_t upper_32(int64_t number)
-{
-    return (int32_t)(number >> 32);
-}
-
-/* fxl_attribute_of of u and v. Most are drops of the products' upper words by less than 32. */
-static inline void divide(const fxl_gradients *gradients, const column_numbers *at, int32_t *u,
-                          int32_t *v)
-{
-    const fxl_reciprocal reciprocal = fxl_reciprocal_of(upper_weight(at->weight));
-    const int32_t upper_u = upper_32(at->u), upper_v = upper_32(at->v);
-    const int32_t u_shift = gradients->shifts[FXL_ATTRIBUTE_U];
-    const int32_t v_shift = gradients->shifts[FXL_ATTRIBUTE_V];
-    const int32_t left = 30 - (int32_t)reciprocal.zeros;
-    const int32_t u_drop = left - u_shift, v_drop = left - v_shift;
-    if ((uint32_t)(u_drop | v_drop) < 32u) {
-        *u = upper_32(fxl_multiply_s32(upper_u, reciprocal.value)) >> u_drop;
-        *v = upper_32(fxl_multiply_s32(upper_v, reciprocal.value)) >> v_drop;
-    } else {
-        *u = fxl_attribute_of(upper_u, &reciprocal, u_shift);
-        *v = fxl_attribute_of(upper_v, &reciprocal, v_shift);
-    }
-}
-
-/* What numbers change in 2^log columns. */
-static inline void find_step(const column_numbers *along, uint32_t log, column_numbers *step)
-{
-    step->weight = shifted_left(along->weight, log);
-    step->u = shifted_left(along->u, log);
-    step->v = shifted_left(along->v, log);
-}
-
-/* The lines of texels of the pixels x0 <= x < x1, whose segments have 2^log columns: paint_segment's,
- * and a pixel that is divided by itself is one. Returns how many they are. */
-/* surfaces 2.2 */
-static inline __attribute__((always_inline)) uint32_t
-find_lines(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0, uint32_t x1, uint32_t log,
-           texel_line *lines)
-{
-    const fxl_gradients *gradients = paint->gradients;
-    const fxl_gradient *attributes = gradients->attributes;
-    const column_numbers first = {row->weight, row->attributes[FXL_ATTRIBUTE_U],
-                                  row->attributes[FXL_ATTRIBUTE_V]};
-    const column_numbers along = {gradients->weight.along, attributes[FXL_ATTRIBUTE_U].along,
-                                  attributes[FXL_ATTRIBUTE_V].along};
-    uint32_t column = (x0 >> log) << log, found = 0;
-    column_numbers at = after(&first, &along, column), step;
-    int32_t u0, v0, u1, v1;
-    find_step(&along, log, &step);
-    divide(gradients, &at, &u0, &v0);
-    do {
-        const uint32_t skipped = x0 - column;
-        texel_line *line = &lines[found++];
-        column += 1u << log;
-        at.weight = sum_64(at.weight, step.weight);
-        at.u = sum_64(at.u, step.u);
-        at.v = sum_64(at.v, step.v);
-        divide(gradients, &at, &u1, &v1);
-        line->u_step = (uint32_t)((int32_t)((uint32_t)u1 - (uint32_t)u0) >> log);
-        line->v_step = (uint32_t)((int32_t)((uint32_t)v1 - (uint32_t)v0) >> log);
-        line->u = (uint32_t)u0 + skipped * line->u_step;
-        line->v = (uint32_t)v0 + skipped * line->v_step;
-        line->count = (column < x1 ? column : x1) - x0;
-        x0 += line->count;
-        u0 = u1;
-        v0 = v1;
-    } while (x0 != x1);
-    return found;
-}
+#define LINES 16 /* at once: of 16 columns, or 5 of 64 that are segments */
 
 /* The colours of texels of 16 or of 8 bits, repeated; where they are keyed, of those that are not
  * the key. The compiler cannot tell them from what the loop reads, so it has copies. */
@@ -420,18 +291,82 @@ show_lines(const fxl_paint *paint, const texel_line *line, const texel_line *las
     }
 }
 
+/* The same of any texels. */
+static inline void show_any(const fxl_paint *paint, const texel_line *line, const texel_line *last,
+                            uint16_t *colour)
+{
+    for (; line != last; line++) {
+        const uint16_t *end = colour + line->count;
+        uint32_t u = line->u, v = line->v;
+        for (; colour != end; colour++) {
+            uint16_t found;
+            if (look_up(paint, (int32_t)u >> 16, (int32_t)v >> 16, &found)) {
+                *colour = found;
+            }
+            u += line->u_step;
+            v += line->v_step;
+        }
+    }
+}
+
+static inline bool is_keyed(const fxl_paint *paint)
+{
+    return (paint->level.flags & FXL_TEXTURE_KEYED) != 0;
+}
+
+static inline bool has_holes(const fxl_paint *paint)
+{
+    return paint->opacity < 16 || is_keyed(paint);
+}
+
+/* Which of four columns an opacity draws, from a multiple of 4 on. */
+static inline uint32_t drawn_of_four(const fxl_paint *paint, int32_t y)
+{
+    uint32_t drawn = 15;
+    for (int32_t x = 0; x < 4; x++) {
+        drawn ^= (uint32_t)fxl_is_stippled_away(paint->opacity, x, y) << x;
+    }
+    return drawn;
+}
+
+/* Has the pixels from column x on that are not drawn stay as they are beneath. */
+static inline void leave_out(uint32_t drawn, bool adds, int32_t x, const uint16_t *pixels,
+                             uint16_t *colours, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        if ((drawn >> (((uint32_t)x + i) & 3u) & 1u) == 0) {
+            colours[i] = adds ? 0 : pixels[i];
+        }
+    }
+}
+
 /* Whether neighbouring texels are shown by lines. */
 static inline bool has_lines(const fxl_paint *paint)
 {
-    const uint32_t clamp = FXL_TEXTURE_CLAMP, others = clamp | FXL_LEVEL_IN_BEAM;
-    return !FXL_IS_COMPACT && paint->opacity == 16 && paint->level.texels != NULL &&
-           paint->level.colours == NULL && (paint->level.flags & others) == 0 &&
-           paint->of_565.part_of_level == 0;
+    return !FXL_IS_COMPACT && paint->level.texels != NULL &&
+           (paint->of_565.part_of_level == 0 || (paint->is_evenly_lit && !has_holes(paint)));
 }
 
-static inline void show_texels(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0,
-                               uint32_t x1, uint16_t *colours)
+/* Whether texels are of 8 or 16 bits, repeat and are in no beam. */
+static inline bool has_plain_texels(const fxl_paint *paint)
 {
+    return paint->level.colours == NULL &&
+           (paint->level.flags & (FXL_TEXTURE_CLAMP | FXL_LEVEL_IN_BEAM)) == 0;
+}
+
+/* Whether all that is shown are such texels, or the key. */
+static inline bool has_plain_lines(const fxl_paint *paint)
+{
+    return !FXL_IS_COMPACT && paint->opacity == 16 && paint->level.texels != NULL &&
+           paint->of_565.part_of_level == 0 && has_plain_texels(paint);
+}
+
+/* Requires has_lines, or is_plain: has_plain_lines; and at most MIXED columns. */
+static inline __attribute__((always_inline)) void
+show_texels(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0, uint32_t x1,
+            uint16_t *colours, bool is_plain)
+{
+    const uint32_t flags = paint->level.flags, first = x0;
     texel_line lines[LINES];
     while (x0 != x1) {
         const uint32_t next = (x0 & ~15u) + 16u;
@@ -442,10 +377,11 @@ static inline void show_texels(const fxl_paint *paint, const fxl_paint_row *row,
             end = next < x1 ? next : x1;
             count = find_lines(paint, row, x0, end, log_of(paint, row, x0), lines);
         }
-        if ((paint->level.flags & FXL_TEXTURE_KEYED) != 0) {
-            show_lines(paint, lines, lines + count, colours,
-                       (paint->level.flags & FXL_LEVEL_565) != 0, true);
-        } else if ((paint->level.flags & FXL_LEVEL_565) != 0) {
+        if (!is_plain && !has_plain_texels(paint)) {
+            show_any(paint, lines, lines + count, colours);
+        } else if (is_keyed(paint)) {
+            show_lines(paint, lines, lines + count, colours, (flags & FXL_LEVEL_565) != 0, true);
+        } else if (flags & FXL_LEVEL_565) {
             show_lines(paint, lines, lines + count, colours, true, false);
         } else {
             show_lines(paint, lines, lines + count, colours, false, false);
@@ -453,36 +389,69 @@ static inline void show_texels(const fxl_paint *paint, const fxl_paint_row *row,
         colours += end - x0;
         x0 = end;
     }
+    if (!is_plain && paint->is_evenly_lit) {
+        mix_evenly(paint, colours - (x1 - first), colours);
+    }
 }
 
-/* Pixels that are blended with what is beneath, or added to it: opaque ones, which are then mixed
- * into the row. A pixel that is not drawn stays as it is beneath: blended with itself a colour is
- * the same, and so is one to which 0 is added. Not inline: what it has would be on the stack of
- * others. */
+/* paint_mixed of most textures. */
 /* surfaces 4.1 */
-static __attribute__((noinline)) void paint_mixed(const fxl_paint *paint, const fxl_paint_row *row,
-                                                  int32_t x0, int32_t x1)
+static __attribute__((noinline)) void paint_mixed_lines(const fxl_paint *paint,
+                                                        const fxl_paint_row *row, int32_t x0,
+                                                        int32_t x1)
 {
-    const fxl_paint_565 *of = &paint->of_565;
-    const bool has_holes = paint->opacity < 16 || (paint->level.flags & FXL_TEXTURE_KEYED) != 0;
+    const uint32_t sixteenths = paint->of_565.sixteenths;
     FXL_ALIGN_8 uint16_t words[MIXED + 1];
     while (x0 < x1) {
         const int32_t end = smaller(x0 + MIXED, x1);
         uint16_t *pixels = (uint16_t *)(void *)row->pixels + x0;
         uint16_t *colours = words + ((uintptr_t)pixels >> 1 & 1u);
         const uint32_t count = (uint32_t)(end - x0);
-        for (uint32_t i = 0; has_holes && i < count; i++) {
-            colours[i] = of->adds ? 0 : pixels[i];
+        if (is_keyed(paint)) {
+            leave_out(0, sixteenths == 0, x0, pixels, colours, count);
         }
-        if (has_lines(paint)) {
-            show_texels(paint, row, (uint32_t)x0, (uint32_t)end, colours);
+        show_texels(paint, row, (uint32_t)x0, (uint32_t)end, colours, true);
+        mix_row(sixteenths, colours, pixels, count);
+        x0 = end;
+    }
+}
+
+/* Pixels that are blended with what is beneath, or added to it, or have holes: opaque ones, which
+ * are then mixed into the row. A pixel that is not drawn stays as it is beneath: blended with itself
+ * a colour is the same, and so is one to which 0 is added. Not inline: what it has would be on the
+ * stack of others. */
+/* surfaces 4.1 */
+static __attribute__((noinline)) void paint_mixed(const fxl_paint *paint, const fxl_paint_row *row,
+                                                  int32_t x0, int32_t x1)
+{
+    const fxl_paint_565 *of = &paint->of_565;
+    const uint32_t sixteenths = fxl_is_mixed_565(paint) ? of->sixteenths : 16;
+    const bool shows_lines = has_lines(paint), is_stippled = paint->opacity < 16;
+    const bool is_in_place = !fxl_is_mixed_565(paint) && !is_stippled;
+    const bool begins_beneath = !is_in_place && (shows_lines ? is_keyed(paint) : has_holes(paint));
+    FXL_ALIGN_8 uint16_t words[MIXED + 1];
+    while (x0 < x1) {
+        const int32_t end = smaller(x0 + MIXED, x1);
+        uint16_t *pixels = (uint16_t *)(void *)row->pixels + x0;
+        uint16_t *colours = is_in_place ? pixels : words + ((uintptr_t)pixels >> 1 & 1u);
+        const uint32_t count = (uint32_t)(end - x0);
+        if (begins_beneath) {
+            leave_out(0, sixteenths == 0, x0, pixels, colours, count);
+        }
+        if (shows_lines) {
+            show_texels(paint, row, (uint32_t)x0, (uint32_t)end, colours, false);
         } else {
             const uintptr_t column_0 = (uintptr_t)colours - 2u * (uint32_t)x0;
             fxl_paint_row drawn = *row;
             drawn.pixels = (uint8_t *)column_0;
             paint_opaque(paint, &drawn, x0, end);
         }
-        mix_row(of, colours, pixels, count);
+        if (shows_lines && is_stippled) {
+            leave_out(drawn_of_four(paint, row->y), sixteenths == 0, x0, pixels, colours, count);
+        }
+        if (!is_in_place) {
+            mix_row(sixteenths, colours, pixels, count);
+        }
         x0 = end;
     }
 }
@@ -490,6 +459,12 @@ static __attribute__((noinline)) void paint_mixed(const fxl_paint *paint, const 
 void fxl_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     if (fxl_is_mixed_565(paint)) {
+        if (has_plain_lines(paint)) {
+            paint_mixed_lines(paint, row, x0, x1);
+        } else {
+            paint_mixed(paint, row, x0, x1);
+        }
+    } else if (row->segments == NULL && has_holes(paint) && has_lines(paint)) {
         paint_mixed(paint, row, x0, x1);
     } else {
         paint_opaque(paint, row, x0, x1);

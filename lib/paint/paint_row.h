@@ -170,4 +170,134 @@ static void paint_sixteen(const fxl_paint *paint, const fxl_paint_row *row, cons
     }
 }
 
+/* --- lines of texels, which are shown without a call a segment ----------------------------------- */
+
+/* Neighbouring texels. */
+typedef struct {
+    uint32_t u, v, u_step, v_step, count;
+} texel_line;
+
+/* The numbers of 64 bits of a column. A segment may end beyond what gradients are bounded for: then
+ * they wrap. */
+typedef struct {
+    int64_t weight, u, v;
+} column_numbers;
+
+static inline int64_t sum_64(int64_t a, int64_t b)
+{
+    return (int64_t)((uint64_t)a + (uint64_t)b);
+}
+
+static inline int64_t shifted_left(int64_t value, uint32_t bits)
+{
+    return (int64_t)((uint64_t)value << bits);
+}
+
+/* Numbers so many columns on: below 2^16. */
+static inline column_numbers after(const column_numbers *at, const column_numbers *step,
+                                   uint32_t columns)
+{
+    const column_numbers next = {sum_64(at->weight, fxl_multiply_s64_u16(step->weight, columns)),
+                                 sum_64(at->u, fxl_multiply_s64_u16(step->u, columns)),
+                                 sum_64(at->v, fxl_multiply_s64_u16(step->v, columns))};
+    return next;
+}
+
+/* The weight at a column: below 2^16. */
+static inline uint32_t weight_after(const fxl_paint *paint, const fxl_paint_row *row,
+                                    uint32_t column)
+{
+    return upper_weight(sum_64(
+        row->weight, fxl_multiply_s64_u16(paint->gradients->weight.along, column)));
+}
+
+/* Whether all segments of the pixels x0 <= x < x1 have 16 columns. The weight is linear, so it
+ * suffices to look at both ends. */
+static inline bool has_sixteens(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0,
+                                uint32_t x1)
+{
+    const uint32_t least = paint->gradients->weight_min[0];
+    return paint->division == FXL_DIVIDE_16 && weight_after(paint, row, x0 & ~15u) >= least &&
+           weight_after(paint, row, (x1 + 15u) & ~15u) >= least;
+}
+
+/* The log of the segments of the 16 columns that have x0. */
+static inline uint32_t log_of(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0)
+{
+    uint32_t least[3];
+    fxl_find_least_weights(paint->gradients, paint->division, least);
+    return fxl_segment_log(least, weight_after(paint, row, x0 & ~15u),
+                           weight_after(paint, row, (x0 & ~15u) + 16u));
+}
+
+static inline int32_t upper_32(int64_t number)
+{
+    return (int32_t)(number >> 32);
+}
+
+/* fxl_attribute_of of u and v. Most are drops of the products' upper words by less than 32. */
+static inline void divide(const fxl_gradients *gradients, const column_numbers *at, int32_t *u,
+                          int32_t *v)
+{
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of(upper_weight(at->weight));
+    const int32_t upper_u = upper_32(at->u), upper_v = upper_32(at->v);
+    const int32_t u_shift = gradients->shifts[FXL_ATTRIBUTE_U];
+    const int32_t v_shift = gradients->shifts[FXL_ATTRIBUTE_V];
+    const int32_t left = 30 - (int32_t)reciprocal.zeros;
+    const int32_t u_drop = left - u_shift, v_drop = left - v_shift;
+    if ((uint32_t)(u_drop | v_drop) < 32u) {
+        *u = upper_32(fxl_multiply_s32(upper_u, reciprocal.value)) >> u_drop;
+        *v = upper_32(fxl_multiply_s32(upper_v, reciprocal.value)) >> v_drop;
+    } else {
+        *u = fxl_attribute_of(upper_u, &reciprocal, u_shift);
+        *v = fxl_attribute_of(upper_v, &reciprocal, v_shift);
+    }
+}
+
+/* What numbers change in 2^log columns. */
+static inline void find_step(const column_numbers *along, uint32_t log, column_numbers *step)
+{
+    step->weight = shifted_left(along->weight, log);
+    step->u = shifted_left(along->u, log);
+    step->v = shifted_left(along->v, log);
+}
+
+/* The lines of texels of the pixels x0 <= x < x1, whose segments have 2^log columns: paint_segment's,
+ * and a pixel that is divided by itself is one. Returns how many they are. */
+/* surfaces 2.2 */
+static inline __attribute__((always_inline)) uint32_t
+find_lines(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0, uint32_t x1, uint32_t log,
+           texel_line *lines)
+{
+    const fxl_gradients *gradients = paint->gradients;
+    const fxl_gradient *attributes = gradients->attributes;
+    const column_numbers first = {row->weight, row->attributes[FXL_ATTRIBUTE_U],
+                                  row->attributes[FXL_ATTRIBUTE_V]};
+    const column_numbers along = {gradients->weight.along, attributes[FXL_ATTRIBUTE_U].along,
+                                  attributes[FXL_ATTRIBUTE_V].along};
+    uint32_t column = (x0 >> log) << log, found = 0;
+    column_numbers at = after(&first, &along, column), step;
+    int32_t u0, v0, u1, v1;
+    find_step(&along, log, &step);
+    divide(gradients, &at, &u0, &v0);
+    do {
+        const uint32_t skipped = x0 - column;
+        texel_line *line = &lines[found++];
+        column += 1u << log;
+        at.weight = sum_64(at.weight, step.weight);
+        at.u = sum_64(at.u, step.u);
+        at.v = sum_64(at.v, step.v);
+        divide(gradients, &at, &u1, &v1);
+        line->u_step = (uint32_t)((int32_t)((uint32_t)u1 - (uint32_t)u0) >> log);
+        line->v_step = (uint32_t)((int32_t)((uint32_t)v1 - (uint32_t)v0) >> log);
+        line->u = (uint32_t)u0 + skipped * line->u_step;
+        line->v = (uint32_t)v0 + skipped * line->v_step;
+        line->count = (column < x1 ? column : x1) - x0;
+        x0 += line->count;
+        u0 = u1;
+        v0 = v1;
+    } while (x0 != x1);
+    return found;
+}
+
 #endif

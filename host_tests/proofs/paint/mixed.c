@@ -115,6 +115,30 @@ void prove_mixture_of_565(void)
 /* --- lines ------------------------------------------------------------------------------------------------- */
 
 /* [[row]]
+ * function = "has_plain_lines"
+ * id = "mixed: has_plain_lines"
+ * property = "any paint"
+ * checks = 31
+ */
+/* [[row]]
+ * function = "has_plain_texels"
+ * id = "mixed: has_plain_texels"
+ * property = "any paint"
+ * checks = 31
+ */
+/* [[row]]
+ * function = "is_keyed"
+ * id = "mixed: is_keyed"
+ * property = "any paint"
+ * checks = 31
+ */
+/* [[row]]
+ * function = "has_holes"
+ * id = "mixed: has_holes"
+ * property = "any paint"
+ * checks = 31
+ */
+/* [[row]]
  * function = "has_lines"
  * property = "any paint"
  * checks = 31
@@ -123,11 +147,13 @@ void prove_has_lines(void)
 {
     fxl_paint paint;
     ASSERT("texels", !has_lines(&paint) || paint.level.texels != NULL);
+    ASSERT("texels of 8 or 16 bits", !has_plain_lines(&paint) || (paint.level.texels != NULL && has_plain_texels(&paint)));
+    ASSERT("a key is a hole", !is_keyed(&paint) || has_holes(&paint));
     PROOF_ENDS();
 }
 
 /* [[row]]
- * function = "after"
+ * function = "lib/paint/paint_row.h:after"
  * property = "any numbers"
  * checks = 36
  */
@@ -141,17 +167,17 @@ void prove_after(void)
 }
 
 /* [[row]]
- * function = "log_of"
+ * function = "lib/paint/paint_row.h:log_of"
  * property = "any weights and rule: 0, 2, 3 or 4"
  * checks = 180
  */
 /* [[row]]
- * function = "has_sixteens"
+ * function = "lib/paint/paint_row.h:has_sixteens"
  * property = "the same: only with FXL_DIVIDE_16"
  * checks = 180
  */
 /* [[row]]
- * function = "weight_after"
+ * function = "lib/paint/paint_row.h:weight_after"
  * property = "the same: from 1 on"
  * checks = 180
  */
@@ -171,12 +197,12 @@ void prove_log_of(void)
 }
 
 /* [[row]]
- * function = "divide"
+ * function = "lib/paint/paint_row.h:divide"
  * property = "any numbers: fxl_attribute_of"
  * checks = 52
  */
 /* [[row]]
- * function = "upper_32"
+ * function = "lib/paint/paint_row.h:upper_32"
  * property = "any number"
  * checks = 52
  */
@@ -190,7 +216,7 @@ void prove_divide(void)
 }
 
 /* [[row]]
- * function = "find_step"
+ * function = "lib/paint/paint_row.h:find_step"
  * property = "any numbers, and segments of up to 16 columns"
  * checks = 37
  */
@@ -225,5 +251,64 @@ void prove_show_lines(void)
     paint.of_565.palette = palette;
     ASSUME(line.count >= 1 && line.count <= 2);
     show_lines(&paint, &line, &line + 1, shown, (CASE & 1) != 0, (CASE & 2) != 0);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "show_any"
+ * property = "any texture of 4 x 2 of 8 bits, repeated or clamped, and any coordinates: nothing is out of bounds"
+ * checks = 200
+ * unwind = 3
+ */
+void prove_show_any(void)
+{
+    fxl_paint paint;
+    texel_line line;
+    uint16_t shown[2];
+    const uint8_t in_beam[256] = {0};
+    paint.level.texels = (const uint8_t *)texels;
+    paint.level.colours = NULL;
+    paint.level.log_width = 2;
+    paint.level.columns_less_1 = 3;
+    paint.level.rows_less_1 = 1;
+    paint.in_beam = in_beam;
+    paint.of_565.palette = palette;
+    ASSUME(line.count >= 1 && line.count <= 2);
+    show_any(&paint, &line, &line + 1, shown);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "drawn_of_four"
+ * property = "any opacity from 1 on and any row: four bits, all of them where it is 16"
+ * checks = 20
+ * unwind = 5
+ */
+/* [[row]]
+ * function = "leave_out"
+ * property = "any pattern and any 4 pixels: what is drawn stays, and a hole is as beneath, or 0"
+ * checks = 40
+ * unwind = 5
+ */
+/* [[row]]
+ * function = "mix_evenly"
+ * property = "any 2 pixels in any light: nothing is out of bounds"
+ * checks = 40
+ * unwind = 5
+ */
+void prove_leave_out(void)
+{
+    fxl_paint paint;
+    uint16_t pixels[4], colours[4];
+    const uint32_t k = nondet_u32();
+    const int32_t x = nondet_s32(), y = nondet_s32();
+    const bool adds = nondet_bool();
+    ASSUME(k < 4 && x >= 0 && x < 1024 && y >= 0 && y < 1024 && paint.opacity >= 1 && paint.opacity <= 16);
+    const uint32_t drawn = drawn_of_four(&paint, y);
+    const uint16_t before = colours[k];
+    ASSERT("four bits", drawn <= 15 && (paint.opacity < 16 || drawn == 15));
+    leave_out(drawn, adds, x, pixels, colours, 4);
+    ASSERT("drawn or beneath", colours[k] == ((drawn >> ((uint32_t)x + k) % 4 & 1u) != 0 ? before : adds ? 0 : pixels[k]));
+    mix_evenly(&paint, pixels, pixels + 2);
     PROOF_ENDS();
 }
