@@ -115,6 +115,12 @@ static inline __attribute__((always_inline)) void paint_codes(uint16_t *cells, u
     }
 }
 
+/* An edge, or its step, as one number: fxl_edge_step is a sum then, which wraps. */
+static inline uint64_t whole_of(int32_t x, uint32_t fraction)
+{
+    return (uint64_t)(uint32_t)x << 32 | fraction;
+}
+
 /* The rows of a scan between two chains. */
 static inline __attribute__((always_inline)) void paint_rows(const sheet *codes,
                                                              const fxl_depth_outline *outline,
@@ -130,15 +136,25 @@ static inline __attribute__((always_inline)) void paint_rows(const sheet *codes,
         uint64_t line = codes->at + times((int64_t)down, row);
         uint16_t *cells = outline->cells + place;
         uint8_t *pixels = band->pixels + place * bytes;
-        fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
+        uint64_t a = whole_of(trapezoid->edges[0].x, trapezoid->edges[0].fraction),
+                 b = whole_of(trapezoid->edges[1].x, trapezoid->edges[1].fraction);
+        const uint64_t a_step =
+            whole_of(trapezoid->edges[0].step, trapezoid->edges[0].step_fraction);
+        const uint64_t b_step =
+            whole_of(trapezoid->edges[1].step, trapezoid->edges[1].step_fraction);
         for (int32_t rows = trapezoid->end_row - trapezoid->first_row; rows > 0; rows--) {
-            const int32_t x0 = a.x < b.x ? a.x : b.x, x1 = a.x < b.x ? b.x : a.x;
+            int32_t x0 = (int32_t)(a >> 32), x1 = (int32_t)(b >> 32);
+            if (x0 > x1) {
+                const int32_t x = x0;
+                x0 = x1;
+                x1 = x;
+            }
             if (x0 < x1) {
                 paint_codes(cells + x0, pixels + (uint32_t)x0 * bytes, (uint32_t)(x1 - x0),
                             (uint32_t)(line >> 32) + step * (uint32_t)x0, step, filling, bits);
             }
-            fxl_edge_step(&a);
-            fxl_edge_step(&b);
+            a += a_step;
+            b += b_step;
             line += down;
             cells += width;
             pixels += width * bytes;
