@@ -340,10 +340,11 @@ static inline void leave_out(uint32_t drawn, bool adds, int32_t x, const uint16_
     }
 }
 
-/* Whether neighbouring texels are shown by lines. */
+/* Whether neighbouring texels are shown by lines. Boards with an Armv6-M have little flash, so there
+ * these are has_plain_lines alone. */
 static inline bool has_lines(const fxl_paint *paint)
 {
-    return !FXL_IS_COMPACT && paint->level.texels != NULL &&
+    return !FXL_IS_COMPACT && !FXL_KERNELS_ARMV6M && paint->level.texels != NULL &&
            (paint->of_565.part_of_level == 0 || (paint->is_evenly_lit && !has_holes(paint)));
 }
 
@@ -366,22 +367,29 @@ static inline __attribute__((always_inline)) void
 show_texels(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0, uint32_t x1,
             uint16_t *colours, bool is_plain)
 {
-    const uint32_t flags = paint->level.flags, first = x0;
+    const bool is_wide = (paint->level.flags & FXL_LEVEL_565) != 0;
+    const uint32_t first = x0;
     texel_line lines[LINES];
     while (x0 != x1) {
         const uint32_t next = (x0 & ~15u) + 16u;
-        uint32_t end = x1, count;
-        if (has_sixteens(paint, row, x0, x1)) {
+        uint32_t end = x1, log = 4, count;
+        const bool are_sixteens = has_sixteens(paint, row, x0, x1);
+        if (!are_sixteens) {
+            end = next < x1 ? next : x1;
+            log = log_of(paint, row, x0);
+        }
+        if (!FXL_KERNELS_ARMV6M && are_sixteens) { /* constant shifts */
             count = find_lines(paint, row, x0, x1, 4, lines);
         } else {
-            end = next < x1 ? next : x1;
-            count = find_lines(paint, row, x0, end, log_of(paint, row, x0), lines);
+            count = find_lines(paint, row, x0, end, log, lines);
         }
         if (!is_plain && !has_plain_texels(paint)) {
             show_any(paint, lines, lines + count, colours);
+        } else if (is_wide && is_keyed(paint)) {
+            show_lines(paint, lines, lines + count, colours, true, true);
         } else if (is_keyed(paint)) {
-            show_lines(paint, lines, lines + count, colours, (flags & FXL_LEVEL_565) != 0, true);
-        } else if (flags & FXL_LEVEL_565) {
+            show_lines(paint, lines, lines + count, colours, false, true);
+        } else if (is_wide) {
             show_lines(paint, lines, lines + count, colours, true, false);
         } else {
             show_lines(paint, lines, lines + count, colours, false, false);

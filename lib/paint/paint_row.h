@@ -236,8 +236,8 @@ static inline int32_t upper_32(int64_t number)
 }
 
 /* fxl_attribute_of of u and v. Most are drops of the products' upper words by less than 32. */
-static inline void divide(const fxl_gradients *gradients, const column_numbers *at, int32_t *u,
-                          int32_t *v)
+FXL_APART void divide(const fxl_gradients *gradients, const column_numbers *at, int32_t *u,
+                      int32_t *v)
 {
     const fxl_reciprocal reciprocal = fxl_reciprocal_of(upper_weight(at->weight));
     const int32_t upper_u = upper_32(at->u), upper_v = upper_32(at->v);
