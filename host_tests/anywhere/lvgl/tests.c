@@ -25,6 +25,11 @@ static long size_of(box_t box)
     return (long)(box.end_x - box.x) * (box.end_y - box.y);
 }
 
+static bool holds(box_t box, int32_t x, int32_t y)
+{
+    return x >= box.x && x < box.end_x && y >= box.y && y < box.end_y;
+}
+
 /* The dashboard: a widget with a label over it, and a button beside it, which covers a corner of
  * it. */
 static void make_dashboard(lv_color_format_t format)
@@ -100,9 +105,8 @@ static void change_label(const char *name, const char *text)
         for (int32_t x = 0; x < WIDTH; x++) {
             const bool has_changed =
                 memcmp(&screen[y][2 * x], &before[y * 2 * WIDTH + 2 * x], 2) != 0;
-            const bool is_inside = x >= box.x && x < box.end_x && y >= box.y && y < box.end_y;
             changed += has_changed;
-            changed_outside += has_changed && !is_inside;
+            changed_outside += has_changed && !holds(box, x, y);
         }
     }
     const long differ = view_differs(&eye);
@@ -159,9 +163,8 @@ void test_dashboard(void)
  * its picture. */
 void test_clip(void)
 {
-    static const struct {
-        int32_t x, y; /* of the widget in the container */
-    } places[] = {{-50, -40}, {60, 50}, {-90, 30}, {20, -100}, {-199, -149}};
+    static const lv_point_t places[] = { /* of the widget in the container */
+        {-50, -40}, {60, 50}, {-90, 30}, {20, -100}, {-199, -149}};
     make_dashboard(LV_COLOR_FORMAT_RGB565);
     lv_obj_add_flag(button, LV_OBJ_FLAG_HIDDEN);
     lv_obj_add_flag(label, LV_OBJ_FLAG_HIDDEN);
@@ -252,13 +255,8 @@ static long pixels_of(uint32_t colour)
     long count = 0;
     for (int32_t y = VIEW_Y; y < VIEW_Y + VIEW_H; y++) {
         for (int32_t x = VIEW_X; x < VIEW_X + VIEW_W; x++) {
-            bool is_left_out = false;
-            for (size_t i = 0; i < 2; i++) {
-                is_left_out = is_left_out || (x >= without[i].x && x < without[i].end_x &&
-                                              y >= without[i].y && y < without[i].end_y);
-            }
-            count +=
-                !is_left_out && (screen[y][2 * x] | (uint32_t)screen[y][2 * x + 1] << 8) == colour;
+            count += !holds(without[0], x, y) && !holds(without[1], x, y) &&
+                     (screen[y][2 * x] | (uint32_t)screen[y][2 * x + 1] << 8) == colour;
         }
     }
     return count;
@@ -312,12 +310,10 @@ void test_opacity(void)
     /* Half of each channel of the library's frame, over black. */
     static uint16_t pixels[VIEW_W * VIEW_H];
     long differ = fxl_render(&twin.renderer, &eye, pixels, VIEW_W) == FXL_OK ? 0 : 1000000;
-    int32_t worst = 0;
     const box_t box = box_of(label);
     for (int32_t y = 0; y < VIEW_H - 15; y++) {
         for (int32_t x = 0; x < VIEW_W - 20; x++) {
-            if (x + VIEW_X >= box.x && x + VIEW_X < box.end_x && y + VIEW_Y >= box.y &&
-                y + VIEW_Y < box.end_y) {
+            if (holds(box, x + VIEW_X, y + VIEW_Y)) {
                 continue;
             }
             const uint8_t *at = &screen[VIEW_Y + y][2 * (VIEW_X + x)];
@@ -325,9 +321,6 @@ void test_opacity(void)
             const int32_t off[] = {(shown >> 11) * 2 - (own >> 11),
                                    (shown >> 5 & 63) * 2 - (own >> 5 & 63),
                                    (shown & 31) * 2 - (own & 31)};
-            for (size_t i = 0; i < 3; i++) {
-                worst = LV_MAX(worst, LV_ABS(off[i]));
-            }
             differ += LV_ABS(off[0]) > 2 || LV_ABS(off[1]) > 2 || LV_ABS(off[2]) > 2;
         }
     }
@@ -351,10 +344,7 @@ void test_snapshot(void)
     const box_t box = box_of(label);
     for (uint32_t y = 0; shot != NULL && y < VIEW_H; y++) {
         for (uint32_t x = 0; x < VIEW_W; x++) {
-            const int32_t column = VIEW_X + (int32_t)x, row = VIEW_Y + (int32_t)y;
-            const bool is_label =
-                column >= box.x && column < box.end_x && row >= box.y && row < box.end_y;
-            differ += !is_label &&
+            differ += !holds(box, VIEW_X + (int32_t)x, VIEW_Y + (int32_t)y) &&
                       *(const uint16_t *)lv_draw_buf_goto_xy(shot, x, y) != pixels[y * VIEW_W + x];
         }
     }

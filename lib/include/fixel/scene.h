@@ -35,12 +35,9 @@ extern "C" {
 #define FXL_LIGHT_LEVELS_MIN        2
 #define FXL_LIGHT_LEVELS_MAX        64
 
-/* The largest distance of a vertex of a BSP node's faces from the node's plane, in units of
- * 1/65536. */
+/* The largest distance of a vertex of a BSP node's faces from its plane, in units of 1/65536. */
 #define FXL_BSP_PLANARITY_MAX FXL_CAST(fxl_q16_16, 8)
-
-/* The number that stands for no BSP node. */
-#define FXL_BSP_NONE 0xFFFFu
+#define FXL_BSP_NONE 0xFFFFu /* the number that stands for no BSP node */
 
 /* A face. Its vertices are count entries of the scene's indices, from indices[first_index] on. Each
  * index is the number of a vertex within the model. The vertices go clockwise as seen from the
@@ -60,8 +57,7 @@ typedef struct {
 /* The plane and the bounding box of a face of a sorted model, precomputed: facing and order need
  * them in every frame. */
 typedef struct {
-    uint32_t height_low; /* normal . first vertex, 18.46, two's complement */
-    uint32_t height_high;
+    uint32_t height_low, height_high; /* normal . first vertex, 18.46, two's complement */
     int32_t box_x, box_y, box_z; /* minimum + maximum of the vertices, 16.16 */
 } fxl_face_bounds;
 
@@ -100,8 +96,7 @@ typedef struct {
  * A point is in front of the plane if normal . point > distance. */
 typedef struct {
     fxl_direction normal;
-    uint32_t distance_low; /* 18.46, two's complement */
-    uint32_t distance_high;
+    uint32_t distance_low, distance_high; /* 18.46, two's complement */
     uint16_t front, back, parent;    /* numbers of nodes, or FXL_BSP_NONE */
     uint16_t first_face, face_count; /* in the model; the nodes take its faces in turn */
     uint16_t reserved;               /* 0 */
@@ -343,13 +338,10 @@ typedef struct {
     const fxl_cluster *clusters; /* of the models that have some, in turn; or null */
     uint32_t cluster_count;
     const fxl_cluster_code *cluster_code; /* &fxl_clusters, set by the checks; null: no clusters */
-    const fxl_placement
-        *placements;       /* of each instance from first_turned on; null: no instance is turned */
+    const fxl_placement *placements; /* of instances from first_turned on; null: none is turned */
     uint32_t first_turned; /* where there are placements: the first instance that has one */
-    const fxl_placement_code
-        *placement_code;        /* where there are placements: &fxl_turned_instances */
-    uint32_t instance_capacity; /* of a world (fixel/world.h): the most that instance_count becomes;
-                                   else 0 */
+    const fxl_placement_code *placement_code; /* where there are some: &fxl_turned_instances */
+    uint32_t instance_capacity; /* of a world (fixel/world.h): the most instances; else 0 */
 } fxl_scene;
 
 /* A scene image: the scene and the settings beside it. */
@@ -399,8 +391,7 @@ typedef struct {
  * FXL_POLYGON_CAPACITY would draw.
  * FXL_E_PLACEMENT: an orientation is no rotation; fxl_placement_check checks a turned instance,
  * instead of its vertices.
- * With each of these statuses: scene untouched, *fault written.
- * On FXL_OK *fault is untouched. */
+ * With each of these statuses: scene untouched, *fault written. On FXL_OK *fault is untouched. */
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
 
 /* Checks a scene that may have clusters, a BSP tree and beams: these too. Otherwise as
@@ -409,8 +400,7 @@ fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
  * FXL_E_CLUSTER: a face of a cluster may be seen from within the cluster's cone.
  * FXL_E_BSP: the tree is too deep, or an instance may not be with it (docs/extras/bsp.md).
  * The statuses of fxl_scene_check and fxl_beam_check.
- * With each of these statuses: scene untouched, *fault written.
- * On FXL_OK *fault is untouched. */
+ * With each of these statuses: scene untouched, *fault written. On FXL_OK *fault is untouched. */
 fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault);
 
 /* Checks the motions of a scene that fxl_scene_check_all has checked: every count, index and range,
@@ -422,8 +412,7 @@ fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault);
  * FXL_E_INDEX: an index is past the end of its table.
  * FXL_E_RANGE: a number is out of its range.
  * FXL_E_RESERVED: a reserved field or an enumeration has an unknown value.
- * With each of these statuses: *fault written.
- * On FXL_OK *fault is untouched. */
+ * With each of these statuses: *fault written. On FXL_OK *fault is untouched. */
 fxl_status fxl_motion_check(const fxl_motion_set *set, const fxl_scene *scene,
                             fxl_scene_fault *fault);
 
@@ -433,8 +422,7 @@ fxl_status fxl_motion_check(const fxl_motion_set *set, const fxl_scene *scene,
  * FXL_E_COUNT: point_count or levels is out of range.
  * FXL_E_RANGE: a number is out of its range.
  * FXL_E_NORMAL: the direction is not of unit length.
- * With each of these statuses: *fault written.
- * On FXL_OK *fault is untouched. */
+ * With each of these statuses: *fault written. On FXL_OK *fault is untouched. */
 fxl_status fxl_light_check(const fxl_light_settings *settings, fxl_scene_fault *fault);
 
 /* Makes the settings of an image's light, for fxl_attach_light. The ramp is that of the
@@ -444,9 +432,8 @@ void fxl_light_settings_of(const fxl_scene_light *light, fxl_light_settings *set
 
 /* Opens a scene image of size bytes, in place. It checks everything before it uses anything: magic,
  * version, size, checksum, every table, every count, index and range. Of surfaces it checks the
- * tables, and fxl_surfaces_open checks the rest. Nothing is copied, so the
- * image must outlive *opened. size may exceed the size that the image states: a flash partition is
- * longer than the image in it.
+ * tables, and fxl_surfaces_open checks the rest. Nothing is copied: the image must outlive *opened.
+ * size may exceed the size that the image states: a flash partition is longer than the image in it.
  * Requires memory aligned to four bytes and a little-endian machine; fault may be null.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ALIGNMENT: the image is not aligned to 4 bytes.
@@ -456,8 +443,7 @@ void fxl_light_settings_of(const fxl_scene_light *light, fxl_light_settings *set
  * FXL_E_CRC: the checksum does not match.
  * FXL_E_OFFSET: a table does not begin where the one before it ends, or reaches outside the image.
  * The statuses of fxl_scene_check_all.
- * With each of these statuses: *opened untouched, *fault written.
- * On FXL_OK *fault is untouched. */
+ * With each of these statuses: *opened untouched, *fault written. On FXL_OK *fault is untouched. */
 fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opened,
                           fxl_scene_fault *fault);
 
