@@ -63,7 +63,7 @@ BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES PARTS
 BOARD_MAY := SOURCES MEMORY MEMORY_FOR_SURFACES SECTORS CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS CROSS SETUP LIBC OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT WIRES UNITS_APART DRIVER_ROWS ALONE
 
 # Parts of every emulated board, and of every board with a Cortex-M.
-EMULATED_PARTS := stack semihosting semihosting_system semihosting_files display dump defaults memory_functions board_note
+EMULATED_PARTS := stack semihosting semihosting_system display dump defaults memory_functions board_note
 CORTEXM_PARTS := cortexm_start cortexm_fault cortexm_protect thumb systick $(EMULATED_PARTS)
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>, and BOARD_SOURCES has the parts too.

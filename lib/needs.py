@@ -73,14 +73,22 @@ def split_at_braces(text):
 @functools.cache
 def included(file):
     """The project's files that a file includes, those of its headers too, and the file."""
-    found = {file}
-    for name in INCLUDE.findall(text_of(file)):
-        for folder in (os.path.dirname(file), *FOLDERS):
-            path = os.path.normpath(os.path.join(folder, name))
-            if os.path.isfile(path):
-                found |= included(path)
-                break
+    return {file} | included_by(file, text_of(file))
+
+
+def included_by(file, text):
+    """The project's files that a part of a file includes, those of its headers too."""
+    found = set()
+    for name in INCLUDE.findall(text):
+        path = path_of(file, name)
+        found |= included(path) if path else set()
     return found
+
+
+def path_of(file, name):
+    """The project's file that an #include of another names, or None."""
+    paths = (os.path.normpath(os.path.join(folder, name)) for folder in (os.path.dirname(file), *FOLDERS))
+    return next(filter(os.path.isfile, paths), None)
 
 
 @functools.cache
@@ -141,8 +149,8 @@ def definitions(sources):
             if any(re.search(rf"\b{macro}\s*(?:=|\([^;{{}}]*\)\s*\{{)", split_at_braces(code)[0]) for code in text.values()):
                 named.add(name)
         records |= named
-        if "#define FXL_HERE" in text[source]:
-            named = named.union(*map(IN_PLACE.findall, text.values()))
+        before, _, after = text[source].partition("#define FXL_HERE")
+        named = named.union(*(IN_PLACE.findall(text[file]) for file in included_by(source, after) - included_by(source, before)))
         named = named.union(FUNCTION.findall(split_at_braces(text[source])[0]), *map(LABEL.findall, text.values()))
         for name in named:
             where.setdefault(name, set()).add(source)
@@ -195,9 +203,8 @@ def conditions(source):
             found += [f"fxl_text_of {_name(source)}"] * (not found[-1].startswith("fxl_text_of"))
             continue
         if word[1] == "include":
-            name = INCLUDE.match(line)[1]
-            paths = (os.path.normpath(os.path.join(folder, name)) for folder in (os.path.dirname(source), *FOLDERS))
-            line = next((f'#include "{path}"' for path in paths if os.path.isfile(path)), line)
+            path = path_of(source, INCLUDE.match(line)[1])
+            line = f'#include "{path}"' if path else line
         depth += word[1].startswith("if") - (word[1] == "endif")
         defined |= {word[2]} if word[1] == "define" else set()
         found.append(line)

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "../../lib/paint/lit_pieces.h"
-#include "reference/beam_light.h"
+#include "reference/light.h"
 #include "reference/split.h"
 #include "stages/bridge.h"
 #include "stages/measure.h"

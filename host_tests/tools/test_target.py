@@ -170,7 +170,7 @@ def test_the_order_by_tree_is_refused_beside_a_depth_buffer(tmp_path):
 
 def test_the_judge_draws_the_methods_as_their_table_says():
     """The reference renderer includes nothing of the project, so it has a table of its own."""
-    text = (CHECKOUT / "host_tests/judges/reference/clipper.c").read_text(encoding="utf-8")
+    text = (CHECKOUT / "host_tests/judges/reference/frustum.c").read_text(encoding="utf-8")
     judged = {name: (tree == "true", flat == "true", int(bits))
               for name, tree, flat, bits in re.findall(r'\{"([\w-]+)",\s+(\w+), (\w+), (\d+)\}', text)}
     assert judged == {name: (row.order == "tree", not row.shows_surfaces, row.depth_bits) for name, row in methods.rows().items()}

@@ -4,8 +4,8 @@
  * tree calls the same for the billboards that come to it. */
 #include "../math/arith.h"
 #include "../math/memory.h"
-#include "../math/pixel_centre.h"
 #include "../paint/billboard_paint.h"
+#include "../paint/billboard_walk.h"
 #include "../scene/placement_code.h"
 #include "../view/model_view.h"
 #include "../view/project.h"
@@ -69,27 +69,14 @@ static bool is_beside_screen(const fxl_lens *lens, const fxl_screen_point *corne
            corners[0].y >= lens->height * 65536;
 }
 
-/* place fill-rule: the rows of a billboard */
-/* billboards 4.1 */
-static fxl_rows rows_of(const fxl_screen_point *corners, uint32_t height)
-{
-    const int32_t first = fxl_first_centre_from(corners[0].y);
-    const int32_t end = fxl_first_centre_from(corners[1].y);
-    fxl_rows rows = {(uint16_t)(first < 0 ? 0 : first),
-                     (uint16_t)(end < (int32_t)height ? end : (int32_t)height)};
-    if (first >= end || end <= 0 || first >= (int32_t)height) {
-        rows.end = rows.first = 0;
-    }
-    return rows;
-}
-
 /* Into the display list or into the band. One that reaches no row goes nowhere. */
 /* billboards 4.1 */
 static fxl_outcome emit(const fxl_traversal *traversal, uint32_t model,
                         const fxl_screen_point *corners, fxl_q18_46 distance)
 {
     const fxl_sprite_painter *painter = traversal->renderer->billboards->painter;
-    const fxl_rows rows = rows_of(corners, traversal->renderer->frame.view.lens.height);
+    const fxl_rows rows = fxl_pixels_between(corners[0].y, corners[1].y, 0,
+                                             traversal->renderer->frame.view.lens.height);
     if (rows.first == rows.end) {
         return 0;
     }

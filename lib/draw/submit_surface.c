@@ -391,3 +391,18 @@ fxl_status fxl_attach_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
     fxl_renderer_attach(renderer, FXL_SHADER_SURFACES, &surfaces->shader);
     return FXL_OK;
 }
+
+/* The depth of a face: from its corners on the screen where it is small, else from its normal. */
+void fxl_find_depth(const fxl_model_view *model_view, const fxl_face *face,
+                    const fxl_traversal *traversal, fxl_corner_planes *planes, bool has_words,
+                    fxl_depth_plane *plane)
+{
+    if (planes != NULL && has_words && fxl_corner_planes_depth_words(planes, plane)) {
+        return;
+    }
+    if (planes == NULL || planes->is_for_words) {
+        fxl_find_depth_by_normal(model_view, face, traversal, plane);
+    } else {
+        fxl_corner_planes_depth(planes, plane);
+    }
+}

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The planes of the view and those of the world differ, and clippers round: together by less
- * than 43 / 65536 unit (sphere.c). The margin of 2^-9 is 128 / 65536 unit. */
+ * than 43 / 65536 unit (cull.c). The margin of 2^-9 is 128 / 65536 unit. */
 #include "../math/arith.h"
 #include "../math/plane.h"
 #include "../scene/face_bounds.h"

@@ -45,7 +45,7 @@ static inline void fxl_take_step(fxl_texel_walk *walk)
     }
 }
 
-/* place fill-rule: the columns of a billboard, and the texel at the first centre */
+/* place fill-rule: the rows and columns of a billboard, and the texel at the first centre */
 /* The pixels of low <= pixel < high whose centres lie in from <= centre < end. */
 /* billboards 3.1 */
 static inline fxl_rows fxl_pixels_between(fxl_q16_16 from, fxl_q16_16 end, int32_t low,

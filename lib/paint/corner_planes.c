@@ -279,3 +279,17 @@ bool fxl_find_texels(const fxl_corner_planes *planes, int32_t (*values)[3], uint
     gradients->weight_min[0] = gradients->weight_min[1] = 1;
     return fxl_corner_planes_depth_words(planes, depth);
 }
+
+/* The portable text of fxl_find_smooth_planes. */
+#if !FXL_KERNELS_ARMV7M || FXL_IS_COMPACT
+
+bool fxl_find_smooth_planes(const fxl_screen_corners *corners, const fxl_lens *lens,
+                            const int32_t light[3], fxl_gradients *gradients,
+                            fxl_depth_plane *depth)
+{
+    fxl_corner_planes planes;
+    return fxl_corner_planes_begin(corners, lens, FXL_WORDS_SIDE_MAX, &planes) &&
+           fxl_corner_planes_linear(&planes, light, gradients, depth);
+}
+
+#endif

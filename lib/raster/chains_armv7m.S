@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_scan_next_trapezoid for Armv7-M and Armv8-M Mainline. lib/raster/scan.h
  * states what it requires and returns; it gives the same bits as
- * lib/raster/chains.c. The arithmetic, with its bounds, is that of
+ * lib/raster/scan.c. The arithmetic, with its bounds, is that of
  * lib/raster/edge.h and lib/raster/edge_divide.h. */
 #include "../math/family.h"
 #include "../math/offsets.h"

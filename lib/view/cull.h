@@ -109,14 +109,14 @@ static inline uint32_t fxl_estimated_place(int32_t distance, int32_t reach, int3
         planes |= place << (plane); \
     } while (0)
 
-/* The same sums as in sphere.c, from estimates. A coordinate in the view, floored to units of
+/* The same sums as in cull.c, from estimates. A coordinate in the view, floored to units of
  * 2^-12, has an error below 5 2^15 2^-10 + 1 = 161; so have the distances from near and far, and
  * the floors of those planes add 1.
  *
  * For a side plane the coordinate is floored to units of 2^-6, which adds 64; it is then below
  * 2^15. The component of the normal is floored to units of 2^-15, which moves the product by less
  * than 2^15 2^-15 of these units, 64 of 2^-12. So each product has an error below 290, floors
- * included. Two of them, the inset, and the 3 by which sphere.c differs from the exact sum are
+ * included. Two of them, the inset, and the 3 by which cull.c differs from the exact sum are
  * below 600. */
 static inline uint32_t fxl_estimated_sphere(const fxl_axes *axes, const fxl_view_frustum *frustum,
                                             const fxl_point *from_eye, int32_t reach)

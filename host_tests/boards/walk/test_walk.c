@@ -14,7 +14,7 @@
 #include "mock_journal.h"
 #include "mock_store.h"
 #include "mock_system.h"
-#include "reference/player.h"
+#include "reference/camera.h"
 #include "scene_bytes.h"
 #include "unity.h"
 #include "walk.h"

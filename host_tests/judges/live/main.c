@@ -33,7 +33,7 @@
 #include "frames/moving_reference.h"
 #include "frames/input.h"
 #include "judge/explain.h"
-#include "reference/clipper.h"
+#include "reference/frustum.h"
 #include "reference/render.h"
 #include "reference/scene.h"
 #include "reference/scan.h"

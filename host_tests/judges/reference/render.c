@@ -9,7 +9,6 @@
 #include "reference/cull.h"
 #include "reference/camera.h"
 #include "reference/depth.h"
-#include "reference/beam_light.h"
 #include "reference/light.h"
 #include "reference/scan.h"
 #include "reference/submit_by_bsp.h"

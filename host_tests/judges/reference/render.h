@@ -3,7 +3,7 @@
 #ifndef REF_RENDER_H
 #define REF_RENDER_H
 
-#include "reference/clipper.h"
+#include "reference/frustum.h"
 #include "reference/order.h"
 #include "reference/cull.h"
 

@@ -5,7 +5,6 @@
 #define REF_SCENE_H
 
 #include "reference/camera.h"
-#include "reference/player.h"
 
 typedef struct {
     int32_t normal[3]; /* 2.30 */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "paint/billboard_columns.c"
+#include "paint/billboard.c"
 #include "proof.h"
 
 #define SHOWN 4 /* columns */

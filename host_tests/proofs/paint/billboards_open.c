@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "paint/billboards_open.c"
+#include "paint/billboard.c"
 #include "scene/scene_tables.h"
 
 #define PIXELS  4096

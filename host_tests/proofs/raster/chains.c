@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "raster/chains.c"
 #include "raster/scan.c"
 #include "proof.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "scene/cluster_check.c"
+#include "scene/scene_check_all.c"
 #include "scene_tables.h"
 
 #define CLUSTERS 2

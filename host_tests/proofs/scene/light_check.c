@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "scene/light_check.c"
+#include "scene/image_check.c"
 #include "proof.h"
 
 /* [[row]]

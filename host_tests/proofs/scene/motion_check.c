@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "scene/motion_check.c"
+#include "scene/image_check.c"
 #include "scene_tables.h"
 
 #define MOTIONS 3

@@ -130,7 +130,7 @@ class Window:
 
 
 NAME = "the board's frames"     # what messages call them
-KEYS_NAME = "keys"              # as boards/parts/semihosting_files.c opens it
+KEYS_NAME = "keys"              # as boards/parts/semihosting.c opens it
 SMALL = 4096                    # bytes that the FIFO may hold: what is in it is already old
 STREAM_POLL = 0.02                     # seconds
 F_SETPIPE_SZ = 1031             # of Linux
