@@ -120,7 +120,7 @@ def _measure_program(plan, entry):
     linked = sections("cortex-m3", library, os.environ.get("CROSS", "arm-none-eabi-"), program=text_of(entry))
     ours = [(name, size) for name, size, file in linked if FROM_LIBRARY.search(file)]
     others = WRITES[24 - entry["bits"]]
-    return {"flash": count(sections)["linked_flash"],
+    return {"flash": count(linked)["linked_flash"],
             "of_other_pixels": [name.removeprefix(".text.") for name, size in ours if size and others.match(name)]}
 
 
