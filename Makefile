@@ -132,17 +132,17 @@ ifeq ($(BOARD_CHOSEN),)
 $(error there is no board "$(BOARD)"; the boards are: $(ALL_BOARDS))
 endif
 # Boards whose tools make test does not install (BOARD_SETUP). A command has them if BOARD= names one, and make boards and
-# make equality if their tools are there; they say to the make that they call which ones. make profile has the one
-# whose core CORE= names.
+# make equality, bench and costs if their tools are there; they say to the make that they call which ones. make profile and make bench
+# have the one whose core CORE= names.
 EXTRA_BOARDS := $(patsubst boards/%/board.mk,%,$(shell grep -l '^BOARD_SETUP' boards/*/board.mk))
 SETUP_OF = $(shell sed -n 's/^BOARD_SETUP := //p' boards/$(1)/board.mk)
 SETUP_OF_BOARD := $(if $(filter $(EXTRA_BOARDS),$(BOARD_CHOSEN)),$(call SETUP_OF,$(BOARD_CHOSEN)))
-ifneq ($(and $(filter boards equality,$(MAKECMDGOALS)),$(EXTRA_BOARDS)),)
+ifneq ($(and $(filter boards equality bench costs,$(MAKECMDGOALS)),$(EXTRA_BOARDS)),)
 $(foreach board,$(EXTRA_BOARDS),$(eval LACKS.$(board) := $(shell tools/setup.sh --missing $(call SETUP_OF,$(board)))))
 FIXEL_EXTRA_BOARDS := $(foreach board,$(EXTRA_BOARDS),$(if $(LACKS.$(board)),,$(board)))
 export FIXEL_EXTRA_BOARDS
 endif
-EXTRA_CORE := $(if $(filter profile,$(MAKECMDGOALS)),$(call ONE_OF,$(CORE),rv32))
+EXTRA_CORE := $(if $(filter profile bench,$(MAKECMDGOALS)),$(call ONE_OF,$(CORE),rv32))
 ifneq ($(EXTRA_CORE),)
 FIXEL_EXTRA_BOARDS := $(EXTRA_CORE)
 export FIXEL_EXTRA_BOARDS
@@ -410,7 +410,7 @@ size: ## print flash, RAM and stack; check that the library of a core, or of all
 	    $(SIZE_LIBRARIES) --cross $(CROSS) --out $(BUILD)/size.json
 
 # What make predict has costs of: bench/costs.json.
-COSTS_BOARDS := microbit mps2-an385 lm3s6965evb stm32vldiscovery netduinoplus2 mps2-an386 mps2-an500 mps3-an547
+COSTS_BOARDS := microbit mps2-an385 lm3s6965evb stm32vldiscovery netduinoplus2 mps2-an386 mps2-an500 mps3-an547 $(filter rv32,$(BOARDS))
 LIST_MOST_OF = $(or $(patsubst WALK_LIST_MOST=%,%,$(filter WALK_LIST_MOST=%,$(BOARD_SETTINGS.$(1)))),0)
 # What the program of a board leaves out, as SURFACES,DEPTH.
 LEFT_OUT_OF = $(subst $(space),$(,),$(patsubst WALK_WITHOUT_%,%,$(filter WALK_WITHOUT_%,$(BOARD_SETTINGS.$(1)))))
@@ -499,10 +499,10 @@ benchmark: ## run the benchmark for real boards, on the host or emulated, and wr
 	@$(FIXEL) benchmark --board $(BENCHMARK_BOARD) --elf $(call BENCHMARK_OF,$(BENCHMARK_BOARD)) --uf2 $(BUILD)/flash/benchmark-$(BENCHMARK_BOARD).uf2
 
 # CORE here is one of the bench's; the default of the other commands is none.
-BENCH_CORES_ASKED = $(if $(filter CORE,$(GIVEN)),$(or $(call ONE_OF,$(CORE),$(filter $(BENCH_CORES),$(BENCH_CORES_HERE))),\
-    $(error there is no core "$(CORE)" in the bench; its cores are: $(filter $(BENCH_CORES),$(BENCH_CORES_HERE)))),$(filter $(BENCH_CORES),$(BENCH_CORES_HERE)))
-bench: ## count the instructions of frames and kernels on four cores, beside the chapter's listing: a report, JSON [CORE= of one core, WORKLOAD= of one workload, PIXELS= ORDER= DEPTH=]
-	@$(SET_UP) report
+BENCH_CORES_ASKED = $(if $(filter CORE,$(GIVEN)),$(or $(call ONE_OF,$(CORE),$(BENCH_CORES_HERE)),\
+    $(error there is no core "$(CORE)" in the bench; its cores are: $(BENCH_CORES_HERE))),$(BENCH_CORES_HERE))
+bench: ## count the instructions of frames and kernels on five cores, beside the chapter's listing: a report, JSON [CORE= of one core, WORKLOAD= of one workload, PIXELS= ORDER= DEPTH= FRESH=1]
+	@$(SET_UP) report$(EXTRA_CORE:%= riscv)
 	@$(MAKE) $(call BENCH_BUILT_OF,$(BENCH_CORES_ASKED))
 	@$(TOOL) bench --cores $(BENCH_CORES_ASKED) $(if $(BENCH_LEFT_OUT),--left-out $(BENCH_LEFT_OUT)) \
 	    --out $(BENCH_OUT) --build $(BUILD)
@@ -520,7 +520,7 @@ bench-diff: ## compare the last make bench with bench/baseline.json [THRESHOLD=0
 	@$(SET_UP) tools
 	@$(TOOL) bench-diff --current $(BENCH_OUT)/bench.json
 
-bench-baseline: ## take the last make bench as the baseline, and renew the tables of docs/performance.md
+bench-baseline: ## take the last make bench as the baseline, and renew the tables of docs/performance.md and docs/faces.md
 	@$(SET_UP) tools
 	@$(FIXEL) bench-diff --current $(BENCH_OUT)/bench.json --accept
 

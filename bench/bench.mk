@@ -4,11 +4,11 @@
 # board stands for; a core that no board stands for is left out, aloud.
 #
 # Makes $(BENCH_COUNTER), the counting plugin, and for each core, under
-# build/bench/<core>/, the programs of BENCH_PROGRAMS.
+# build/bench/<core>/, the programs of BENCH_PROGRAMS_OF.
 
 BENCH_OUT := $(BUILD)/bench
 BENCH_CORES := m0 m3 m4f m55
-# Of a board whose tools make test does not install: for make profile CORE= and make equality.
+# Of a board whose tools make test does not install: make bench has it where they are, make profile and make equality too.
 BENCH_EXTRA := rv32
 $(foreach board,$(BOARDS),$(foreach core,$(BOARD_BENCH.$(board)),$(eval BENCH_BOARD.$(core) := $(board))))
 BENCH_CORES_HERE := $(foreach core,$(BENCH_CORES) $(BENCH_EXTRA),$(if $(BENCH_BOARD.$(core)),$(core)))
@@ -47,21 +47,33 @@ $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
 # The program's own objects, beside those of program.c, which all have. A program
 # has the memory functions that firmware has, compiled for its core as all that
 # is measured, or those of the C library.
-BENCH_PROGRAMS := calibration fixel fixel-os fixel-small fixel-bands fixel-rgb565 fixel-target listing-double listing-float memset kernels
-# Whole frames as pixels of RGB565, on the cores whose board has the memory.
-BENCH_PROGRAMS_OF = $(filter-out $(if $(filter $(BENCH_EXTRA),$(1)),listing-%),$(BENCH_PROGRAMS)) $(if $(BENCH_SCREEN.$(1)),fixel-native fixel-rgb565-bands fixel-native-bands fixel-arduino fixel-one-file)
+# The tool of make bench names them. A core has those that are measured on it: the listing and kernels on the four cores; what the library
+# is built as otherwise, and whole frames as pixels of RGB565, where the board has the memory.
+BENCH_PROGRAMS := calibration fixel fixel-bands fixel-target listing-double listing-float memset kernels
+BENCH_PROGRAMS_WIDE := fixel-rgb565 fixel-native fixel-arduino fixel-one-file fixel-native-arduino fixel-native-one-file
+BENCH_PROGRAMS_OF = $(if $(filter $(BENCH_EXTRA),$(1)),calibration fixel fixel-target,$(BENCH_PROGRAMS)) \
+    $(if $(BENCH_SCREEN.$(1)),$(BENCH_PROGRAMS_WIDE) $(if $(filter $(BENCH_EXTRA),$(1)),,fixel-os fixel-small fixel-rgb565-bands fixel-native-bands)) \
+    $(if $(filter m0 m3,$(1)),fixel-native-without-tiny)
 BENCH_NEEDED := $(call LIB_NEEDED,$(wildcard bench/firmware/*.c bench/listing/*.c) $(addprefix firmware/walk/,path.c plan.c) \
     $(foreach core,$(BENCH_CORES_HERE),$(BOARD_SOURCES.$(BENCH_BOARD.$(core)))))
 BENCH_LIB := $(BENCH_NEEDED:%=lib/%)
 BENCH_FRAMES := frames path $(BENCH_LIB)
+# What draws frames alone takes of it: the library built otherwise is no more than that.
+BENCH_DRAWN := $(call LIB_NEEDED,$(addprefix bench/firmware/,draw_fixel.c frames.c program.c) $(addprefix firmware/walk/,path.c plan.c) \
+    $(foreach core,$(BENCH_CORES_HERE),$(BOARD_SOURCES.$(BENCH_BOARD.$(core)))))
 BENCH_OBJECTS.calibration := calibration
 BENCH_OBJECTS.fixel := draw_fixel plan $(BENCH_FRAMES)
 # The library by -Os; for few bytes, as make lib SIZE=1 makes it; as Arduino compiles its package; as one file; in bands, with the memory of a
 # small board; with each frame converted.
-BENCH_OBJECTS.fixel-os := draw_fixel plan frames path $(BENCH_NEEDED:%=os/lib/%)
-BENCH_OBJECTS.fixel-small := draw_fixel plan frames path $(BENCH_NEEDED:%=small/lib/%)
-BENCH_OBJECTS.fixel-arduino := draw_fixel plan frames path $(BENCH_NEEDED:%=arduino/lib/%)
+BENCH_OBJECTS.fixel-os := draw_fixel plan frames path $(BENCH_DRAWN:%=os/lib/%)
+BENCH_OBJECTS.fixel-small := draw_fixel plan frames path $(BENCH_DRAWN:%=small/lib/%)
+BENCH_OBJECTS.fixel-arduino := draw_fixel plan frames path $(BENCH_DRAWN:%=arduino/lib/%)
 BENCH_OBJECTS.fixel-one-file := draw_fixel plan frames path one-file/fixel
+BENCH_OBJECTS.fixel-native-arduino := $(BENCH_OBJECTS.fixel-arduino:draw_fixel=native/draw_fixel)
+BENCH_OBJECTS.fixel-native-one-file := $(BENCH_OBJECTS.fixel-one-file:draw_fixel=native/draw_fixel)
+# Without the way of tiny faces, beside which rows of the bench set it: the target that they are drawn to, compiled by itself.
+BENCH_TINY_TARGET := draw/target_rgb565_depth_16
+BENCH_OBJECTS.fixel-native-without-tiny := native/draw_fixel plan frames path without_tiny $(patsubst %,lib/%,$(filter-out $(BENCH_TINY_TARGET),$(BENCH_DRAWN)))
 BENCH_OBJECTS.fixel-bands := draw_bands $(BENCH_FRAMES)
 BENCH_OBJECTS.fixel-rgb565 := draw_rgb565 plan $(BENCH_FRAMES)
 # Into RGB565 itself: the scene's image must ask for 16 bits a pixel.
@@ -143,6 +155,12 @@ $(if $(findstring =hard,$(BENCH_FLAGS.$(1))),$(BENCH_OUT)/$(1)/parts/%.o \
     FLAGS_OF_FILE := -mgeneral-regs-only)
 $(BENCH_OUT)/$(1)/one-file/fixel.o: $(BENCH_OUT)/one-file/fixel.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$(call BENCH_CROSS,$(1))gcc $(BENCH_FLAGS.$(1)) $(BENCH_OPTIMISE) -std=c11 -g -ffunction-sections -fdata-sections -ffreestanding)
+$(BENCH_OUT)/$(1)/without_tiny.o: lib/$(BENCH_TINY_TARGET).c bench/bench.mk
+	$$(MAKE_FOLDER)
+	@printf '#include "%s"\n' raster/scan.h >$$(@:.o=.c)
+	@printf '#undef FXL_HAS_TINY\n#define FXL_HAS_TINY 0\n#include "%s"\n' $(BENCH_TINY_TARGET).c >>$$(@:.o=.c)
+	$$(SAY)
+	$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding -c $$(@:.o=.c) -o $$@
 BENCH_PROGRAMS.$(1) := $(patsubst %,$(BENCH_OUT)/$(1)/%.elf,$(call BENCH_PROGRAMS_OF,$(1)))
 
 $(BENCH_OUT)/$(1)/parts/%.o: %.c bench/bench.mk
@@ -188,19 +206,21 @@ $(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_RULES,$(core)))\
 # by -flto too. With -flto the map has no files of the library, but one of the compiler's for all of
 # them. There is no firmware in these programs, so all of that file is the library's. The memory
 # functions are compiled without -flto and stand in the map by themselves.
+# Cores with more are compiled to the same code but for a few bytes: of these -O2 alone. tools/fixel/bench/bench_rows.py names them too.
+BENCH_SIZED_CORES := m0 m3
 BENCH_SIZED := fixel listing-double listing-float memset
 BENCH_ROOTS.fixel := fxl_renderer_init_with_for_polygons_of_32 fxl_frame_begin fxl_frame_draw fxl_fill_band
 BENCH_ROOTS.listing-double := listing_draw
 BENCH_ROOTS.listing-float := listing_draw
 BENCH_ROOTS.memset := memset
-BENCH_SIZED_LIB := $(patsubst %,lib/%,$(call LIB_NEEDED,bench/firmware/draw_fixel.c))
+BENCH_SIZED_LIB := $(patsubst %,lib/%,$(call LIB_NEEDED,bench/firmware/draw_bands.c bench/firmware/draw_fixel.c))
 BENCH_SIZED_OF.fixel := $(BENCH_SIZED_LIB) memory_functions
 BENCH_SIZED_OF.listing-double := double/listing
 BENCH_SIZED_OF.listing-float := float/listing
 BENCH_SIZED_OF.memset :=
 
 BENCH_SIZE_LINK = $(call BENCH_CROSS,$(1))gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
-    -Wl,--gc-sections,--no-warn-rwx-segments,-Map,$(@:.elf=.map),-e,$(firstword $(BENCH_ROOTS.$(2))) \
+    -Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments,-Map,$(@:.elf=.map),-e,$(firstword $(BENCH_ROOTS.$(2))) \
     $(BENCH_ROOTS.$(2):%=-Wl,-u,%)
 
 # The objects of a program. By -flto the linker calls the compiler, which wants its flags again.
@@ -231,8 +251,8 @@ BENCH_CC_OS.$(1) := $(call BENCH_CROSS,$(1))gcc $(BENCH_FLAGS.$(1)) -Os $(BENCH_
 BENCH_CC_ARDUINO.$(1) := $(call BENCH_CROSS,$(1))gcc $(BENCH_FLAGS.$(1)) $(BENCH_CHOICE_OF.arduino/) $(BENCH_CFLAGS)
 BENCH_CC_SMALL.$(1) := $(call BENCH_CROSS,$(1))gcc $(BENCH_FLAGS.$(1)) $(BENCH_SMALL) $(BENCH_CFLAGS)
 BENCH_CC_SMALL_LTO.$(1) := $$(filter-out -g,$$(BENCH_CC_SMALL.$(1))) -flto
-BENCH_SIZES.$(1) := $(if $(filter m3,$(1)),$(BENCH_PROGRAM_LIBRARIES)) $(foreach flag,O2 Os,$(BENCH_SIZED:%=$(BENCH_OUT)/$(1)/size/$(flag)/%.elf)) \
-    $(BENCH_OUT)/$(1)/size/small/fixel.elf $(BENCH_OUT)/$(1)/size/small-flto/fixel.elf
+BENCH_SIZES.$(1) := $(if $(filter m3,$(1)),$(BENCH_PROGRAM_LIBRARIES)) $(BENCH_SIZED:%=$(BENCH_OUT)/$(1)/size/O2/%.elf) \
+    $(if $(filter $(BENCH_SIZED_CORES),$(1)),$(BENCH_SIZED:%=$(BENCH_OUT)/$(1)/size/Os/%.elf) $(patsubst %,$(BENCH_OUT)/$(1)/size/%/fixel.elf,small small-flto))
 
 $(BENCH_OUT)/$(1)/os/memory_functions.o: boards/parts/memory_functions.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) -ffreestanding -fno-tree-loop-distribute-patterns)
@@ -251,7 +271,7 @@ $(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_SIZE_RULES,$(core)))
 # The programs that make costs measures: bands as boards of several sizes have them. $(1): the core.
 # The settings of a program: rows of a band, words of the display list, entries of the cache, and
 # entries of the order beside those that the scene needs, in which rows of faces are kept.
-COSTS_CORES := $(filter m0 m3,$(BENCH_CORES_HERE))
+COSTS_CORES := $(filter m0 m3 rv32,$(BENCH_CORES_HERE))
 COSTED_CORES := $(foreach core,$(COSTS_CORES),$(or $(call ONE_OF,$(core),$(BENCH_CORES_HERE)),\
     $(error COSTS_CORES: there is no core "$(core)"; the cores are: $(BENCH_CORES_HERE))))
 COSTS_LARGE := 240 65536 1024 0
@@ -276,9 +296,11 @@ COSTS_SETTINGS := $(foreach size,$(COSTS_SIZES),$(size)=$(subst $(space),:,$(COS
 
 $(if $(WIDE_GOALS),$(foreach kind,$(filter-out /%,$(CELLS_KINDS)),$(eval $(call BENCH_PROGRAM_RULES,$(patsubst %/,%,$(dir $(kind))),$(notdir $(kind))))))
 
-# $(1): cores.
-BENCH_BUILT_OF = $(BENCH_COUNTER) $(foreach core,$(1),$(BENCH_PROGRAMS.$(core)) $(BENCH_SIZES.$(core)))
-BENCH_LEFT_OUT := $(filter-out $(BENCH_CORES_HERE),$(BENCH_CORES))
+# $(1): cores. What draws workloads as PIXELS=, ORDER= and DEPTH= ask for draws nothing else, and nothing else draws them so.
+BENCH_ASKED := $(filter PIXELS ORDER DEPTH,$(GIVEN))
+BENCH_BUILT_OF = $(BENCH_COUNTER) $(foreach core,$(1),$(if $(BENCH_ASKED),$(filter %/fixel-target.elf,$(BENCH_PROGRAMS.$(core))),\
+    $(filter-out %/fixel-target.elf %/calibration.elf,$(BENCH_PROGRAMS.$(core))) $(if $(filter $(BENCH_CORES),$(core)),$(BENCH_SIZES.$(core)))))
+BENCH_LEFT_OUT := $(filter-out $(BENCH_CORES_HERE),$(BENCH_CORES) $(BENCH_EXTRA))
 
 .PHONY: bench-programs
 bench-programs: $(call BENCH_BUILT_OF,$(BENCH_CORES_HERE))

@@ -2,7 +2,6 @@
 /* Draws with Fixel in bands of three rows, with the memory of boards/stm32vldiscovery, which has
  * 8 KB of RAM: 600 bytes of display list and no vertex cache. The order has as many entries as the
  * scene needs; a large sorted model needs more than that board has. */
-#include "bands.h"
 #include "contract/system.h"
 #include "draw.h"
 #include "program.h"

@@ -4,7 +4,6 @@
  * `make costs` measures, and once for `make bench PIXELS= ORDER= DEPTH=`: bench/bench.mk says
  * which. What the scene has beside its faces has a room of its own, so the display list has all its
  * words. */
-#include "bands.h"
 #include "contract/system.h"
 #include "draw.h"
 #include "plan.h"

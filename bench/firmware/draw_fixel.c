@@ -2,7 +2,6 @@
 /* Draws with Fixel, the frame in one band, so it needs no display list; or in bands of
  * DRAW_BAND_ROWS, with a list of DRAW_LIST_WORDS. With DRAW_RGB565 it draws into RGB565, else into
  * palette indices. */
-#include "bands.h"
 #include "contract/system.h"
 #include "draw.h"
 #include "fixel/surfaces.h"

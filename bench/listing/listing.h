@@ -15,11 +15,19 @@
 #ifndef LISTING_H
 #define LISTING_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-#include "real.h"
+/* The numbers: LISTING_double or LISTING_float chooses. */
+#ifdef LISTING_double
+typedef double real;
+#define REAL(function) function
+#else
+typedef float real;
+#define REAL(function) function##f
+#endif
 
 /* The largest face of the scenes has 24 vertices, and four planes add one each. */
 #define LISTING_POLYGON_MAX 28

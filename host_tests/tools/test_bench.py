@@ -8,9 +8,10 @@ import subprocess
 import pytest
 from elftools.elf.elffile import ELFFile
 
+from fixel.base import kept
 from fixel.bench import bench
 from conftest import CHECKOUT, assert_one_sentence, run_cli
-from fixel.bench import bench_budgets, bench_changes, bench_plan, bench_rgb565, bench_rows, bench_run, linked_size
+from fixel.bench import bench_budgets, bench_changes, bench_faces, bench_plan, bench_rgb565, bench_rows, bench_run, linked_size
 from fixel.board import dump
 from fixel.image import image
 from fixel.base.errors import ToolError
@@ -81,7 +82,7 @@ def test_a_second_run_counts_the_same(measured, plan, tmp_path):
 
 def test_a_run_writes_tables_and_plots_and_prints_the_goals(measured):
     text, folder, printed = measured
-    assert {path.name for path in folder.iterdir()} == set(bench.PATTERNS)
+    assert {path.name for path in folder.iterdir()} == set(bench.PATTERNS) - {"faces.svg", "faces.png"}     # faces were not named
     assert (folder / "bench.png").read_bytes()[:4] == b"\x89PNG"
     goals = json.loads(text)["goals"]
     for goal in goals:
@@ -90,7 +91,7 @@ def test_a_run_writes_tables_and_plots_and_prints_the_goals(measured):
     # Of other cores than the M3 nothing was measured, nor of the scenes that were left out, and that is what is said.
     budgets = {entry["name"] for entry in bench_plan.Plan(CHECKOUT / "build").budgets}
     unknown = [goal for goal in goals if goal["goal"] in budgets or
-               re.search("M0|M4F|M55|plaza|W3b|c500|e300|f32|every cube|program|to RGB565, (a frame|ESTIMATE)", goal["goal"])]
+               re.search("M0|M4F|M55|RV32|plaza|W3b|c500|e300|f32|every cube|program|flat faces|the packages|to RGB565, (a frame|ESTIMATE)", goal["goal"])]
     assert [goal["figure"] for goal in unknown] == [None] * len(unknown) and len(unknown) > 10
     assert all(goal["figure"] is not None for goal in goals if goal not in unknown)
 
@@ -101,18 +102,19 @@ def check_rows(rows, plan, cores, drawn):
     assert len(keys) == len(set(keys))
     kernels = [name for name in plan.kernels if not name.startswith(bench_rows.LIMIT)]
     runs = [run for run in plan.runs(cores) if run[1] in drawn]
-    assert set(keys) == {*runs, *[(core, name, "fixel") for core in cores for name in kernels]}
+    full = [core for core in cores if core in bench_plan.CORES]
+    assert set(keys) == {*runs, *[(core, name, "fixel") for core in full for name in kernels]}
     for row in rows:
         assert set(row) == ROW
-        assert row["renderer"] in RENDERERS and row["core"] in bench_plan.CORES
+        assert row["renderer"] in RENDERERS and row["core"] in cores
         assert isinstance(row["instructions"], int) and row["instructions"] > 0 and row["per_unit"] > 0
         for name in ("ratio_to_listing_double", "ratio_to_limit"):
             assert row[name] is None or row[name] > 0
         if row["workload"] in plan.workloads:
             frame = row["frame"]
             assert set(frame) == {"min", "mean", "max"} and 0 < frame["min"] <= frame["mean"] <= frame["max"]
-            assert (row["ratio_to_listing_double"] is None) == ("by" in plan.workloads[row["workload"]])
-            assert row["text_bytes"] > 0 and row["stack_bytes"] > 0 and row["ram_bytes"] >= 0
+            assert (row["ratio_to_listing_double"] is None) == ("by" in plan.workloads[row["workload"]] or row["core"] not in full)
+            assert row["stack_bytes"] > 0 and row["ram_bytes"] >= 0 and (row["text_bytes"] > 0 if row["core"] in full else row["text_bytes"] is None)
         else:
             assert [row[name] for name in ("frame", "ratio_to_listing_double", "text_bytes", "ram_bytes",
                                            "stack_bytes")] == [None] * 5
@@ -127,8 +129,13 @@ def test_rows_of_a_run(measured, plan):
 
 
 def test_rows_of_the_baseline(baseline, plan):
-    check_rows(baseline["rows"], plan, bench_plan.CORES, plan.workloads)
-    assert baseline["left_out"] == []
+    check_rows(baseline["rows"], plan, [*bench_plan.CORES, *bench_plan.EXTRA_CORES], plan.workloads)
+    assert baseline["left_out"] == [] and baseline["extra_cores"] == list(bench_plan.EXTRA_CORES)
+    assert {(row["kind"], row["radius"], row["core"]) for row in baseline["faces"]} == \
+        {(kind["name"], radius, core) for kind in plan.faces["kinds"] for radius in plan.faces["radii"] for core in plan.faces["cores"]}
+    packaged = {(row["variant"], row["workload"], row["core"]) for row in baseline["variants"]}
+    assert {(variant, workload, core) for variant in ("arduino", "one-file") for workload in ("w1", "w3", "crates", "cratesd")
+            for core in ("m0", "m3", "rv32")} <= packaged
 
 
 def test_the_stages_and_functions_add_up_to_the_frames(measured, plan):
@@ -181,6 +188,12 @@ def test_bytes_of_the_map_are_those_of_the_program(flags):
     assert parts <= whole <= parts + 64         # the linker fills up to words' ends
     assert {"fxl_frame_begin", "fxl_frame_draw"} <= names
     assert bool(found["helpers"]) == bool({name for name in names if re.match(r"__(aeabi_u?l?(div|idiv|mul)|clz|u?div|mul)", name)})
+
+
+def test_a_whole_program_links_the_library_and_no_kernels_of_other_pixels(plan):
+    entry = next(each for each in plan.programs if each["source"] == "README.md" and each["bits"] == 8)
+    found = linked_size._measure_program(plan, entry)
+    assert 5_000 < found["flash"] < 20_000 and found["of_other_pixels"] == []
 
 
 def test_by_flto_the_library_is_one_file_and_the_memory_functions_stay_outside():
@@ -261,6 +274,9 @@ def test_named_workloads_are_drawn_with_their_variants_and_others_without(plan):
     jobs = list(bench_rgb565._jobs(plan, ["m3", "m0"]))
     assert all(variant is None for _, _, variant, _ in jobs)
     assert {core for core, entry, _, _ in jobs if entry["name"] == "tqp"} == {"m3", "m0"}
+    assert plan.has_faces and not named.has_faces
+    named.keep(["faces"])
+    assert named.has_faces and not named.workloads and not named.rgb565
     assert {core for core, entry, _, _ in jobs if entry["name"] == "tqpl"} == {"m3"}
 
 
@@ -275,6 +291,62 @@ def test_rows_and_pixels_are_slopes(monkeypatch):
 
 
 # --- growth with faces --------------------------------------------------------------
+
+# --- faces of all sizes -------------------------------------------------------------
+
+def test_faces_have_their_size_and_turn_alike(plan, tmp_path):
+    """As many pixels as triangles with equal sides have. An image looks along the other z, which turns the sign of an area."""
+    for radius in (0.6, 8):
+        scene = bench_changes.triangles(plan.faces["scene"], plan.faces["kinds"][0]["object"], radius, tmp_path)
+        model, = scene.models
+        assert len(model.faces) == bench_faces.COUNT and len(model.vertices) == 3 * bench_faces.COUNT and scene.depth_bits == 16
+        areas = []
+        for face in model.faces:
+            (x0, y0), (x1, y1), (x2, y2) = [(160 * x / -z, 160 * y / -z) for x, y, z in (model.vertices[corner] for corner in face.corners)]
+            areas.append(((x2 - x0) * (y1 - y0) - (x1 - x0) * (y2 - y0)) / 2)
+        assert min(areas) > 0.95 * bench_faces.pixels_of(radius) and max(areas) < 1.05 * bench_faces.pixels_of(radius)
+
+
+def test_faces_are_drawn_in_each_way_alike(plan, tmp_path):
+    rows = bench_faces._draw(plan, plan.faces["kinds"][0], 1.2, ["m3"])
+    (row,) = rows
+    assert {"kind": "flat", "radius": 1.2, "core": "m3"}.items() <= row.items() and row["frame"] != row["without"]
+    assert row["frame"] > 2_000_000     # none is turned away, which would take a tenth
+    coloured, = bench_faces._draw(plan, plan.faces["kinds"][-1], 1.2, ["m3"])
+    assert coloured["without"] is None and coloured["frame"] > row["frame"]
+    assert bench_faces.of({"faces": rows}, "flat", 1.2, "m3") is row and bench_faces.of({"faces": rows}, "flat", 5, "m3") is None
+
+
+def test_the_floor_of_a_face_by_hand():
+    """1.654 rows and 1.299 pixels a face of radius 1; a face of less than a row has none after the first."""
+    kind = {"floor": {"face": 400, "row": 50, "pixel": 10}}
+    assert bench_faces.floor_of(kind, 1) == pytest.approx(400 + 0.654 * 50 + 12.99, abs=0.05)
+    assert bench_faces.floor_of(kind, 0.5) == pytest.approx(400 + 3.248, abs=0.05)
+
+
+# --- what was counted is kept -------------------------------------------------------
+
+def test_a_run_that_was_interrupted_goes_on_where_it_ended(plan, tmp_path, monkeypatch):
+    """The same program and scene are not drawn again; others are, and all of them by FRESH=1."""
+    monkeypatch.setenv("FIXEL_KEPT", "yes")
+    monkeypatch.setenv("CI", "")
+    kept_plan, ran, run = bench_plan.Plan(CHECKOUT / "build"), [], bench_run.counter.run
+    monkeypatch.setattr(bench_run.counter, "run", lambda elf, *words: ran.append(elf.name) or run(elf, *words))
+    kept_plan.store = kept.Kept(tmp_path, folder=bench.COUNTED)
+    file = bench_plan.compile_scene(plan.workloads["w1"], tmp_path)[0]
+    first = [bench_run.draw(kept_plan, "m3", "fixel", file, 3), bench_run.profile(kept_plan, "m3", "fixel", file, 3), bench_run.kernels(kept_plan, "m3")]
+    assert ran == ["fixel.elf", "fixel.elf", "kernels.elf"]
+    again = [bench_run.draw(kept_plan, "m3", "fixel", file, 3), bench_run.profile(kept_plan, "m3", "fixel", file, 3), bench_run.kernels(kept_plan, "m3")]
+    assert len(ran) == 3 and again[2] == first[2] and again[1][0].stages == first[1][0].stages
+    assert (again[0].instructions, again[0].stack) == (first[0].instructions, first[0].stack) and (again[0].pixels == first[0].pixels).all()
+    bench_run.draw(kept_plan, "m3", "fixel", file, 2)
+    bench_run.draw(kept_plan, "m3", "fixel-os", file, 3)
+    bench_run.draw(kept_plan, "m3", "fixel", bench_plan.compile_scene(plan.workloads["w2"], tmp_path)[0], 3)
+    assert ran[3:] == ["fixel.elf", "fixel-os.elf", "fixel.elf"]
+    kept_plan.store = kept.Kept(tmp_path, True, bench.COUNTED)
+    bench_run.draw(kept_plan, "m3", "fixel", file, 3)
+    assert len(ran) == 7
+
 
 def double_area_from_above(vertices, corners):
     """Twice the area of a triangle that runs clockwise as seen from above, x to the right and z upward."""

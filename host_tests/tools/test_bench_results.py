@@ -70,7 +70,7 @@ def test_a_variant_that_draws_something_else_is_refused():
     others = {("m3", "w1", "bands"): other}
     bench.check_variants(drawn, others)
     assert bench_rows.variants(drawn, others) == [{"variant": "bands", "workload": "w1", "core": "m3", "frame": 300,
-                                                   "by_fixel": 1.5025, "ram_bytes": 7, "stack_bytes": 8}]
+                                                   "fixel": 200, "by_fixel": 1.5025, "ram_bytes": 7, "stack_bytes": 8}]
     other.pixels[0, 1, 1] = 1
     with pytest.raises(ToolError, match="fixel-bands on m3 draws w1 unlike fixel: 1 pixels") as refused:
         bench.check_variants(drawn, others)
@@ -122,7 +122,8 @@ def goal_result():
                  row("w1", "m3", 10, "listing-float")],
         "sizes": [size("-Os", 10_400, 200), size("-Os -DFXL_SMALL", 7801, 200)],
         "variants": [variant("bands", "plaza", 4_000_001), variant("os", "w1", 185_000), variant("small", "w1", 400_000),
-                     variant("rgb565", "plaza", 540_000 + 3 * 38_400), variant("small", "w3", 727_000), variant("small", "g2000", 4_500_000)],
+                     variant("rgb565", "plaza", 540_000 + 3 * 38_400), variant("small", "w3", 727_000), variant("small", "g2000", 4_500_000),
+                     {**variant("arduino", "w1", 1), "by_fixel": 1.02}, {**variant("arduino", "crates", 1), "by_fixel": 1.0501}],
         "peers": [{"name": "small3dlib, -Os", "variant": "small", "core": "m3",
                    "frames": {"w3": 1_454_000, "f32": 1, "g2000": 2_250_000}}],
         "growth": [{"axis": axis, "objects": objects, "faces": faces, "pixels": 5, "instructions": instructions}
@@ -131,12 +132,15 @@ def goal_result():
                    for objects, faces, instructions in points],
         "renderer_bytes": {"m3": 2528},
         "budgets": {"a point light, a face": 120.5},
+        "faces": [{"kind": "flat", "radius": radius, "core": "m3", "frame": frame, "without": without}
+                  for radius, frame, without in ((0.6, 90, 100), (5, 101, 100), (8, 300, None))],
         "programs": {"cube, -Os": {"flash": 12_000, "of_other_pixels": []},
                      "crate, -Os": {"flash": 29_697, "of_other_pixels": ["fxl_draw_outline_rgb565"]}},
         "cycles_estimate": [{"workload": "w1", "core": "m3", "model": "cortex-m3", "cycles": [250_001, 1]}],
         "rgb565": [{"workload": workload, "core": "m3", "way": way, "frame": frame, "cycles": {"cortex-m3": [7, 9], "cortex-m4": [5, 6]}}
                    for workload, way, frame in (("tqp", "a", 800_001), ("tqp", "b", 800_000), ("crates, levels", "a", 687_500),
-                                                ("crates, 480x320", "a", 1_380_000), ("crates, 240x135", "a", 550_000))]}
+                                                ("crates, 480x320", "a", 1_380_000), ("crates, 240x135", "a", 550_000))] +
+        [{"workload": "c500-depth", "core": "rv32", "way": "RGB565", "frame": 1_600_000, "cycles": {}}]}
 
 
 @pytest.mark.parametrize("goal, figure, met", [
@@ -170,6 +174,12 @@ def goal_result():
     ("a renderer, bytes of RAM, M3", 2528, True),
     ("tqp to RGB565, a frame, M3", 800_000, True),
     ("tqp to RGB565, a frame, M0", None, None),
+    ("c500-depth to RGB565, a frame, RV32IMC", 1_600_000, True),
+    ("W1, a frame, RV32IMC", None, None),
+    ("flat faces of 0.6 to 8 pixels, the worst by itself without the way of tiny faces, M3", 1.01, False),
+    ("flat faces of 0.6 to 8 pixels, the worst by itself without the way of tiny faces, M0", None, None),
+    ("the packages by Arduino's -Os, the worst scene by make lib, M3", 1.0501, False),
+    ("one file, the worst scene by make lib, M0", None, None),
     ("tqp to RGB565, ESTIMATE of cycles, M4", 5, True),
     ("w1, ESTIMATE of cycles, M3", 250_001, False),
     ("a point light, a face", 120.5, False),
@@ -245,6 +255,10 @@ def test_what_is_missing_and_what_is_new(tmp_path, baseline):
     less = {**baseline, "rows": baseline["rows"][1:]}
     done = compare(tmp_path, baseline, less)
     assert done.returncode == 1 and "WORSE: w1 fixel m0: not measured any more" in done.stdout
+    others = {**baseline, "left_out": ["rv32"], "rows": [row for row in baseline["rows"] if row["core"] != "rv32"]}
+    done = compare(tmp_path, baseline, others)
+    assert done.returncode == 0 and "not compared, because no board has the core: rv32" in done.stdout
+    assert compare(tmp_path, baseline, {**others, "left_out": []}).returncode == 1
     done = compare(tmp_path, less, {**baseline, "compiler": "another one"})
     assert done.returncode == 0 and "new: w1 fixel m0" in done.stdout and "note: another compiler" in done.stderr
 
@@ -258,16 +272,19 @@ def test_no_result_is_one_sentence(tmp_path, text, words):
 
 
 def test_accepting_renews_baseline_and_document(tmp_path, baseline):
-    (tmp_path / "performance.md").write_text(DOCUMENT.read_text(encoding="utf-8"))
+    faces = DOCUMENT.with_name("faces.md")
+    for page in (DOCUMENT, faces):
+        (tmp_path / page.name).write_text(page.read_text(encoding="utf-8"))
     (tmp_path / "now.json").write_text(json.dumps(changed(baseline, 1.0)))
     options = ["--accept", "--baseline", tmp_path / "baseline.json", "--current", tmp_path / "now.json",
                "--document", tmp_path / "performance.md"]
     assert run_cli("bench-diff", *options).returncode == 0
     assert json.loads((tmp_path / "baseline.json").read_text()) == baseline
-    assert (tmp_path / "performance.md").read_text() == DOCUMENT.read_text(encoding="utf-8")
+    assert all((tmp_path / page.name).read_bytes() == page.read_bytes() for page in (DOCUMENT, faces, faces.with_suffix(".png")))
     for less, words in (({"left_out": ["m55"]}, "m55"),
                         ({"rows": [row for row in baseline["rows"] if row.get("workload") != "w2"]}, "w2 was not measured"),
-                        ({"rows": [row for row in baseline["rows"] if row["core"] != "m0"]}, "m0 was not measured")):
+                        ({"rows": [row for row in baseline["rows"] if row["core"] != "m0"]}, "m0 was not measured"),
+                        ({"rows": [row for row in baseline["rows"] if row["core"] != "rv32"]}, "rv32 was not measured")):
         (tmp_path / "now.json").write_text(json.dumps({**baseline, **less}))
         assert_one_sentence(run_cli("bench-diff", *options), words)
         assert json.loads((tmp_path / "baseline.json").read_text()) == baseline
@@ -291,6 +308,8 @@ def test_the_document_s_tables_are_made_from_the_baseline(baseline, plan):
     text = DOCUMENT.read_text(encoding="utf-8")
     assert bench_page.replace_tables(text, plan, baseline, bench_page.DOCUMENT) == text
     assert set(re.findall("bench: ([a-z0-9]+) ", text)) == {*bench_page.DOCUMENT, "end"}
+    faces = DOCUMENT.with_name("faces.md").read_text(encoding="utf-8")
+    assert bench_page.replace_tables(faces, plan, baseline, bench_page.FACES_PAGE) == faces
 
 
 def test_a_document_without_a_table_is_refused(baseline, plan):

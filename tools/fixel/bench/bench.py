@@ -13,25 +13,28 @@ import subprocess
 import sys
 import tomllib
 
-from fixel.base import children, output, scratch
+from fixel.base import children, kept, output, scratch
 from fixel.base.errors import one_line, ToolError
 from fixel.base.table import table
 from fixel.commands import late
 from fixel.scene import target
 
 parallel = late("fixel.base", "parallel")
-bench_budgets, bench_goals, bench_page, bench_plan, bench_plots = late("fixel.bench", "bench_budgets bench_goals bench_page bench_plan bench_plots")
+bench_budgets, bench_faces, bench_goals, bench_page, bench_plan = late("fixel.bench", "bench_budgets bench_faces bench_goals bench_page bench_plan")
+bench_plots = late("fixel.bench", "bench_plots")
 bench_rgb565, bench_rows, bench_run, linked_size = late("fixel.bench", "bench_rgb565 bench_rows bench_run linked_size")
 qemu = late("fixel.board", "qemu")
 
 CORES = ("m0", "m3", "m4f", "m55")
-EXTRA_CORES = ("rv32",)    # of fixel profile and fixel equality
+EXTRA_CORES = ("rv32",)    # whose tools make installs where they are asked for: the library's own frames alone
 PLAN = pathlib.Path(__file__).resolve().parents[3] / "bench" / "bench.toml"
-PATTERNS = ["bench.svg", "bench.png", "growth.svg", "growth.png", "bench.md", "bench.json"]
+PATTERNS = ["bench.svg", "bench.png", "growth.svg", "growth.png", "faces.svg", "faces.png", "bench.md", "bench.json"]
 # The share of pixels in which a renderer may differ from the library: the listing has no near plane, and
 # its outlines are not exact to 1/65536 pixel. Figures of a renderer that draws something else mean nothing.
 DIFFERING_MAX = 0.002
 PROGRAM = "fixel-target"    # draws into any target
+FACES = "faces"             # what WORKLOAD= calls faces of all sizes
+COUNTED, COUNTED_MOST = "counted", 1_000_000_000    # the folder of what programs counted, and its bytes
 
 
 def parser():
@@ -42,6 +45,7 @@ def parser():
     made.add_argument("--left-out", nargs="*", default=[], help="cores that no board has")
     made.add_argument("--out", default="build/bench", help="folder for the results")
     made.add_argument("--build", default="build", help="folder that make builds in")
+    kept.add_option(made)
     target.add_options(made)
     return made
 
@@ -61,7 +65,7 @@ def refuse_workload(name):
 def before(options):
     """Refuses a workload that there is not."""
     for name in options.workloads or ():
-        refuse_workload(name)
+        refuse_workload(None if name == FACES else name)
 
 
 def tool_version(*command):
@@ -86,10 +90,7 @@ def check_pictures(plan, pictures):
 def check_variants(drawn, others):
     """Refuses figures of the library built otherwise, or in bands, if a pixel differs."""
     for (core, workload, name), each in others.items():
-        differing = int((each.pixels != drawn[core, workload, "fixel"].pixels).sum())
-        if differing:
-            raise ToolError(f"fixel-{name} on {core} draws {workload} unlike fixel: {differing:,} pixels",
-                            exit_code=1)
+        bench_run.refuse_other_pixels(f"fixel-{name} on {core}", workload, each.pixels, drawn[core, workload, "fixel"].pixels)
 
 
 def draw_all(plan, cores, folder):
@@ -104,6 +105,11 @@ def draw_all(plan, cores, folder):
                 for core, name in plan.planned(plan.stages, cores)}
     others = {key: (bench_run.draw, plan, key[0], f"fixel-{key[2]}", images[key[1]])
               for key in plan.variant_runs(cores)}
+    wide = {name: bench_plan.compile_scene({**plan.rgb565[name], "with": [*plan.rgb565[name].get("with", ()), "rgb565"]}, folder)[0]
+            for name in plan.variants_of_rgb565()}
+    for (core, workload, name), (program, own) in plan.rgb565_variant_runs(cores).items():
+        jobs[core, workload, bench_plan.OURS] = (bench_run.draw, plan, core, own, wide[workload])
+        others[core, workload, name] = (bench_run.draw, plan, core, program, wide[workload])
     return (parallel.run("drawing the workloads", jobs), units, parallel.run("profiling the workloads", profiles),
             parallel.run("drawing with the library's variants", others))
 
@@ -117,27 +123,29 @@ def measure(plan, cores, left_out):
         pictures = bench_rows.pictures(drawn)
         check_pictures(plan, pictures)
         for (core, workload, renderer), each in drawn.items():
-            rows.append(bench_rows.frame_row(core, plan.workloads[workload], renderer, each, units[workload]))
+            if workload in plan.workloads:
+                rows.append(bench_rows.frame_row(core, plan.workloads[workload], renderer, each, units[workload]))
         counted = parallel.run("running the kernels",
-                               {core: (bench_run.kernels, plan, core) for core in cores})
+                               {core: (bench_run.kernels, plan, core) for core in cores if core in CORES})
         if plan.growth["core"] in cores:
             scenes = bench_run.growth_scenes(plan, folder)
             grown = parallel.run("growing the scenes", {number: (bench_run.grow, plan, entry)
                                                        for number, entry in enumerate(scenes)})
             growth = list(grown.values())
-    for core in cores:
+    for core in counted:
         kernels, bare = bench_rows.split_kernels(plan, core, counted[core])
         rows += kernels
         limits += bare
-    sizes = bench_rows.sizes(plan, cores)
+    sizes = bench_rows.sizes(plan, counted)
     bench_rows.add_ratios(plan, rows, limits)
     bench_rows.add_sizes(rows, sizes)
     result = {"compiler": tool_version(f"{os.environ.get('CROSS', 'arm-none-eabi-')}gcc"),
-              "emulator": tool_version(qemu.QEMU), "cores": list(cores), "left_out": list(left_out),
+              "emulator": tool_version(qemu.QEMU), "cores": list(counted), "extra_cores": [core for core in cores if core in EXTRA_CORES], "left_out": list(left_out),
               "rows": rows, "limits": limits, "sizes": sizes, "stages": bench_rows.stages(profiles),
-              "renderer_bytes": bench_rows.renderer_bytes(plan, cores),
+              "renderer_bytes": bench_rows.renderer_bytes(plan, counted),
               "variants": bench_rows.variants(drawn, others), "cycles_estimate": bench_rows.estimates(profiles),
               "rgb565": bench_rgb565.measure(plan, cores), "budgets": bench_budgets.measure(plan, cores),
+              "faces": bench_faces.measure(plan, cores),
               "programs": linked_size.measure_programs(plan, cores),
               "growth": growth, "pictures": pictures, "peers": plan.peers}
     return {**result, "goals": bench_goals.measure(result)}
@@ -147,6 +155,7 @@ def main(argv):
     """The command; its exit code."""
     options = parser().parse_args(argv)
     plan = bench_plan.Plan(options.build)
+    plan.store = kept.Kept(options.build, options.fresh, COUNTED, COUNTED_MOST)
     if options.workloads:
         plan.keep(options.workloads)
     qemu.find_qemu()

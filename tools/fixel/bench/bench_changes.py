@@ -6,6 +6,7 @@ faces as wanted, seen from above, so that all of them are in sight."""
 import dataclasses
 import math
 import pathlib
+import random
 
 from fixel.image.image import Face, Model, Object, POSES, SORTED
 from fixel.image.image_placement import Key, Motion, Placement
@@ -29,6 +30,7 @@ SIDES, RINGS = 22, 23       # 2 x 22 x 22 triangles
 HEAD_WIDTH, HEAD_HEIGHT, HEAD_DEPTH = 0.82, 1.2, 1.15
 SPHERE = "coloured_sphere.obj"
 SPHERE_SIDES, SPHERE_RINGS = 24, 16     # 2 x 24 x 15 triangles
+TRIANGLES, FOCAL, TEXELS = 2000, 160, 64    # of a side of their texture, which has a texel a pixel
 ONE = 65536                     # 16.16
 NONE = Placement((1 << 30, 0, 0, 0, 1 << 30, 0, 0, 0, 1 << 30), ONE)
 YAW, PITCH = (range(-3, 4), range(-2, 3))       # steps a frame, in 256ths of a turn; instances take them in turn
@@ -192,6 +194,37 @@ def write_sphere(folder):
              for ring in range(SPHERE_RINGS + 1) for side in range(SPHERE_SIDES)]
     lines += [f"f {a} {b} {c}" for a, b, c in _faces_of_sphere()]
     (pathlib.Path(folder) / SPHERE).write_text("\n".join(lines) + "\n", encoding="ascii")
+
+
+# --- triangles of one size -----------------------------------------------------------
+
+def _triangle(radius, chance):
+    """Three (place on the screen from its middle, in pixels), and how far they are from the eye."""
+    x, y, away, turn = chance.uniform(-150, 150), chance.uniform(-110, 110), chance.uniform(1, 30), chance.uniform(0, math.tau)
+    return [(x + radius * math.cos(turn + corner * math.tau / 3), y + radius * math.sin(turn + corner * math.tau / 3))
+            for corner in range(3)], away
+
+
+def write_triangles(folder, radius):
+    """Writes triangles with equal sides that share no corner and face the eye, with all that a corner may have, into a folder."""
+    chance, lines = random.Random(1), []
+    for _ in range(TRIANGLES):
+        corners, away = _triangle(radius, chance)
+        for x, y in corners:
+            lines.append(" ".join(["v", *(f"{value:.6f}" for value in (x * away / FOCAL, y * away / FOCAL, -away)),
+                                   *(f"{chance.random():.3f}" for _ in range(3))]))
+            lines.append(f"vt {x / TEXELS:.6f} {y / TEXELS:.6f}")
+            lines.append(f"vn {chance.uniform(-0.5, 0.5):.3f} {chance.uniform(-0.5, 0.5):.3f} 1")
+    lines += ["f " + " ".join("/".join([str(corner)] * 3) for corner in range(first, first + 3)) for first in range(1, 3 * TRIANGLES, 3)]
+    (pathlib.Path(folder) / "triangles.obj").write_text("\n".join(lines) + "\n", encoding="ascii")
+
+
+def triangles(scene, keys, radius, folder):
+    """The scene of such triangles, whose corners are so many pixels from their middles. scene: its tables but for the object, whose
+    keys are given by themselves."""
+    write_triangles(folder, radius)
+    data = {**scene, "objects": [{"name": "triangles", "obj": "triangles.obj", "kind": "sorted", **keys}]}
+    return toml_scene.compile_data(data, "triangles", str(folder))[0]
 
 
 # --- turned instances --------------------------------------------------------------

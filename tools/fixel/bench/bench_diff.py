@@ -2,7 +2,8 @@
 """Compares a run of make bench with the baseline, or makes the run the new baseline.
 
 Exit: 0 no figure of Fixel is worse by more than the threshold, 1 a figure is worse or missing, 2 there
-is nothing to compare. --accept makes the run the baseline, and renews the tables of docs/performance.md.
+is nothing to compare. --accept makes the run the baseline, and renews the tables of docs/performance.md, and docs/faces.md with its
+picture beside it.
 """
 
 import argparse
@@ -14,7 +15,7 @@ from fixel.base.errors import ToolError, one_line
 from fixel.base.table import coloured, table
 from fixel.commands import late
 
-bench_page, bench_plan = late("fixel.bench", "bench_page bench_plan")
+bench_page, bench_plan, bench_plots = late("fixel.bench", "bench_page bench_plan bench_plots")
 programs = late("fixel.board", "programs")
 
 KEY = ("workload", "renderer", "core")
@@ -89,7 +90,11 @@ def compare(before, after, threshold):
     new_keys = sorted(new_rows.keys() - old_rows.keys())
     if new_keys:
         print(f"new: {', '.join(' '.join(key) for key in new_keys)}")
-    worse = judge(found, old_rows.keys() - new_rows.keys(), threshold)
+    lacking, left_out = old_rows.keys() - new_rows.keys(), new.get("left_out", ())
+    passed_over = {key for key in lacking if key[2] in left_out}
+    if passed_over:
+        print(f"not compared, because no board has the core: {', '.join(sorted({key[2] for key in passed_over}))}")
+    worse = judge(found, lacking - passed_over, threshold)
     for sentence in worse:
         print(f"{coloured('WORSE', 'red')}: {sentence}")
     if not worse:
@@ -102,14 +107,19 @@ def accept(data, baseline, document, plan):
     if data.get("left_out"):
         raise ToolError(f"a baseline needs every core; left out were: {', '.join(data['left_out'])}")
     measured = {value for row in data["rows"] for value in (row["core"], row.get("workload"))}
-    missing = [name for name in (*bench_plan.CORES, *plan.workloads) if name not in measured]
+    missing = [name for name in (*bench_plan.CORES, *bench_plan.EXTRA_CORES, *plan.workloads) if name not in measured]
     if missing:
         raise ToolError(f"a baseline needs every core and every workload; {missing[0]} was not measured: "
                         f"run make bench without CORE= and WORKLOAD=")
-    text = bench_page.replace_tables(pathlib.Path(document).read_text(encoding="utf-8"), plan, data, bench_page.DOCUMENT)
+    faces = pathlib.Path(document).with_name("faces.md")
+    texts = {file: bench_page.replace_tables(file.read_text(encoding="utf-8"), plan, data, sections)
+             for file, sections in ((pathlib.Path(document), bench_page.DOCUMENT), (faces, bench_page.FACES_PAGE))}
+    picture = bench_plots.files(plan, data)["faces.png"]
     output.write_json(baseline, data)
-    output.write_file(document, text)
-    print(f"{one_line(baseline)}, {one_line(document)}: renewed", file=sys.stderr)
+    for file, text in texts.items():
+        output.write_file(file, text)
+    output.write_file(faces.with_suffix(".png"), picture)
+    print(f"{', '.join(one_line(each) for each in (baseline, *texts, faces.with_suffix('.png')))}: renewed", file=sys.stderr)
 
 
 def main(argv):

@@ -33,6 +33,11 @@ def _variant(result, goal):
     return None
 
 
+def _worst_variant(result, goal):
+    """The largest share that a variant takes of the library's frame as measured, of all scenes, and which it is."""
+    return _worst_of({row["workload"]: row["by_fixel"] for row in result["variants"] if all(row[key] == goal[key] for key in ("variant", "core"))})
+
+
 def _conversion(result, goal):
     """What a variant adds to a frame, for each pixel of the screen."""
     row, shown = _row(result, goal), _variant(result, goal)
@@ -122,14 +127,14 @@ def _growth(result, goal):
 
 
 def _with_cycles(row, model):
-    """How a frame was made, and an ESTIMATE of its cycles on a model."""
-    return "; ".join([row["way"], *[f"{each:,} cycles {name}" for each, name in zip(row["cycles"][model], cycles.FIGURES)]])
+    """How a frame was made, and an ESTIMATE of its cycles on a model, if its core has one."""
+    return "; ".join([row["way"], *[f"{each:,} cycles {name}" for each, name in zip(row["cycles"].get(model, ()), cycles.FIGURES)]])
 
 
 def _rgb565(result, goal):
     """A whole frame in the way that takes the fewest instructions."""
     row = bench_rgb565.best(result, goal["workload"], goal["core"])
-    return row and (row["frame"], _with_cycles(row, next(iter(row["cycles"]))))
+    return row and (row["frame"], _with_cycles(row, next(iter(row["cycles"]), None)))
 
 
 def _rgb565_cycles(result, goal):
@@ -162,6 +167,11 @@ def _other_kernels(result, _):
     """How many programs link kernels of pixels that they do not draw, and which."""
     found = [f"{name}: {', '.join(size['of_other_pixels'])}" for name, size in result.get("programs", {}).items() if size["of_other_pixels"]]
     return (len(found), "; ".join(found) or None) if result.get("programs") else None
+
+
+def _faces(result, goal):
+    """The largest share that faces of a size take of what they take without the way of tiny faces, and which it is."""
+    return _worst_of({f"{row['radius']:g}": row["frame"] / row["without"] for row in result["faces"] if row["core"] == goal["core"] and row["without"]})
 
 
 def _rgb565_variants(result, goal):
@@ -209,8 +219,8 @@ def _renderer(result, goal):
     return size and (size, None)
 
 
-FIGURES = {"frame": _frame, "variant": _variant, "conversion": _conversion, "by workload": _by_workload, "worst": _worst, "share": _share, "worst share": _worst_share,
-           "worst by peer": _worst_by_peer, "unit": _unit, "against": _against, "growth": _growth, "rgb565": _rgb565, "rgb565 cycles": _rgb565_cycles, "rgb565 variants": _rgb565_variants,
+FIGURES = {"frame": _frame, "variant": _variant, "worst variant": _worst_variant, "conversion": _conversion, "by workload": _by_workload, "worst": _worst, "share": _share, "worst share": _worst_share,
+           "worst by peer": _worst_by_peer, "unit": _unit, "against": _against, "growth": _growth, "rgb565": _rgb565, "rgb565 cycles": _rgb565_cycles, "rgb565 variants": _rgb565_variants, "faces": _faces,
            "cycles": _cycles, "budget": _budget, "program": _program, "other kernels": _other_kernels, "code": _code,
            "helpers": _helpers, "stack": _stack, "ram": _ram, "renderer": _renderer}
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The tables of make bench: for a terminal, for its report (bench.md), and for docs/performance.md."""
+"""The tables of make bench: for a terminal, for its report (bench.md), for docs/performance.md and docs/faces.md."""
 
 import json
 import pathlib
 import re
 
-from fixel.bench import bench_goals, bench_rgb565, cycles, places
+from fixel.bench import bench_faces, bench_goals, bench_rgb565, cycles, places
 from fixel.bench.bench_plan import NAMES
 from fixel.base.errors import ToolError
 from fixel.base.table import coloured, table
@@ -117,11 +117,12 @@ def _growth_cells(result):
 
 def frames_markdown(plan, result):
     """Instructions a frame, mean (worst)."""
-    header = ["scene", "renderer", *[NAMES[core] for core in result["cores"]]]
+    cores = [*result["cores"], *result["extra_cores"]]
+    header = ["scene", "renderer", *[NAMES[core] for core in cores]]
     rows = []
     for workload in plan.workloads:
         for renderer in plan.renderers:
-            found = [_one(result, workload=workload, renderer=renderer, core=core) for core in result["cores"]]
+            found = [_one(result, workload=workload, renderer=renderer, core=core) for core in cores]
             if any(found):
                 rows.append([workload, renderer, *[_frame_cell(row) for row in found]])
     return markdown_table(header, rows, left=(0, 1))
@@ -222,15 +223,14 @@ def sizes_markdown(plan, result):
     rows = []
     for renderer in plan.renderers:
         for flags in dict.fromkeys(size["flags"] for size in result["sizes"]):
-            sizes = [size for size in result["sizes"]
-                     if size["renderer"] == renderer and size["flags"] == flags]
-            if not sizes:
-                continue
-            rows.append([renderer, "flash", flags, *[f"{size['code']:,} + {size['constants']:,} + {size['run_time']:,}" for size in sizes]])
+            sizes = {size["core"]: f"{size['code']:,} + {size['constants']:,} + {size['run_time']:,}" for size in result["sizes"]
+                     if size["renderer"] == renderer and size["flags"] == flags}
+            if sizes:
+                rows.append([renderer, "flash", flags, *[sizes.get(core, "-") for core in result["cores"]]])
     for renderer in plan.renderers:
         drawn = [_one(result, workload="w1" if renderer != "memset" else "w2", renderer=renderer, core=core)
                  for core in result["cores"]]
-        if None in drawn:
+        if not drawn or None in drawn:
             continue
         rows.append([renderer, f"stack, {drawn[0]['workload']}", "-O2", *[_number(row["stack_bytes"]) for row in drawn]])
         rows.append([renderer, f"RAM, {drawn[0]['workload']}", "-O2", *[_number(row["ram_bytes"]) for row in drawn]])
@@ -256,10 +256,10 @@ def variants_markdown(plan, result):
     found = {(row["core"], row["workload"], row["variant"]): row for row in result["variants"]}
     cores = list(dict.fromkeys(core for core, _, _ in found))
     header = ["scene", "core", "`-O2`", *[entry["what"] for entry in plan.variants.values()]]
-    rows = [[workload, NAMES[core], f"{_one(result, workload=workload, renderer='fixel', core=core)['frame']['mean']:,}",
+    as_measured = {(row["core"], row["workload"]): row["fixel"] for row in result["variants"]}
+    rows = [[workload, NAMES[core], _number(as_measured[core, workload]),
              *[_variant_cell(found.get((core, workload, name))) for name in plan.variants]]
-            for core in cores for workload in plan.workloads
-            if any((core, workload, name) in found for name in plan.variants)]
+            for core in cores for workload in (*plan.workloads, *plan.rgb565) if (core, workload) in as_measured]
     return markdown_table(header, rows, left=(0, 1)) if rows else "Not measured."
 
 
@@ -334,6 +334,30 @@ def rgb565_markdown(_, result):
                                                 for row in bench_rgb565.cells(result)], left=(0, 1, 2))
 
 
+def faces_markdown(plan, result):
+    """What a face of a size costs, beside its floor, and beside itself without the way of tiny faces."""
+    if not result["faces"]:
+        return "Not measured."
+    first, *others = cores = list(dict.fromkeys(row["core"] for row in result["faces"]))
+    header = ["a face", "radius", "pixels", NAMES[first], "floor", "times the floor",
+              *[word for core in others for word in (NAMES[core], f"times {NAMES[first]}'s")],
+              *[f"without the way of tiny faces, {NAMES[core]}" for core in cores], *plan.faces["beside"]]
+    return markdown_table(header, [_face_cells(plan, result, kind, radius, cores) for kind in plan.faces["kinds"] for radius in plan.faces["radii"]])
+
+
+def _face_cells(plan, result, kind, radius, cores):
+    """Instructions of a face, of a frame of bench_faces.COUNT."""
+    def a_face(frame):
+        return frame / bench_faces.COUNT if frame else None
+    rows = [bench_faces.of(result, kind["name"], radius, core) for core in cores]
+    first, *others = [a_face(row["frame"]) for row in rows]
+    floor, place = bench_faces.floor_of(kind, radius), plan.faces["radii"].index(radius)
+    beside = [a_face(frames[place]) if kind.get("tiny") else None for frames in plan.faces["beside"].values()]
+    return [kind["name"], f"{radius:g}", _number(bench_faces.pixels_of(radius), 1), *(_number(each, 0) for each in (first, floor)),
+            f"{first / floor:.2f}", *[word for each in others for word in (_number(each, 0), f"{each / first:.2f}")],
+            *(_number(each, 0) for each in (*(a_face(row["without"]) for row in rows), *beside))]
+
+
 def growth_markdown(_, result):
     """How a frame grows."""
     if not result["growth"]:
@@ -384,13 +408,14 @@ def tools_markdown(_, result):
     return f"Measured with `{result['compiler']}` and `{result['emulator']}`.{left}"
 
 
-# What docs/performance.md has; the report has all.
+# What docs/performance.md and docs/faces.md have; the report has all.
+FACES_PAGE = {"faces": faces_markdown}
 DOCUMENT = {"tools": tools_markdown, "frames": frames_markdown, "range": range_markdown, "peers": peers_markdown,
             "smallpeers": smallpeers_markdown, "variants": variants_markdown, "rgb565": rgb565_markdown, "kernels": kernels_markdown, "sizes": sizes_markdown}
 SECTIONS = {"tools": tools_markdown, "goals": goals_markdown, "frames": frames_markdown, "ratios": ratios_markdown,
             "range": range_markdown, "peers": peers_markdown, "smallpeers": smallpeers_markdown, "stages": stages_markdown, "functions": functions_markdown, "kernels": kernels_markdown,
             "sizes": sizes_markdown, "files": files_markdown, "variants": variants_markdown, "rgb565": rgb565_markdown,
-            "equality": equality_markdown, "growth": growth_markdown,
+            **FACES_PAGE, "equality": equality_markdown, "growth": growth_markdown,
             "pictures": pictures_markdown, "estimates": estimates_markdown, "costs": costs_markdown}
 
 

@@ -6,6 +6,7 @@ import io
 import matplotlib
 from matplotlib.figure import Figure
 
+from fixel.bench import bench_faces
 from fixel.bench.bench_goals import place_of
 from fixel.bench.bench_plan import NAMES
 from fixel.report.report_plots import INK, PAPER, SOFT, STYLE
@@ -16,6 +17,8 @@ LABELS = {"fixel": "Fixel", "listing-float": "the listing, float", "listing-doub
 AXES = {"cubes culled": "cubes, all but the first hundred out of sight", "cubes seen": "cubes, all in sight",
         "pixels": "pixels of the screen", "faces, one model": "faces of one model, all in sight",
         "faces, patches": "faces in patches of 50, all in sight"}
+
+KINDS = ("#0f6cbd", "#c77700", "#2a8f4e", "#c2416b", "#6b4fb3")    # lines of faces
 
 LABEL_GAP = 1 / 7   # of a plot's width, between two labels
 
@@ -33,7 +36,7 @@ def _files(name, figure):
 
 def frames(plan, result):
     """Instructions a frame by workload, a panel for each core; the line is the way to the worst frame."""
-    cores = result["cores"]
+    cores = [*result["cores"], *result["extra_cores"]]
     with matplotlib.rc_context({**STYLE, "font.size": 10}):
         figure = Figure(figsize=(12.4, 3.3 * -(-len(cores) // 2)))
         panels = list(figure.subplots(-(-len(cores) // 2), 2, sharey=True, squeeze=False).flat)
@@ -104,9 +107,35 @@ def _line(places, counts):
     return [counts[0], counts[0] + slope * (places[-1] - places[0])]
 
 
+def faces(plan, result):
+    """Instructions of a face by its pixels, a line for each kind, a panel for each core; with the floor where it is known."""
+    cores = list(dict.fromkeys(row["core"] for row in result["faces"]))
+    pixels = [bench_faces.pixels_of(radius) for radius in plan.faces["radii"]]
+    with matplotlib.rc_context({**STYLE, "font.size": 10}):
+        figure = Figure(figsize=(10.8, 4.4))
+        for axes, core in zip(figure.subplots(1, len(cores), squeeze=False).flat, cores):
+            for kind, colour in zip(plan.faces["kinds"], KINDS):
+                rows = [bench_faces.of(result, kind["name"], radius, core) for radius in plan.faces["radii"]]
+                axes.plot(pixels, [row["frame"] / bench_faces.COUNT for row in rows], color=colour, marker="o", label=kind["name"])
+                if core == cores[0]:
+                    axes.plot(pixels, [bench_faces.floor_of(kind, radius) for radius in plan.faces["radii"]], color=colour,
+                              linewidth=1, linestyle=(0, (4, 3)))
+            axes.set_title(NAMES[core] + (", dashed: the floor" if core == cores[0] else ""), loc="left", fontweight="bold", color=INK)
+            axes.set_xscale("log")
+            axes.set_xticks(pixels, [f"{each:.1f}" if each < 10 else f"{each:.0f}" for each in pixels])
+            axes.minorticks_off()
+            axes.set_xlabel("pixels of a face")
+            axes.set_ylim(0)
+            axes.set_ylabel("instructions a face")
+        figure.axes[0].legend(loc="upper left")
+        return figure
+
+
 def files(plan, result):
     """{file name: bytes} of all plots."""
     made = _files("bench", frames(plan, result))
     if result["growth"]:
         made.update(_files("growth", growth(result)))
+    if result["faces"]:
+        made.update(_files("faces", faces(plan, result)))
     return made

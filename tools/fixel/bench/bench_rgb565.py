@@ -5,7 +5,7 @@ Counted is from the pose to the pixels. The clear of the colours is not counted,
 """
 
 from fixel.base import parallel, scratch
-from fixel.bench import bench_changes, bench_plan, counter, cycles
+from fixel.bench import bench_changes, bench_plan, bench_run, cycles
 from fixel.bench.machine_code import MachineCode
 
 TEXELS = "16 bits"
@@ -14,7 +14,6 @@ WAYS = {"palette, converted": ("fixel-rgb565", []), "RGB565": ("fixel-native", [
         "RGB565, its texels too": ("fixel-native", ["rgb565", TEXELS])}
 BANDS, BITS = "bands of 8", "4 bits"    # variants: another program; texels that cannot be of RGB565
 CORE = "m3"                             # of workloads that name none, and of variants
-TIMEOUT = 300.0                         # seconds of CPU time without a new frame
 
 
 def named(workload, variant=None):
@@ -54,7 +53,7 @@ def _draw(plan, core, entry, variant, way):
     with scratch.folder("bench") as folder:
         file, _ = bench_plan.compile_scene({**entry, "with": wanted}, folder)
         code = MachineCode(elf)
-        _, counts = counter.run(elf, code, plan.counter, folder, file, detail=True, timeout=TIMEOUT)
+        _, counts = bench_run.count(plan, elf, folder, file, detail=True)
     frames = len(counts.regions)
     return {"workload": named(entry["name"], variant), "core": core, "way": way, "frames": frames,
             "frame": round(sum(counts.regions) / frames),
@@ -83,6 +82,6 @@ def cells(result):
     for workload, core in dict.fromkeys((row["workload"], row["core"]) for row in result["rgb565"]):
         ways = {row["way"]: row["frame"] for row in result["rgb565"] if (row["workload"], row["core"]) == (workload, core)}
         shown = best(result, workload, core)
-        made.append([workload, core, shown["way"], shown["frame"], *next(iter(shown["cycles"].values())),
+        made.append([workload, core, shown["way"], shown["frame"], *next(iter(shown["cycles"].values()), [None] * len(cycles.FIGURES)),
                      *[ways.get(way) for way in WAYS]])
     return made

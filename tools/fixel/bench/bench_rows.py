@@ -4,6 +4,7 @@
 from fixel.bench import bench_goals, bench_plan, linked_size, places
 
 FLAGS = {"O2": "-O2", "Os": "-Os"}
+SIZED = ("m0", "m3")    # cores by -Os and for few bytes too: BENCH_SIZED_CORES of bench/bench.mk
 SMALL = {"small": "-Os -DFXL_SMALL", "small-flto": "-Os -DFXL_SMALL -flto"}     # the library alone
 LIMIT = "limit-"
 BANDS = "fixel-bands"
@@ -51,7 +52,7 @@ def add_sizes(rows, sizes):
             if size["flags"] == "-O2"}
     for row in rows:
         if row["frame"] is not None:
-            row["text_bytes"] = text[row["core"], row["renderer"]]
+            row["text_bytes"] = text.get((row["core"], row["renderer"]))
 
 
 def sizes(plan, cores):
@@ -60,7 +61,7 @@ def sizes(plan, cores):
                 for folder, flags in ({**FLAGS, **SMALL} if renderer == bench_goals.OURS else FLAGS).items()]
     return [{"core": core, "renderer": renderer, "flags": flags,
              **linked_size.sizes_of_map(plan.build / "bench" / core / "size" / folder / f"{renderer}.map")}
-            for core in cores for renderer, folder, flags in programs]
+            for core in cores for renderer, folder, flags in programs if folder == "O2" or core in SIZED]
 
 
 def renderer_bytes(plan, cores):
@@ -85,13 +86,13 @@ def pictures(drawn):
 
 
 def variants(drawn, others):
-    """[{variant, workload, core, frame, by_fixel, ram_bytes, stack_bytes}] of the library built otherwise, or with
-    other memory: a mean frame, and that by the library's as measured."""
+    """[{variant, workload, core, frame, fixel, by_fixel, ram_bytes, stack_bytes}] of the library built otherwise, or with
+    other memory: a mean frame, the library's as measured, and the first by that."""
     rows = []
     for (core, workload, name), each in others.items():
         ours, theirs = sum(each.instructions), sum(drawn[core, workload, "fixel"].instructions)
         rows.append({"variant": name, "workload": workload, "core": core,
-                     "frame": round(ours / len(each.instructions)), "by_fixel": _ratio(ours, theirs),
+                     "frame": round(ours / len(each.instructions)), "fixel": round(theirs / len(each.instructions)), "by_fixel": _ratio(ours, theirs),
                      "ram_bytes": each.memory, "stack_bytes": each.stack})
     return rows
 

@@ -9,7 +9,7 @@ import numpy
 
 from fixel.base import scratch
 from fixel.bench import bench_plan, bench_changes, counter, cycles, places
-from fixel.board import dump, emulator
+from fixel.board import dump, emulator, firmware, qemu
 from fixel.bench.debug_lines import DebugLines
 from fixel.base.errors import ToolError
 from fixel.bench.machine_code import MachineCode
@@ -35,12 +35,35 @@ def _said(pattern, output, elf):
     return int(found[1])
 
 
+def count(plan, elf, folder, scene=None, frames=None, detail=False):
+    """(what a program said, Counts): as it ran in a folder, where its frames are too, or as the plan has kept it."""
+    said = pathlib.Path(folder) / "said.txt"
+
+    def run():
+        output, _ = counter.run(elf, MachineCode(elf), plan.counter, folder, scene, frames, detail, TIMEOUT)
+        said.write_text(output, encoding="utf-8", newline="")
+    files = [said, pathlib.Path(folder) / counter.COUNTS, *([pathlib.Path(folder) / emulator.DUMP_NAME] if scene and not detail else [])]
+    store = getattr(plan, "store", None)
+    if store is None:
+        run()
+    else:
+        inputs = [elf, plan.counter, pathlib.Path(scene) if scene else "no scene", frames or 0, detail, qemu.version(firmware.load(elf).emulator)]
+        store.obtain("counts", inputs, files, run)
+    return said.read_text(encoding="utf-8"), counter.read(folder)
+
+
+def refuse_other_pixels(who, what, ours, theirs):
+    """Refuses figures of a program that draws other pixels than the library."""
+    differing = int((ours != theirs).sum())
+    if differing:
+        raise ToolError(f"{who} draws {what} unlike fixel: {differing:,} pixels", exit_code=1)
+
+
 def draw(plan, core, renderer, scene, frames=None):
     """Draws a scene image."""
     elf = plan.program(core, renderer)
     with scratch.folder("bench") as folder:
-        output, counts = counter.run(elf, MachineCode(elf), plan.counter, folder, scene, frames,
-                                     timeout=TIMEOUT)
+        output, counts = count(plan, elf, folder, scene, frames)
         drawn = dump.read_dump(folder / emulator.DUMP_NAME)
     if len(counts.regions) != len(drawn.frames) or not drawn.frames:
         raise ToolError(f"{elf}: {len(counts.regions)} regions, {len(drawn.frames)} frames", exit_code=1)
@@ -53,7 +76,7 @@ def profile(plan, core, renderer, scene, frames=None):
     elf = plan.program(core, renderer)
     code = MachineCode(elf)
     with scratch.folder("profile") as folder:
-        _, counts = counter.run(elf, code, plan.counter, folder, scene, frames, detail=True, timeout=TIMEOUT)
+        _, counts = count(plan, elf, folder, scene, frames, detail=True)
     taken = places.Profile(code, counts, DebugLines(elf), cycles.models(core))
     # The call of the end marker is the region's last instruction, and nobody's work.
     expected = sum(counts.regions) + counter.MARKER_CALL * len(counts.regions)
@@ -67,7 +90,7 @@ def kernels(plan, core):
     """{name: (instructions, units)} of the kernels and the limits."""
     elf = plan.program(core, "kernels")
     with scratch.folder("bench") as folder:
-        output, counts = counter.run(elf, MachineCode(elf), plan.counter, folder, timeout=TIMEOUT)
+        output, counts = count(plan, elf, folder)
     said = re.findall(r"^bench: kernel (\S+) (\d+)$", output, re.MULTILINE)
     if len(said) != len(counts.regions):
         raise ToolError(f"{elf}: {len(counts.regions)} regions, {len(said)} kernels", exit_code=1)

@@ -11,7 +11,7 @@ import dataclasses
 import pathlib
 import sys
 
-from fixel.base import output, scratch
+from fixel.base import kept, output, scratch
 from fixel.base.arguments import number
 from fixel.base.errors import ToolError
 from fixel.base.table import table
@@ -21,7 +21,7 @@ from fixel.image import memory_needed
 from fixel.scene import look as looks, target
 
 parallel = late("fixel.base", "parallel")
-bench_plan, bench_run, frame_costs = late("fixel.bench", "bench_plan bench_run frame_costs")
+bench, bench_plan, bench_run, frame_costs = late("fixel.bench", "bench bench_plan bench_run frame_costs")
 emulator, fleet, qemu = late("fixel.board", "emulator fleet qemu")
 image = late("fixel.image", "image")
 showcase_models = late("fixel.report", "showcase_models")
@@ -200,6 +200,7 @@ def main(argv):
     """The command; its exit code."""
     options = parser().parse_args(argv)
     plan = bench_plan.Plan(options.build)
+    plan.store = kept.Kept(options.build, folder=bench.COUNTED, most=bench.COUNTED_MOST)
     qemu.find_qemu()
     if options.cores and not options.sizes:
         raise ToolError("--cores needs --sizes")

@@ -83,12 +83,17 @@ def run(elf, code, plugin, directory, scene=None, frames=None, detail=False, tim
     if ending.code != exit_code("DONE"):
         raise ToolError(f"{elf}: {describe(ending)}", exit_status(ending), last_lines(ending.output))
     try:
-        counts = parse((directory / COUNTS).read_text(encoding="ascii"))
+        return ending.output, read(directory)
     except OSError as error:
         raise ToolError(f"{elf}: the counting plugin left no counts", exit_code=1,
                         words=last_lines(ending.output)) from error
+
+
+def read(directory):
+    """The Counts of a program that has run in a directory."""
+    counts = parse((pathlib.Path(directory) / COUNTS).read_text(encoding="ascii"))
     counts.regions = [instructions - MARKER_CALL for instructions in counts.regions]
-    return ending.output, counts
+    return counts
 
 
 def _alive(directory):
