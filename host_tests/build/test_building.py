@@ -10,6 +10,7 @@ import subprocess
 
 from conftest import CHECKOUT, environment
 
+BUILT_PROGRAMS = ()
 OBJECTS = ("beneath", "dump", "explain", "judge")
 
 

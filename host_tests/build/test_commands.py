@@ -14,6 +14,7 @@ import tomllib
 import pytest
 from conftest import CHECKOUT, environment, run_make
 
+BUILT_PROGRAMS = ()
 TABLE = tomllib.loads(pathlib.Path(__file__).with_name("commands.toml").read_text(encoding="utf-8"))
 WANTED = os.environ.get("FIXEL_COMMANDS") or ("all" if os.environ.get("FIXEL_WHOLE") else "")
 GDB_COMMANDS = "info functions main\nkill\nquit\n"

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+BUILT_PROGRAMS = ("lib/*/libfixel.a",)
 ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 

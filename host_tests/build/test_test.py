@@ -334,6 +334,12 @@ def test_a_test_that_runs_what_its_file_does_not_name_fails(monkeypatch, tmp_pat
     subprocess.run(["true", image], check=True)
     named_programs.of(types.SimpleNamespace(BUILT_PROGRAMS=()))     # the next file, whose test does not ask again
     image.read_bytes()
+    monkeypatch.setattr(named_programs, "_asked_for", set())
+    named_programs.of(types.SimpleNamespace(BUILT_PROGRAMS=("board/*.elf",)))   # what its tests make themselves
+    image.read_bytes()
+    assert named_programs.missing() == []
+    with pytest.raises(RuntimeError, match="build/host/judge, which"):
+        subprocess.run([program], check=True)
     named_programs.of(types.SimpleNamespace())
     subprocess.run(["true", image], check=True)
 

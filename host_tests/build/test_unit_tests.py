@@ -13,6 +13,7 @@ from board_programs import BOARD, built, fake_qemu, ROOT
 from conftest import CHECKOUT, run_make
 from fixel.board import unit_tests
 
+BUILT_PROGRAMS = ("core/*/unit/*.a", "boards/*/unit/*.elf")
 @pytest.fixture(scope="module")
 def programs():
     """firmware/unittest/programs.py"""

@@ -18,6 +18,7 @@ from fixel.base.errors import ToolError
 from fixel.campaign import runner, sent, shards
 from fixel.report import report_shards
 
+BUILT_PROGRAMS = ("host/oracle",)
 CLAIMS = "orientation_axis matrix_entry depth_16"
 SHARDS = 20 + 40 + 40       # of ten million samples
 # Figures that another order of additions would change.

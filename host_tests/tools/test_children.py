@@ -17,6 +17,8 @@ from fixel.base.errors import ToolError
 from fixel.board.programs import run_program
 from viewers import assert_gone, children as started_by, runs
 
+BUILT_PROGRAMS = ()
+
 
 def tool(folder, body):
     """A tool made up here, in a file; its body has `folder`."""

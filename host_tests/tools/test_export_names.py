@@ -11,6 +11,7 @@ from fixel.image import c_names
 from fixel.scene import compiler, making
 from test_export import compiled
 
+BUILT_PROGRAMS = ()
 CUBE = ROOT / "examples" / "cube" / "cube.obj"
 
 

@@ -17,6 +17,7 @@ from fixel.base.errors import ToolError
 from fixel.model import stl
 from viewers import runs
 
+BUILT_PROGRAMS = ()
 BURN = "while :; do :; done"
 HOUR = 3600.0
 
