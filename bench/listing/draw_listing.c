@@ -33,15 +33,17 @@ static listing_point from_point(const fxl_point *point)
 
 static void copy_faces(const fxl_scene *scene)
 {
+    listing_point *next = vertices;
     for (uint32_t m = 0; m < scene->model_count; m++) {
         const fxl_model *model = &scene->models[m];
         for (uint32_t f = model->first_face; f < model->first_face + model->face_count; f++) {
             const fxl_face *face = &scene->faces[f];
             for (uint32_t i = 0; i < face->count; i++) {
-                uint32_t vertex = model->first_vertex + scene->indices[face->first_index + i];
-                vertices[face->first_index + i] = from_point(&scene->vertices[vertex]);
+                uint32_t vertex = model->first_vertex + fxl_face_indices(scene->indices, face)[i];
+                next[i] = from_point(&scene->vertices[vertex]);
             }
-            faces[f].vertices = &vertices[face->first_index];
+            faces[f].vertices = next;
+            next += face->count;
             faces[f].count = face->count;
             faces[f].colour = face->material;
         }

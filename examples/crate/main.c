@@ -37,7 +37,7 @@ int main(void)
         planks[y][x] = (uint8_t)(rim ? 12 + (x + y) % 3 : y % 8 == 3 ? 1 : 6 + (x * 5 + y * 23) % 7 % 4);
     }
     for (uint16_t i = 0; i < 18; i++) {
-        corners[i] = (fxl_corner){{FXL_UNITS(32 * (i % 3 > 0)), FXL_UNITS(32 * (i % 3 > 1))}, scene.indices[scene.faces[i / 3].first_index + i % 3], i / 3};
+        corners[i] = (fxl_corner){{FXL_UNITS(32 * (i % 3 > 0)), FXL_UNITS(32 * (i % 3 > 1))}, fxl_face_indices(scene.indices, &scene.faces[i / 3])[i % 3], i / 3};
         faces[i / 3].corners[i % 3] = i;
         normals[i / 3] = scene.faces[i / 3].normal;
     }

@@ -12,7 +12,7 @@ static uint8_t palette[256][3]; /* that of the cube, and white */
 static bool has_corner(const fxl_face *face, uint32_t corner)
 {
     for (uint32_t i = 0; i < 4; i++) {
-        if (cube_indices[face->first_index + i] == corner) { return true; }
+        if (fxl_face_indices(cube_indices, face)[i] == corner) { return true; }
     }
     return false;
 }

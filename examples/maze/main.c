@@ -10,10 +10,10 @@ static const fxl_point corners[8 + 4] = { /* of a wall; of the floor, about the 
     AT(-1, -1, -1), AT(1, -1, -1), AT(-1, 1, -1), AT(1, 1, -1), AT(-1, -1, 1), AT(1, -1, 1), AT(-1, 1, 1), AT(1, 1, 1),
     AT(-9, 0, -9), AT(-9, 0, 9), AT(9, 0, 9), AT(9, 0, -9)};
 static const uint16_t indices[24 + 4] = {2, 3, 1, 0, 7, 6, 4, 5, 6, 2, 0, 4, 3, 7, 5, 1, 6, 7, 3, 2, 0, 1, 5, 4, 0, 1, 2, 3};
-static const fxl_face faces[6 + 1] = { /* normal, first index, corners, colour */
-    {{0, 0, -FXL_Q2_30_ONE}, 0, 4, 1, 0}, {{0, 0, FXL_Q2_30_ONE}, 4, 4, 1, 0}, {{-FXL_Q2_30_ONE, 0, 0}, 8, 4, 2, 0},
-    {{FXL_Q2_30_ONE, 0, 0}, 12, 4, 2, 0}, {{0, FXL_Q2_30_ONE, 0}, 16, 4, 3, 0}, {{0, -FXL_Q2_30_ONE, 0}, 20, 4, 3, 0},
-    {{0, FXL_Q2_30_ONE, 0}, 24, 4, 4, 0}};
+static const fxl_face faces[6 + 1] = { /* normal, corners, colour, first corner and where it is among the indices */
+    {{0, 0, -FXL_Q2_30_ONE}, 4, 1, FXL_INDICES_AT(2, 0)}, {{0, 0, FXL_Q2_30_ONE}, 4, 1, FXL_INDICES_AT(7, 4)}, {{-FXL_Q2_30_ONE, 0, 0}, 4, 2, FXL_INDICES_AT(6, 8)},
+    {{FXL_Q2_30_ONE, 0, 0}, 4, 2, FXL_INDICES_AT(3, 12)}, {{0, FXL_Q2_30_ONE, 0}, 4, 3, FXL_INDICES_AT(6, 16)}, {{0, -FXL_Q2_30_ONE, 0}, 4, 3, FXL_INDICES_AT(0, 20)},
+    {{0, FXL_Q2_30_ONE, 0}, 4, 4, FXL_INDICES_AT(0, 24)}};
 static const fxl_model models[2] = { /* first corner, corners, first face, faces, kind, the last but one: radius */
     {0, 8, 0, 6, FXL_MODEL_CONVEX, 0, 0, FXL_UNITS(2), 0}, {8, 4, 6, 1, FXL_MODEL_CONVEX, 0, 0, FXL_UNITS(13), 0}};
 static fxl_instance instances[SIDE * SIDE + 1] = {{AT(8, -1, 8), 1, 0, 0}}; /* the floor, in layer 0 */

@@ -38,7 +38,7 @@ static void put_face(int i, int left, int top, int size, int kind, int texels)
         indices[4 * i + k] = (uint16_t)(i < WALL ? 4 * i + k : k);
         corners[4 * i + k] = (fxl_corner){{FXL_UNITS(texels * right), FXL_UNITS(texels * low)}, indices[4 * i + k], 0};
     }
-    faces[i] = (fxl_face){normal, (uint32_t)(4 * i), 4, 1, 0};
+    faces[i] = (fxl_face){.normal = normal, .count = 4, .material = 1}, fxl_face_take_indices(&faces[i], indices, 4u * (unsigned)i);
     mapped[i] = (fxl_mapped_face){(uint16_t)kind, {(uint16_t)(4 * i), (uint16_t)(4 * i + 1), (uint16_t)(4 * i + 2)}};
     face_map[i] = (uint16_t)(i + 1);
 }

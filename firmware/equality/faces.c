@@ -203,12 +203,13 @@ void test_clip_by_view(uint32_t rounds)
             place(&by_core, mask, tag, planes);
             place(&by_portable, mask, tag, planes);
             for (uint32_t k = 0; k < 2; k++) {
-                fxl_face face = {.first_index = any_32() >> 9 & 3u,
-                                 .count = (uint8_t)(3u + (any_32() >> 9) % 6u),
+                const uint32_t first = any_32() >> 9 & 3u;
+                fxl_face face = {.count = (uint8_t)(3u + (any_32() >> 9) % 6u),
                                  .material = (uint8_t)any_32()};
                 for (uint32_t c = 0; c < FXL_FACE_VERTICES_MAX; c++) {
                     corners[c] = (uint16_t)(any_32() >> 11 & (VERTICES - 1u));
                 }
+                fxl_face_take_indices(&face, corners, first);
                 compare(&face);
             }
         }

@@ -43,8 +43,8 @@ int main(void)
     static const fxl_point vertices[] = {{0, 0, 0}, {0, 65536, 0}, {65536, 98304, 0}, {131072, 65536, 0},
                                          {131072, 0, 0}};
     static const uint16_t corners[] = {0, 1, 2, 3, 0, 1, 2, 3, 4};
-    static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 4, 1, 0},
-                                     {{0, 0, -FXL_Q2_30_ONE}, 4, 5, 2, 0}};
+    static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 4, 1, FXL_INDICES_AT(0, 0)},
+                                     {{0, 0, -FXL_Q2_30_ONE}, 5, 2, FXL_INDICES_AT(0, 4)}};
     static const fxl_model models[] = {{0, 5, 0, 2, FXL_MODEL_CONVEX, 0, 0, 3 * 65536, 0}};
     static const fxl_instance objects[] = {{{0, 0, 0}, 0, 0, 0}};
     fxl_scene scene = {vertices, corners, faces, models, objects, 5, 9, 2, 1, 1, 0, 0, 0};

@@ -18,7 +18,7 @@ enum {
 static fxl_clip_result checked_by_view(const fxl_model_view *model_view, const fxl_face *face,
                                        fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
-    const uint16_t *corners = model_view->indices + face->first_index;
+    const uint16_t *corners = fxl_face_indices(model_view->indices, face);
     fxl_view_polygon seen = {.colour = face->material, .count = face->count};
     const fxl_view_polygon *clipped;
     static fxl_clip_view_work checked;

@@ -116,7 +116,7 @@ static void make_face(made_surfaces *made, uint32_t number, const fxl_scene *sce
 {
     const fxl_face *face = &scene->faces[number];
     const uint32_t first = face->count < 3 ? 0 : fuzz_below(in, face->count - 2u);
-    const uint16_t *vertices = &scene->indices[face->first_index + first];
+    const uint16_t *vertices = &fxl_face_indices(scene->indices, face)[first];
     fxl_mapped_face *mapped = &made->faces[number];
     mapped->surface = spoilt(in, fuzz_below(in, SURFACES));
     for (uint32_t i = 0; i < 3; i++) {

@@ -120,7 +120,7 @@ static void make_least(fxl_scene *scene)
 {
     static const fxl_point vertices[3] = {{0, 0, 0}, {65536, 0, 0}, {0, 65536, 0}};
     static const uint16_t corners[3] = {0, 1, 2};
-    static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 3, 1, 0}};
+    static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 3, 1, {0, 1, 2}}};
     static const fxl_instance instances[1];
     static const fxl_model models[] = {{0, 3, 0, 1, FXL_MODEL_SORTED, 0, 0, 2 * 65536, 0}};
     *scene = SCENE_OF(vertices, corners, faces, models, instances);

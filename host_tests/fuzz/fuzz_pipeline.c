@@ -70,7 +70,7 @@ static void fuzz_placed_limit(fuzz_input *in)
 {
     static const fxl_point vertices[FXL_MODEL_VERTICES_MAX];
     static const uint16_t corners[3] = {0, 1, 2};
-    static const fxl_face faces[] = {{{FXL_Q2_30_ONE, 0, 0}, 0, 3, 1, 0}};
+    static const fxl_face faces[] = {{{FXL_Q2_30_ONE, 0, 0}, 3, 1, {0, 1, 2}}};
     static const fxl_instance instances[FXL_SCENE_INSTANCES_MAX];
     fxl_model models[] = {{0, FXL_MODEL_VERTICES_MAX, 0, 1, FXL_MODEL_SORTED, 0, 0, 0, 0}};
     fxl_scene scene = SCENE_OF(vertices, corners, faces, models, instances);

@@ -50,7 +50,6 @@ static void add_face(made_scene *made, fxl_model *model, fuzz_input *in)
     face->normal.x = plane.camera.axes.forward.x * turned;
     face->normal.y = plane.camera.axes.forward.y * turned;
     face->normal.z = plane.camera.axes.forward.z * turned;
-    face->first_index = scene->index_count;
     face->count = (uint8_t)(3 + fuzz_below(in, FXL_FACE_VERTICES_MAX - 2));
     face->material = (uint8_t)fuzz_bits(in, 1);
     for (uint32_t i = 0; i < face->count; i++) {
@@ -62,6 +61,7 @@ static void add_face(made_scene *made, fxl_model *model, fuzz_input *in)
         made->vertices[scene->vertex_count + i] = on_plane(&plane, a, b);
         made->corners[scene->index_count + i] = (uint16_t)(model->vertex_count + i);
     }
+    fxl_face_take_indices(face, made->corners, scene->index_count);
     scene->face_count += 1;
     scene->index_count += face->count;
     scene->vertex_count += face->count;
@@ -105,7 +105,7 @@ static void add_keys(made_scene *made, fxl_model *model)
         int32_t high[3] = {INT32_MIN, INT32_MIN, INT32_MIN};
         const fxl_point *first = NULL;
         for (uint32_t k = 0; k < face->count; k++) {
-            uint32_t number = made->corners[face->first_index + k];
+            uint32_t number = fxl_face_indices(made->corners, face)[k];
             const fxl_point *v = &made->vertices[model->first_vertex + number];
             const int32_t at[3] = {v->x, v->y, v->z};
             first = k == 0 ? v : first;
@@ -162,7 +162,7 @@ static fxl_bsp_node any_node(const made_scene *made, const fxl_model *model, uin
     if (has_face) {
         const fxl_face *face = &made->faces[model->first_face + first_face];
         const fxl_point *v =
-            &made->vertices[model->first_vertex + made->corners[face->first_index]];
+            &made->vertices[model->first_vertex + face->indices[0]];
         uint64_t height = (uint64_t)((int64_t)face->normal.x * v->x) +
                           (uint64_t)((int64_t)face->normal.y * v->y) +
                           (uint64_t)((int64_t)face->normal.z * v->z);
@@ -237,10 +237,10 @@ static void set_sphere(const made_scene *made, const fxl_model *model, const fxl
                        fxl_cluster *cluster)
 {
     const fxl_point *vertices = &made->vertices[model->first_vertex];
-    cluster->centre = vertices[made->corners[face->first_index]];
+    cluster->centre = vertices[face->indices[0]];
     uint64_t most = 0;
     for (uint32_t i = 0; i < face->count; i++) {
-        const fxl_point *v = &vertices[made->corners[face->first_index + i]];
+        const fxl_point *v = &vertices[fxl_face_indices(made->corners, face)[i]];
         const int64_t x = (int64_t)v->x - cluster->centre.x, y = (int64_t)v->y - cluster->centre.y,
                       z = (int64_t)v->z - cluster->centre.z;
         const uint64_t square = (uint64_t)(x * x) + (uint64_t)(y * y) + (uint64_t)(z * z);
@@ -302,14 +302,14 @@ static void spoil(made_scene *made, fuzz_input *in)
                                 &scene->face_count,     &scene->model_count,
                                 &scene->instance_count, &scene->face_bounds_count,
                                 &scene->bsp_node_count, &scene->bsp_instance};
-    uint32_t *const words[] = {&face->first_index, &model->first_vertex, &model->vertex_count,
-                               &model->first_face, &model->face_count,   &model->first_face_bounds};
+    uint32_t *const words[] = {&model->first_vertex, &model->vertex_count, &model->first_face,
+                               &model->face_count, &model->first_face_bounds};
     int32_t *const numbers[] = {&face->normal.x,     &face->normal.y,     &face->normal.z,
                                 &instance->centre.x, &instance->centre.y, &instance->centre.z,
                                 &vertex->x,          &vertex->y,          &vertex->z,
                                 &model->radius};
     uint8_t *const bytes[] = {&face->count, &model->kind, &model->reserved, &instance->recolour};
-    uint16_t *const halves[] = {&face->whole_count, &instance->model, corner, &model->first_cluster,
+    uint16_t *const halves[] = {&face->indices[0], &instance->model, corner, &model->first_cluster,
                                 &cluster->face_count};
     uint16_t *const links[] = {&node->front,      &node->back,       &node->parent,
                                &node->first_face, &node->face_count, &node->reserved};
@@ -337,8 +337,12 @@ static void spoil(made_scene *made, fuzz_input *in)
         }
     } else if (which < 6) {
         *counts[which] = spoilt_count(*counts[which], in);
+    } else if (which == 6) {
+        const uint32_t first = (uint32_t)fuzz_any(in);
+        face->indices[1] = (uint16_t)first;
+        face->indices[2] = (uint16_t)(first >> 16);
     } else if (which < 12) {
-        *words[which - 6] = (uint32_t)fuzz_any(in);
+        *words[which - 7] = (uint32_t)fuzz_any(in);
     } else if (which < 22) {
         *numbers[which - 12] = fuzz_any(in);
     } else if (which < 26) {

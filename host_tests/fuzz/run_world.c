@@ -303,10 +303,10 @@ static fxl_scene squares(bool with_tree)
                                           {SIDE, -SIDE, 0},  {-SIDE, -SIDE, 0}, {-SIDE, SIDE, 0},
                                           {SIDE, SIDE, 0},   {SIDE, -SIDE, 0}};
     static const uint16_t indices[8] = {0, 1, 2, 3, 3, 2, 1, 0};
-    static const fxl_face faces[4] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 4, 1, 0},
-                                      {{0, 0, FXL_Q2_30_ONE}, 4, 4, 2, 0},
-                                      {{0, 0, -FXL_Q2_30_ONE}, 0, 4, 3, 0},
-                                      {{0, 0, FXL_Q2_30_ONE}, 4, 4, 4, 0}};
+    static const fxl_face faces[4] = {{{0, 0, -FXL_Q2_30_ONE}, 4, 1, FXL_INDICES_AT(0, 0)},
+                                      {{0, 0, FXL_Q2_30_ONE}, 4, 2, FXL_INDICES_AT(3, 4)},
+                                      {{0, 0, -FXL_Q2_30_ONE}, 4, 3, FXL_INDICES_AT(0, 0)},
+                                      {{0, 0, FXL_Q2_30_ONE}, 4, 4, FXL_INDICES_AT(3, 4)}};
     static const fxl_model models[2] = {{0, 4, 0, 2, FXL_MODEL_CONVEX, 0, 0, 2 * SIDE, 0},
                                         {4, 4, 2, 2, FXL_MODEL_SORTED, 0, 0, 2 * SIDE, 0}};
     static const fxl_instance instances[3] = {

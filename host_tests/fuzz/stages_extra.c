@@ -324,7 +324,7 @@ void fuzz_first_program(fuzz_input *in)
     static const fxl_point vertices[] = {
         {-65536, -65536, 0}, {-65536, 65536, 0}, {65536, 65536, 0}, {65536, -65536, 0}};
     static const uint16_t corners[] = {0, 1, 2, 3};
-    static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 4, 7, 0}};
+    static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 4, 7, FXL_INDICES_AT(0, 0)}};
     static const fxl_model models[] = {{0, 4, 0, 1, FXL_MODEL_CONVEX, 0, 0, 65536 * 2, 0}};
     static const fxl_instance instances[1];
     static uint64_t memory[64];

@@ -21,7 +21,8 @@ static const fxl_point vertices[] = {{-NEAR, -NEAR, FXL_UNITS(6)}, {-NEAR, NEAR,
                                      {NEAR, -NEAR, FXL_UNITS(6)},  {-65536, -65536, FXL_UNITS(4)}, {-65536, 65536, FXL_UNITS(4)},
                                      {65536, 65536, FXL_UNITS(4)}, {65536, -65536, FXL_UNITS(4)}};
 static const uint16_t indices[] = {0, 1, 2, 0, 2, 3, 0, 1, 2, 3};
-static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 3, 1, 0}, {{0, 0, -FXL_Q2_30_ONE}, 3, 3, 2, 0}, {{0, 0, -FXL_Q2_30_ONE}, 6, 4, 3, 0}};
+static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 3, 1, {0, 1, 2}}, {{0, 0, -FXL_Q2_30_ONE}, 3, 2, {0, 2, 3}},
+                                 {{0, 0, -FXL_Q2_30_ONE}, 4, 3, FXL_INDICES_AT(0, 6)}};
 static const fxl_model models[] = {{0, 4, 0, 2, FXL_MODEL_SORTED, 0, 0, FXL_UNITS(9), 0}, {4, 4, 2, 1, 0, 0, 0, FXL_UNITS(8), 0}};
 static const fxl_instance instances[] = {{{0, 0, 0}, 0, 0, 0}, {{0, 0, 0}, 1, 1, 0}};
 static fxl_scene scene = {.vertices = vertices, .indices = indices, .faces = faces, .models = models, .instances = instances,

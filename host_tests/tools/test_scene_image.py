@@ -134,8 +134,8 @@ def test_header_fields_out_of_range(offset, data, status):
 
 
 @pytest.mark.parametrize("number, offset, data, status", [
-    (3, 16, b"\2", "count"), (3, 16, b"\31", "count"), (3, 12, b"\1", "index"),
-    (3, 18, b"\1", "count"), (3, 18, b"\31", "count"), (3, 18, b"\10", "index"), (3, 4, struct.pack("<i", (1 << 30) - 3), "normal"),
+    (3, 12, b"\2", "count"), (3, 12, b"\31", "count"), (3, 16, b"\1", "index"), (3, 18, b"\1", "index"), (3, 14, b"\1", "index"),
+    (3, 4, struct.pack("<i", (1 << 30) - 3), "normal"),
     (2, 0, b"\4", "index"), (1, 4, struct.pack("<i", 5), "planarity"),
     (4, 0, b"\1", "index"), (4, 16, b"\2", "reserved"), (4, 17, b"\1", "reserved"),
     (4, 20, struct.pack("<i", 92681), "radius"), (4, 20, struct.pack("<i", -1), "range"),

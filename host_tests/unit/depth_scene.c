@@ -12,9 +12,9 @@ static const fxl_point vertices[] = {
     {-4 * 65536, -3 * 65536, 0},         {-4 * 65536, 3 * 65536, 0},
     {4 * 65536, 3 * 65536, 8 * 65536},   {4 * 65536, -3 * 65536, 8 * 65536}};
 static const uint16_t indices[] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-static const fxl_face faces[] = {{{0, FXL_Q2_30_ONE, 0}, 0, 4, 10, 0},
-                                 {{0, 0, -FXL_Q2_30_ONE}, 4, 4, 20, 0},
-                                 {{759250125, 0, -759250125}, 8, 4, 30, 0}};
+static const fxl_face faces[] = {{{0, FXL_Q2_30_ONE, 0}, 4, 10, FXL_INDICES_AT(0, 0)},
+                                 {{0, 0, -FXL_Q2_30_ONE}, 4, 20, FXL_INDICES_AT(0, 4)},
+                                 {{759250125, 0, -759250125}, 4, 30, FXL_INDICES_AT(0, 8)}};
 static const fxl_model models[] = {
     {.vertex_count = 4, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = 19 * 65536},
     {.first_vertex = 4,

@@ -93,7 +93,7 @@ static inline void mapped_quad_make(mapped_quad *quad, fxl_direction normal, fxl
     for (uint8_t i = 0; i < 3; i++) {
         quad->mapped.corners[i] = quad->mapped_corners[i].vertex = i;
     }
-    quad->face = (fxl_face){normal, 0, 4, 200, 0};
+    quad->face = (fxl_face){normal, 4, 200, FXL_INDICES_AT(0, 0)};
     quad->model =
         (fxl_model){.vertex_count = 4, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = radius};
     quad->scene = quad_tables_scene(&tables, 1);

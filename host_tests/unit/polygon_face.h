@@ -6,7 +6,6 @@
 
 #include "view/model_view.h"
 
-
 typedef struct {
     fxl_model_view model_view;
     fxl_face face;
@@ -28,6 +27,7 @@ static inline void polygon_face_set(polygon_face *as, const fxl_polygon *polygon
         as->vertices[i] = polygon->vertices[i].position;
         as->corners[i] = i;
     }
+    fxl_face_take_indices(&as->face, as->corners, 0);
     fxl_vertex_cache_init(&as->cache, as->seen, entries);
     fxl_model_view_of_instance(&as->model_view, &scene, &instance, view, &as->cache);
 }

@@ -29,7 +29,8 @@ static void make_face(quad_scene *quad)
     quad->vertices[1] = (fxl_point){up.x + above.x, up.y + above.y, up.z + above.z};
     quad->vertices[2] = (fxl_point){right.x - up.x, right.y - up.y, right.z - up.z};
     quad->vertices[3] = (fxl_point){-right.x - up.x, -right.y - up.y, -right.z - up.z};
-    quad->face = (fxl_face){{-plane.z.x, -plane.z.y, -plane.z.z}, 0, 4, QUAD_COLOUR, 0};
+    quad->face =
+        (fxl_face){{-plane.z.x, -plane.z.y, -plane.z.z}, 4, QUAD_COLOUR, FXL_INDICES_AT(0, 0)};
     quad->model = (fxl_model){
         .vertex_count = 4, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = Q16(24)};
 }

@@ -9,9 +9,9 @@ static const fxl_point vertices[] = {
     {Q16(1), Q16(-2), Q16(5)},  {Q16(-2), Q16(-3), Q16(5)}, {Q16(-9), Q16(1), Q16(12)},
     {Q16(9), Q16(1), Q16(12)},  {Q16(9), Q16(-1), Q16(12)}, {Q16(-9), Q16(-1), Q16(12)}};
 static const uint16_t indices[] = {0, 1, 2, 3};
-static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 4, 20, 0},
-                                 {{0, 0, -FXL_Q2_30_ONE}, 0, 4, 21, 0},
-                                 {{0, 0, -FXL_Q2_30_ONE}, 0, 4, 22, 0}};
+static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 4, 20, FXL_INDICES_AT(0, 0)},
+                                 {{0, 0, -FXL_Q2_30_ONE}, 4, 21, FXL_INDICES_AT(0, 0)},
+                                 {{0, 0, -FXL_Q2_30_ONE}, 4, 22, FXL_INDICES_AT(0, 0)}};
 static const fxl_model models[] = {{.first_vertex = 0,
                                     .vertex_count = 4,
                                     .first_face = 0,

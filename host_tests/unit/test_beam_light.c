@@ -181,7 +181,8 @@ static fxl_clip_result take_down(const fxl_model_view *model_view, const fxl_fac
     (void)work;
     (void)screen;
     for (uint32_t i = 0; i < face->count; i++) {
-        const fxl_point *point = &model_view->vertices[model_view->indices[face->first_index + i]];
+        const fxl_point *point =
+            &model_view->vertices[fxl_face_indices(model_view->indices, face)[i]];
         sum = sum * 31u + (uint32_t)point->x * 7u + (uint32_t)point->y * 5u + (uint32_t)point->z;
     }
     TEST_ASSERT_TRUE(taken_count < PIECES);
@@ -305,6 +306,7 @@ void test_what_has_no_room_is_drawn_dark(void)
     tiny->models[0].radius = Q16(4);
     tiny->faces[0].normal = (fxl_direction){0, FXL_Q2_30_ONE, 0};
     tiny->faces[0].count = (uint8_t)count;
+    fxl_face_take_indices(&tiny->faces[0], corners, 0);
     fxl_scene *scene = &tiny->scene;
     scene->vertices = comb;
     scene->indices = corners;

@@ -126,12 +126,13 @@ void test_each_vertex_of_a_face_lies_on_the_plane(void)
     const fxl_q2_30 sine = 1 << 20, cosine = FXL_Q2_30_ONE - 512;
     const uint64_t distance = (uint64_t)(sine + cosine) * 65536u;
     for (uint32_t first = 0; first < 3; first++) {
-        uint16_t *corners = &made->tiny->corners[made->tiny->faces[11].first_index];
+        fxl_face *face = &made->tiny->faces[11];
+        const uint16_t *corners = fxl_face_indices(made->tiny->corners, face);
         const uint16_t triangle[] = {corners[0], corners[1], corners[2]};
         for (uint32_t i = 0; i < 3; i++) {
-            corners[i] = triangle[(first + i) % 3];
+            face->indices[i] = triangle[(first + i) % 3];
         }
-        made->tiny->faces[11].count = 3;
+        face->count = 3;
         made->tiny->scene.index_count--;
         made->tiny->scene.face_bounds = NULL;
         made->tiny->scene.face_bounds_count = 0;
@@ -178,7 +179,7 @@ void test_a_sphere_holds_every_corner(void)
 {
     for (uint32_t i = 0; i < 4; i++) {
         const fxl_face *face = &made->tiny->faces[11];
-        const uint16_t corner = made->tiny->corners[face->first_index + i];
+        const uint16_t corner = fxl_face_indices(made->tiny->corners, face)[i];
         made->nodes[5].centre = made->tiny->vertices[8 + corner];
         made->nodes[5].radius = 256;
         expect(FXL_E_RADIUS, "BSP node", 5);
@@ -191,7 +192,7 @@ void test_a_sphere_that_lacks_one_corner(void)
 {
     for (uint32_t i = 0; i < 4; i++) {
         const fxl_face *face = &made->tiny->faces[11];
-        const uint16_t corner = made->tiny->corners[face->first_index + (i + 2) % 4];
+        const uint16_t corner = fxl_face_indices(made->tiny->corners, face)[(i + 2) % 4];
         for (uint32_t k = 0; k < 5; k++) {
             made->nodes[k].radius = Q16(9);
         }

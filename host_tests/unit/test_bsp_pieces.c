@@ -176,9 +176,8 @@ void test_a_neighbour_without_room_for_a_vertex_ends_the_cut(void)
     for (uint8_t count = MOST - 1; count <= MOST; count++) {
         const uint16_t side[4] = {0, 1, MOST, MOST + 1};
         memcpy(indices + count, side, sizeof side);
-        const fxl_face faces[2] = {
-            {.normal = {0, FXL_Q2_30_ONE, 0}, .count = count},
-            {.normal = {0, 0, -FXL_Q2_30_ONE}, .first_index = count, .count = 4}};
+        const fxl_face faces[2] = {{.normal = {0, FXL_Q2_30_ONE, 0}, .count = count},
+                                   {{0, 0, -FXL_Q2_30_ONE}, 4, 0, FXL_INDICES_AT(0, count)}};
         const fxl_model model = {.vertex_count = MOST + 2, .face_count = 2};
         const fxl_scene scene = {.vertices = vertices,
                                  .indices = indices,

@@ -174,7 +174,7 @@ static double face_in_double(const tiny_scene *tiny, uint32_t instance, uint32_t
     double corners[4][3], start = 0, end = 0;
     for (uint32_t k = 0; k < face->count; k++) {
         const fxl_point *vertex =
-            &tiny->vertices[model->first_vertex + tiny->corners[face->first_index + k]];
+            &tiny->vertices[model->first_vertex + fxl_face_indices(tiny->corners, face)[k]];
         corners[k][0] = (double)placed->centre.x + vertex->x - from->x;
         corners[k][1] = (double)placed->centre.y + vertex->y - from->y;
         corners[k][2] = (double)placed->centre.z + vertex->z - from->z;

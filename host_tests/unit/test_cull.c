@@ -50,7 +50,7 @@ void test_the_least_bit_decides(void)
 {
     tiny_scene *tiny = tiny_make();
     fxl_face *face = &tiny->faces[1];
-    const fxl_point *first = &tiny->vertices[tiny->corners[face->first_index]];
+    const fxl_point *first = &tiny->vertices[face->indices[0]];
     face->normal.y = 1;
     for (int32_t side = -1; side <= 1; side++) {
         fxl_point eye = {first->x, first->y + side, first->z};
@@ -90,7 +90,7 @@ void test_facing_is_exact_everywhere(void)
         fxl_point eye = unit_point(FXL_COORDINATE_MAX);
         face->normal = unit_direction();
         tiny->instances[0].centre = unit_point(FXL_COORDINATE_MAX - Q16(1));
-        fxl_point first = tiny->vertices[tiny->corners[face->first_index]];
+        fxl_point first = tiny->vertices[face->indices[0]];
         first.x += tiny->instances[0].centre.x;
         first.y += tiny->instances[0].centre.y;
         first.z += tiny->instances[0].centre.z;
@@ -125,7 +125,7 @@ void test_a_face_becomes_a_polygon_of_the_world(void)
     TEST_ASSERT_EQUAL(4, polygon.count);
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &polygon.vertices[4], sizeof polygon.vertices[4]);
     for (uint32_t i = 0; i < 4; i++) {
-        const fxl_point *from = &tiny->vertices[tiny->corners[face->first_index + i]];
+        const fxl_point *from = &tiny->vertices[fxl_face_indices(tiny->corners, face)[i]];
         const fxl_vertex *vertex = &polygon.vertices[i];
         TEST_ASSERT_EQUAL_INT32(from->x + Q16(100), vertex->position.x);
         TEST_ASSERT_EQUAL_INT32(from->y - Q16(200), vertex->position.y);

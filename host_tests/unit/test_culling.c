@@ -110,7 +110,7 @@ static bool is_outside(const fxl_view *view, const fxl_model_view *model_view, c
     for (int plane = 0; plane < 6; plane++) {
         uint32_t outside = 0;
         for (uint32_t i = 0; i < face->count; i++) {
-            const uint16_t number = model_view->indices[face->first_index + i];
+            const uint16_t number = fxl_face_indices(model_view->indices, face)[i];
             fxl_cached_vertex vertex;
             fxl_transform_vertex(model_view, number, &vertex);
             outside += fxl_view_distance(&view->view_frustum, plane, &vertex.position) < 0;

@@ -235,8 +235,8 @@ void test_pieces_of_light_beams_have_depth(void)
 /* SPEC 10.4 */
 void test_of_faces_in_one_plane_that_is_seen_which_is_drawn_later(void)
 {
-    static const fxl_face walls[] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 4, 10, 0},
-                                     {{0, 0, -FXL_Q2_30_ONE}, 4, 4, 20, 0}};
+    static const fxl_face walls[] = {{{0, 0, -FXL_Q2_30_ONE}, 4, 10, FXL_INDICES_AT(0, 0)},
+                                     {{0, 0, -FXL_Q2_30_ONE}, 4, 20, FXL_INDICES_AT(0, 4)}};
     static const fxl_point corners[] = {{-393216, -131072, 262144}, {-393216, 131072, 262144},
                                         {393216, 131072, 262144},   {393216, -131072, 262144},
                                         {-393216, -131072, 262144}, {-393216, 131072, 262144},
@@ -311,8 +311,8 @@ void test_of_equal_codes_of_a_sorted_model_that_of_the_greater_number_is_seen(vo
                                         {-131072, 196608, 262144},  {655360, 196608, 262144},
                                         {655360, -131072, 262144}};
     static const uint16_t indices[] = {0, 1, 2, 3, 0, 4, 5, 6};
-    static const fxl_face walls[] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 4, 10, 0},
-                                     {{0, 0, -FXL_Q2_30_ONE}, 4, 4, 20, 0}};
+    static const fxl_face walls[] = {{{0, 0, -FXL_Q2_30_ONE}, 4, 10, FXL_INDICES_AT(0, 0)},
+                                     {{0, 0, -FXL_Q2_30_ONE}, 4, 20, FXL_INDICES_AT(0, 4)}};
     static const fxl_model model = {
         .vertex_count = 7, .face_count = 2, .kind = FXL_MODEL_SORTED, .radius = 12 * 65536};
     static const fxl_instance instance = {{0, 0, 0}, 0, 0, 0};

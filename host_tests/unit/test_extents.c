@@ -42,24 +42,24 @@ static void make_prism(void)
     }
     for (uint32_t end = 0; end < 2; end++, face++) {
         *face = (fxl_face){.normal = {0, 0, end ? FXL_Q2_30_ONE : -FXL_Q2_30_ONE},
-                           .first_index = (uint32_t)(index - indices),
                            .count = SIDES,
                            .material = (uint8_t)(21 + end)};
         for (uint32_t i = 0; i < SIDES; i++) {
             *index++ = (uint16_t)(end ? SIDES + i : SIDES - 1 - i);
         }
+        fxl_face_take_indices(face, indices, (uint32_t)(index - indices) - SIDES);
     }
     for (uint32_t i = 0; i < SIDES; i++, face++) {
         const fxl_angle middle = (fxl_angle)((uint64_t)(2 * i + 1) * 0x80000000u / SIDES);
         const uint32_t next = (i + 1) % SIDES;
         *face = (fxl_face){.normal = {fxl_cos(middle), fxl_sin(middle), 0},
-                           .first_index = (uint32_t)(index - indices),
                            .count = 4,
                            .material = (uint8_t)(30 + i)};
         *index++ = (uint16_t)i;
         *index++ = (uint16_t)next;
         *index++ = (uint16_t)(SIDES + next);
         *index++ = (uint16_t)(SIDES + i);
+        fxl_face_take_indices(face, indices, (uint32_t)(index - indices) - 4);
     }
     models[2] = (fxl_model){16, 2 * SIDES, 12, 2 + SIDES, FXL_MODEL_CONVEX, 0, 0, TINY_RADIUS, 0};
 }

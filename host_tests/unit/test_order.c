@@ -242,7 +242,7 @@ static uint64_t face_distance(const tiny_scene *tiny, const fxl_instance *instan
     for (uint32_t i = 0; i < face->count; i++) {
         const fxl_model *model = &tiny->models[instance->model];
         const fxl_point *v =
-            &tiny->vertices[model->first_vertex + tiny->corners[face->first_index + i]];
+            &tiny->vertices[model->first_vertex + fxl_face_indices(tiny->corners, face)[i]];
         int64_t at[3] = {(int64_t)v->x + instance->centre.x, (int64_t)v->y + instance->centre.y,
                          (int64_t)v->z + instance->centre.z};
         for (int axis = 0; axis < 3; axis++) {
@@ -264,7 +264,7 @@ static uint64_t distance_by_box(const fxl_scene *scene, const fxl_instance *inst
     fxl_subtract(eye, &instance->centre, &relative);
     const fxl_point box =
         fxl_face_box(&scene->vertices[scene->models[instance->model].first_vertex],
-                     &scene->indices[face->first_index], face->count);
+                     fxl_face_indices(scene->indices, face), face->count);
     return fxl_box_distance(box.x, box.y, box.z, &relative);
 }
 

@@ -168,7 +168,8 @@ static bool give_in_pieces(const fxl_traversal *traversal, const fxl_instance *i
     fxl_point corners[FXL_FACE_VERTICES_MAX];
     fxl_pieces pieces;
     for (uint32_t i = 0; i < face->count; i++) {
-        corners[i] = scene->vertices[model->first_vertex + scene->indices[face->first_index + i]];
+        corners[i] =
+            scene->vertices[model->first_vertex + fxl_face_indices(scene->indices, face)[i]];
         corners[i].x += instance->centre.x;
         corners[i].y += instance->centre.y;
         corners[i].z += instance->centre.z;

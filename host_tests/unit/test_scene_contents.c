@@ -5,15 +5,18 @@
 /* formats 1.5 */
 void test_face_contents(void)
 {
-    expect_entry_byte(FXL_E_COUNT, AT_FACES, 5, FACE, 16, 2);
-    expect_entry_byte(FXL_E_COUNT, AT_FACES, 5, FACE, 16, 25);
+    expect_entry_byte(FXL_E_COUNT, AT_FACES, 5, FACE, 12, 2);
+    expect_entry_byte(FXL_E_COUNT, AT_FACES, 5, FACE, 12, 25);
 #if FXL_FACE_VERTICES_MAX < 24
-    expect_entry_byte(FXL_E_CAPACITY, AT_FACES, 5, FACE, 16, 24);
-    expect_entry_byte(FXL_E_CAPACITY, AT_FACES, 5, FACE, 16, FXL_FACE_VERTICES_MAX + 1);
+    expect_entry_byte(FXL_E_CAPACITY, AT_FACES, 5, FACE, 12, 24);
+    expect_entry_byte(FXL_E_CAPACITY, AT_FACES, 5, FACE, 12, FXL_FACE_VERTICES_MAX + 1);
 #endif
-    expect_entry_word(FXL_E_INDEX, AT_FACES, 5, FACE, 12, 45);
-    expect_entry_word(FXL_E_INDEX, AT_FACES, 5, FACE, 12, 0xFFFFFFFFu);
-    expect_entry_word(FXL_E_INDEX, AT_FACES, 5, FACE, 12, 0xFFFFFFFDu);
+    expect_entry_word(FXL_E_INDEX, AT_FACES, 5, FACE, 16, 45);
+    expect_entry_word(FXL_E_INDEX, AT_FACES, 5, FACE, 16, 0xFFFFFFFFu);
+    expect_entry_word(FXL_E_INDEX, AT_FACES, 5, FACE, 16, 0xFFFFFFFDu);
+    expect_entry_word(FXL_E_INDEX, AT_FACES, 5, FACE, 16, 21); /* of its second vertex */
+    expect_entry_byte(FXL_E_INDEX, AT_FACES, 5, FACE, 14, 7);  /* its second vertex */
+    expect_entry_byte(FXL_E_INDEX, AT_FACES, 5, FACE, 15, 1);
 }
 
 void test_corner_contents(void)

@@ -164,9 +164,9 @@ void test_an_image_without_a_path(void)
 
 void test_an_entry_of_a_table(void)
 {
-    expect_entry_name(FXL_E_COUNT, "face", AT_FACES, 4, FACE, 16, 1u << 16 | 4);
-    expect_entry_name(FXL_E_COUNT, "face", AT_FACES, 4, FACE, 16, 2);
-    expect_entry_name(FXL_E_INDEX, "face", AT_FACES, 4, FACE, 12, 46);
+    expect_entry_name(FXL_E_COUNT, "face", AT_FACES, 4, FACE, 12, 2);
+    expect_entry_name(FXL_E_INDEX, "face", AT_FACES, 4, FACE, 12, 8u << 16 | 3); /* a triangle */
+    expect_entry_name(FXL_E_INDEX, "face", AT_FACES, 4, FACE, 16, 46);
     expect_entry_name(FXL_E_NORMAL, "face", AT_FACES, 4, FACE, 0, 1u << 29);
     expect_entry_name(FXL_E_RESERVED, "model", AT_MODELS, 1, MODEL, 16, 2);
     expect_entry_name(FXL_E_RANGE, "model", AT_MODELS, 1, MODEL, 20, 0xFFFFFFFFu);
@@ -335,6 +335,7 @@ void test_a_face_that_does_not_fit_the_beams(void)
         tiny->scene.face_bounds_count = 0;
         for (uint32_t i = 0; i < 12; i++) {
             tiny->faces[i].count = i == large ? 4 : 3;
+            fxl_face_take_indices(&tiny->faces[i], tiny->corners, 4 * i);
         }
         tiny->scene.beams = beams;
         tiny->scene.lit = lit;

@@ -94,10 +94,13 @@ void test_faults_name_the_last_element_as_well_as_the_first(void)
             expect_fault(FXL_E_RANGE, "instance", i, &tiny->scene);
         }
     }
-    for (uint32_t i = 0; i < 3; i++) { /* 24 more indices than the last face has are past the end */
-        static const uint16_t counts[] = {2, 25, 24};
+    for (uint32_t i = 0; i < 3;
+         i++) { /* 5 indices from the first of the last face's 4 are too many */
+        static const uint16_t counts[] = {2, 25, 5};
         tiny = tiny_make();
-        tiny->faces[11].whole_count = counts[i];
+        uint32_t wholes[12] = {0};
+        wholes[11] = FXL_WHOLE(44, counts[i]);
+        tiny->scene.wholes = wholes;
         expect_fault(i < 2 ? FXL_E_COUNT : FXL_E_INDEX, "face", 11, &tiny->scene);
     }
     tiny = tiny_make();
@@ -124,7 +127,7 @@ void test_tables_of_too_few_and_too_many(void)
         uint32_t few, many;
         const char *name;
     } tables[] = {{2, FXL_SCENE_VERTICES_MAX + 1, "vertex table"},
-                  {2, FXL_SCENE_INDICES_MAX + 1, "index table"},
+                  {FXL_SCENE_INDICES_MAX + 1, FXL_SCENE_INDICES_MAX + 1, "index table"},
                   {0, FXL_SCENE_FACES_MAX + 1, "face table"},
                   {0, FXL_SCENE_MODELS_MAX + 1, "model table"},
                   {0, FXL_SCENE_INSTANCES_MAX + 1, "instance table"}};
@@ -287,24 +290,24 @@ void test_frames_read_no_more_than_the_tables(void)
 /* A triangle is the least scene: the counts may be no smaller. */
 void test_the_smallest_scene(void)
 {
-    for (int less = 0; less <= 7; less++) {
+    for (int less = 0; less <= 6; less++) {
         make(false, false);
         vertices[0] = (fxl_point){0, 0, 0};
         vertices[1] = (fxl_point){0, Q16(1), 0};
         vertices[2] = (fxl_point){Q16(1), 0, 0};
-        memcpy(corners, (const uint16_t[]){0, 1, 2}, 3 * sizeof corners[0]);
-        faces[0] = (fxl_face){.normal = {0, 0, -FXL_Q2_30_ONE}, .count = 3};
+        faces[0] = (fxl_face){.normal = {0, 0, -FXL_Q2_30_ONE}, .count = 3, .indices = {0, 1, 2}};
         models[0] = (fxl_model){.vertex_count = 3, .face_count = 1, .radius = Q16(1)};
         instances[0] = (fxl_instance){.model = 0};
-        uint32_t *const counts[] = {&scene.vertex_count,   &scene.index_count,
-                                    &scene.face_count,     &scene.model_count,
-                                    &scene.instance_count, &models[0].vertex_count,
-                                    &models[0].face_count};
-        const uint32_t least[] = {3, 3, 1, 1, 1, 3, 1};
-        for (int i = 0; i < 7; i++) {
+        uint32_t *const counts[] = {&scene.vertex_count,     &scene.face_count,
+                                    &scene.model_count,      &scene.instance_count,
+                                    &models[0].vertex_count, &models[0].face_count};
+        const uint32_t least[] = {3, 1, 1, 1, 3, 1};
+        scene.indices = NULL; /* a triangle has its own */
+        scene.index_count = 0;
+        for (int i = 0; i < 6; i++) {
             *counts[i] = least[i] - (i == less);
         }
-        TEST_ASSERT_EQUAL(less == 7 ? FXL_OK : FXL_E_COUNT, fxl_scene_check(&scene, NULL));
+        TEST_ASSERT_EQUAL(less == 6 ? FXL_OK : FXL_E_COUNT, fxl_scene_check(&scene, NULL));
     }
     TEST_ASSERT_EQUAL_UINT32(1, scene.draw_list_needed);
 }

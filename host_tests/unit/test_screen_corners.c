@@ -11,6 +11,8 @@ enum {
 
 static fxl_view view;
 static polygon_face face;
+static fxl_scene scene;
+static fxl_renderer renderer;
 static fxl_traversal traversal;
 static fxl_screen_corners expected, found;
 static const uint16_t corners[3] = {0, 1, 2};
@@ -33,6 +35,10 @@ static void make(void)
     TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE,
                       fxl_clip_by_view(&face.model_view, &face.face, &work, &screen));
     face.face.count = 3;
+    fxl_face_take_indices(&face.face, face.corners, 0);
+    scene = (fxl_scene){.indices = face.corners, .faces = &face.face};
+    renderer.scene = &scene;
+    traversal.renderer = &renderer;
     traversal.clipper = &fxl_clipper_view;
     for (uint32_t i = 0; i < 3; i++) {
         expected.points[i] = screen.points[i];
@@ -82,13 +88,12 @@ void test_a_vertex_that_the_cache_lost_is_found_anew(void)
 /* The triangle is a part of the quadrilateral, whose box it has. */
 void test_a_part_has_the_box_of_the_whole_face(void)
 {
-    static uint16_t indices[7] = {0, 1, 2, 0, 1, 2, 3};
+    static const uint32_t whole = FXL_WHOLE(0, 4);
     expect_corners(corners, true);
     const int32_t width = found.width, height = found.height;
     face.vertices[3] = clip_place(&view, Q16(1), -Q16(0.5), Q16(3)); /* far out, on the screen */
     face.seen[3].tag = 0;
-    face.model_view.indices = indices;
-    face.face.whole_count = 4;
+    scene.wholes = &whole;
     expect_corners(corners, false);
     TEST_ASSERT_TRUE(found.width > width && found.height > height);
 }

@@ -57,7 +57,7 @@ void setUp(void)
 /* The frame of the triangle with a surface, and in beams or without. */
 static void draw(const fxl_surface *surface, const fxl_beam *beam, uint8_t *frame)
 {
-    fxl_face face = {{0, 0, 0}, 0, 3, COLOUR, 0};
+    fxl_face face = {{0, 0, 0}, 3, COLOUR, {0, 1, 2}};
     fxl_plane plane;
     fxl_scene scene = {.vertices = corners,
                        .indices = indices,

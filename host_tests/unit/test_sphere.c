@@ -385,7 +385,7 @@ void test_the_box_of_a_turned_object(void)
                                          {0, Q16(4), Q16(-6)}, {Q16(2), Q16(-1), 0},
                                          {Q16(-4), 0, Q16(4)}, {0, Q16(5), Q16(-5)}};
     static const uint16_t indices[] = {0, 1, 2, 3, 4, 5};
-    static const fxl_face faces[] = {{{0, 0, 0}, 0, 3, 0, 0}, {{0, 0, 0}, 3, 3, 0, 0}};
+    static const fxl_face faces[] = {{{0, 0, 0}, 3, 0, {0, 1, 2}}, {{0, 0, 0}, 3, 0, {3, 4, 5}}};
     static const fxl_model models[] = {{0, 6, 0, 2, FXL_MODEL_CONVEX, 0, 0, Q16(9), 0}};
     static const fxl_instance instances[] = {{{Q16(10), Q16(20), Q16(30)}, 0, 0, 0}};
     static const fxl_placement placements[] = {FXL_PLACEMENT_NONE};

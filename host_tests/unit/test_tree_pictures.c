@@ -41,14 +41,14 @@ void setUp(void)
     memcpy(faces, tiny->faces, sizeof tiny->faces);
     faces[12] = faces[4]; /* that towards -z */
     faces[12].material = SPRITE;
-    faces[12].first_index = 48;
     memcpy(vertices, tiny->vertices, sizeof tiny->vertices);
     memcpy(corners, tiny->corners, sizeof tiny->corners);
     for (uint16_t i = 0; i < 4; i++) {
-        vertices[16 + i] = vertices[corners[faces[4].first_index + i]];
+        vertices[16 + i] = vertices[fxl_face_indices(corners, &faces[4])[i]];
         vertices[16 + i].z = 0;
         corners[48 + i] = i;
     }
+    fxl_face_take_indices(&faces[12], corners, 48);
     memcpy(models, tiny->models, sizeof tiny->models);
     models[2] = models[0];
     models[2].first_vertex = 16;

@@ -95,8 +95,7 @@ static bool is_front(const cluster_scene *made, const fxl_view *view, const fxl_
 {
     const tiny_scene *tiny = made->tiny;
     const fxl_point *cube = &tiny->instances[1].centre, *eye = &view->camera.position;
-    const fxl_point *first =
-        &tiny->vertices[tiny->models[1].first_vertex + tiny->scene.indices[face->first_index]];
+    const fxl_point *first = &tiny->vertices[tiny->models[1].first_vertex + face->indices[0]];
     const fxl_q18_46 height = (int64_t)face->normal.x * first->x +
                               (int64_t)face->normal.y * first->y +
                               (int64_t)face->normal.z * first->z;

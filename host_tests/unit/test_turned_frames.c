@@ -146,9 +146,8 @@ void test_facing_of_what_is_small_and_far(void)
         uint32_t wanted = 0;
         for (uint32_t i = 0; i < 6; i++) {
             const fxl_face *face = &tiny->faces[i];
-            wanted += !fxl_placement_is_front(
-                &placements[0], &cube->centre, &face->normal,
-                fxl_face_height(tiny->vertices, tiny->scene.indices + face->first_index, face));
+            wanted += !fxl_placement_is_front(&placements[0], &cube->centre, &face->normal,
+                                              fxl_face_height(tiny->vertices, face));
         }
         TEST_ASSERT_EQUAL_UINT32(wanted, renderer.workspace.counters.backfacing);
         TEST_ASSERT_EQUAL_UINT32(6, renderer.workspace.counters.in);

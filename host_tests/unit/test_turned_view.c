@@ -66,7 +66,8 @@ static void start(void)
         vertices[i] = unit_point((fxl_q16_16)((int64_t)model.radius * 577 / 1000));
     }
     for (uint32_t i = 0; i < FACES; i++) {
-        faces[i] = (fxl_face){.normal = unit_direction(), .first_index = 3 * i, .count = 3};
+        faces[i] = (fxl_face){.normal = unit_direction(), .count = 3};
+        fxl_face_take_indices(&faces[i], indices, 3 * i);
     }
     make_bounds();
     scene.face_bounds = unit_between(0, 1) ? bounds : NULL;

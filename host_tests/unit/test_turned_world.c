@@ -62,7 +62,7 @@ static void bake(const tiny_scene *tiny)
     }
     for (uint32_t i = 0; i < 6; i++) {
         baked.faces[12 + i] = tiny->faces[i];
-        baked.faces[12 + i].first_index += 48;
+        fxl_face_take_indices(&baked.faces[12 + i], baked.indices, 48 + 4 * i);
         fxl_placement_direction(&placement, &tiny->faces[i].normal, &baked.faces[12 + i].normal);
     }
     baked.models[2] = *model;

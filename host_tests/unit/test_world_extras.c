@@ -277,7 +277,7 @@ static void attach_surfaces(const tiny_scene *tiny)
     texture = (fxl_texture){.texels = texels, .log_width = 1, .levels = 1};
     surface = (fxl_surface){.texture = 1, .opacity = 16, .division = FXL_DIVIDE_1};
     mapped = (fxl_mapped_face){.corners = {0, 1, 2}};
-    const uint16_t *vertices = &tiny->corners[tiny->faces[4].first_index];
+    const uint16_t *vertices = fxl_face_indices(tiny->corners, &tiny->faces[4]);
     mapped_corners[0] = (fxl_corner){{0, 0}, vertices[0], 0};
     mapped_corners[1] = (fxl_corner){{0, Q16(2)}, vertices[1], 0};
     mapped_corners[2] = (fxl_corner){{Q16(2), Q16(2)}, vertices[2], 0};

@@ -19,9 +19,9 @@ static void make_cube(uint32_t model, uint8_t kind, uint8_t colour)
         fxl_q2_30 out = f % 2 ? FXL_Q2_30_ONE : -FXL_Q2_30_ONE;
         tiny.faces[6 * model + f] =
             (fxl_face){.normal = {f / 2 == 0 ? out : 0, f / 2 == 1 ? out : 0, f / 2 == 2 ? out : 0},
-                       .first_index = 24 * model + 4 * f,
                        .count = 4,
                        .material = (uint8_t)(colour + f)};
+        fxl_face_take_indices(&tiny.faces[6 * model + f], tiny.corners, 24 * model + 4 * f);
     }
     tiny.models[model] = (fxl_model){8 * model, 8, 6 * model, 6, kind, 0, 0, TINY_RADIUS, 0};
 }
@@ -72,7 +72,8 @@ tiny_scene *tiny_make(void)
                              NULL,
                              0,
                              NULL,
-                             0};
+                             0,
+                             NULL};
     return &tiny;
 }
 

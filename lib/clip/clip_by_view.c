@@ -11,7 +11,7 @@
 /* Whether all vertices of a face are outside of the same plane. */
 static bool is_outside(const fxl_model_view *model_view, const fxl_face *face)
 {
-    const uint16_t *index = model_view->indices + face->first_index;
+    const uint16_t *index = fxl_face_indices(model_view->indices, face);
     uint32_t of_all = FXL_PLANES_ALL;
     for (const uint16_t *end = index + face->count; index < end && of_all != 0; index++) {
         of_all &= fxl_fetch_vertex(model_view, *index)->clip_flags;
@@ -24,7 +24,7 @@ static bool is_outside(const fxl_model_view *model_view, const fxl_face *face)
 fxl_clip_result fxl_clip_by_view(const fxl_model_view *model_view, const fxl_face *face,
                                  fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
-    const uint16_t *index = model_view->indices + face->first_index;
+    const uint16_t *index = fxl_face_indices(model_view->indices, face);
     fxl_screen_point *point = screen->points;
     uint32_t of_any = 0, of_all = UINT32_MAX;
     for (const uint16_t *end = index + face->count; index < end; index++, point++) {
@@ -67,7 +67,7 @@ fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_f
                                    fxl_clipper_work *workspace, fxl_screen_polygon *screen)
 {
     fxl_clip_view_work *work = &workspace->by_view;
-    const uint16_t *indices = model_view->indices + face->first_index;
+    const uint16_t *indices = fxl_face_indices(model_view->indices, face);
     const fxl_view *view = model_view->view;
     fxl_view_polygon *assembled = &work->polygons[0];
     const fxl_view_polygon *clipped;

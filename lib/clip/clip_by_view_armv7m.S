@@ -36,11 +36,14 @@ flags   .req r12
 fxl_clip_by_view:
     push    {r0-r12, lr}
     ldm     r0, {r4-r9}                     /* view, entries, mask, tag, -, indices */
-    ldr     r2, [r1, #FACE_FIRST_INDEX]
     ldrb    count, [r1, #FACE_COUNT]
     adds    r4, r4, #VIEW_PROJECTION
     str     r4, [sp, #AT_PROJECTION]
-    add     index, index, r2, lsl #1
+    cmp     count, #3
+    itte    ne
+    ldrne   r2, [r1, #FACE_INDICES + 2]     /* the number of the first one */
+    addne   index, index, r2, lsl #1
+    addeq   index, r1, #FACE_INDICES
     add     point, r3, #SCREEN_POLYGON_POINTS
     mov     of_any, #0
     mvn     of_all, #0

@@ -49,7 +49,7 @@ static inline const fxl_view_point *first_corner(const fxl_model_view *model_vie
                                                  const fxl_traversal *traversal,
                                                  fxl_cached_vertex *other)
 {
-    const uint32_t number = model_view->indices[face->first_index];
+    const uint32_t number = face->indices[0];
     if (traversal->clipper->by_clip_flags) {
         return &fxl_fetch_vertex(model_view, number)->position;
     }

@@ -34,13 +34,8 @@ static int32_t turn_middle(const fxl_direction *row, const fxl_point *box, fxl_q
 static fxl_point box_of(const fxl_scene *scene, const fxl_model *model, const fxl_face *face)
 {
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
-    const uint16_t *indices = &scene->indices[face->first_index];
-    uint32_t count = face->count;
-    if (face->whole_count != 0) {
-        indices += count;
-        count = face->whole_count;
-    }
-    return fxl_face_box(vertices, indices, count);
+    const fxl_face_outline outline = fxl_whole_face(scene, face);
+    return fxl_face_box(vertices, outline.indices, outline.count);
 }
 
 /* A face of an instance in the world. Coordinates are within FXL_COORDINATE_MAX, so doubled ones
@@ -107,10 +102,10 @@ static uint8_t shade(const fxl_shader *shader, const fxl_traversal *traversal,
 fxl_status fxl_attach_light(fxl_renderer *renderer, fxl_light *light,
                             const fxl_light_settings *settings)
 {
-    static const fxl_shader_code of_table = {
-        reaches, fxl_submit_coloured_face, NULL, colour, NULL, NULL};
-    static const fxl_shader_code of_mixed = {
-        reaches, fxl_submit_coloured_face, NULL, shade, NULL, NULL};
+    static const fxl_shader_code of_table = {reaches, fxl_submit_coloured_face, NULL, colour, NULL,
+                                             NULL};
+    static const fxl_shader_code of_mixed = {reaches, fxl_submit_coloured_face, NULL, shade, NULL,
+                                             NULL};
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }

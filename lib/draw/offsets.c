@@ -60,9 +60,9 @@ AT(fxl_screen_polygon, count, SCREEN_POLYGON_COUNT);
 AT(fxl_screen_polygon, points, SCREEN_POLYGON_POINTS);
 
 AT(fxl_face, normal, FACE_NORMAL);
-AT(fxl_face, first_index, FACE_FIRST_INDEX);
 AT(fxl_face, count, FACE_COUNT);
 AT(fxl_face, material, FACE_MATERIAL);
+AT(fxl_face, indices, FACE_INDICES);
 SIZE(fxl_face, FACE_SIZE);
 
 AT(fxl_face_bounds, height_low, FACE_BOUNDS_HEIGHT_LOW);

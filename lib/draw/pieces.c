@@ -18,12 +18,13 @@ void fxl_pieces_begin(fxl_pieces *pieces, const fxl_traversal *traversal)
 bool fxl_submit_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t count, uint8_t colour)
 {
     const fxl_traversal *traversal = pieces->traversal;
-    const fxl_face face = {.count = (uint8_t)count, .material = colour};
+    fxl_face face = {.material = colour};
     fxl_model_view model_view;
     FXL_ASSERT(count >= 3 && count <= FXL_POLYGON_CAPACITY);
     fxl_model_view_of_polygon(&model_view, points, &traversal->renderer->frame.view,
                               &traversal->workspace->cache);
     model_view.planes = pieces->planes;
+    fxl_set_face_of_points(&face, count);
     pieces->outcome |= fxl_submit_polygons(&model_view, &face, traversal);
     return pieces->outcome < FXL_OUTCOME_FULL;
 }
@@ -79,7 +80,7 @@ bool fxl_submit_split_face(const fxl_model_view *model_view, const fxl_face *fac
                            const fxl_traversal *traversal, const fxl_shader *shader)
 {
     const fxl_point *eye = &model_view->view->camera.position;
-    const uint16_t *corners = model_view->indices + face->first_index;
+    const uint16_t *corners = fxl_face_indices(model_view->indices, face);
     fxl_point *points = traversal->workspace->work.points;
     fxl_pieces pieces;
     for (uint32_t i = 0; i < face->count; i++) {

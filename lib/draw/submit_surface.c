@@ -4,6 +4,7 @@
 #include "../paint/gradients.h"
 #include "../paint/segments.h"
 #include "../paint/texture_level.h"
+#include "../scene/face_bounds.h"
 #include "../view/model_view.h"
 #include "renderer.h"
 #include "submit.h"
@@ -76,11 +77,12 @@ static fxl_q18_46 nearest_depth(const fxl_model_view *model_view, const fxl_face
 {
     const fxl_q18_46 nearer = z[0] < z[1] ? z[0] : z[1];
     fxl_q18_46 nearest = nearer < z[2] ? nearer : z[2];
-    const uint16_t *indices = model_view->indices + face->first_index;
-    uint32_t count = has_others ? face->count : 0;
-    if (has_others && face->whole_count != 0) {
-        indices += count;
-        count = face->whole_count;
+    const uint16_t *indices = NULL;
+    uint32_t count = 0;
+    if (has_others) {
+        const fxl_face_outline outline = fxl_whole_face(traversal->renderer->scene, face);
+        indices = outline.indices;
+        count = outline.count;
     }
     for (uint32_t i = 0; i < count; i++) {
         if (indices[i] != corners[0]->vertex && indices[i] != corners[1]->vertex &&
@@ -299,11 +301,12 @@ static bool submit_piece(fxl_pieces *pieces, const fxl_mapped_surface *of, const
                          uint32_t count)
 {
     const fxl_traversal *traversal = pieces->traversal;
-    const fxl_face piece = {.count = (uint8_t)count, .material = pieces->face->material};
+    fxl_face piece = {.material = pieces->face->material};
     fxl_model_view model_view;
     fxl_model_view_of_polygon(&model_view, points, &traversal->renderer->frame.view,
                               &traversal->workspace->cache);
     model_view.planes = pieces->planes;
+    fxl_set_face_of_points(&piece, count);
     pieces->outcome |= of->surfaces->painter->submit_piece(of, &model_view, &piece, traversal);
     return pieces->outcome < FXL_OUTCOME_FULL;
 }

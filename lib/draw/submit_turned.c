@@ -28,9 +28,8 @@ static bool face_is_front(const fxl_scene *scene, uint32_t number, const fxl_fac
     const fxl_point *vertices = &scene->vertices[model_of(scene, number)->first_vertex];
     fxl_point from_eye;
     fxl_subtract(&scene->instances[number].centre, eye, &from_eye);
-    return fxl_placement_is_front(
-        fxl_placement_of(scene, number), &from_eye, &face->normal,
-        fxl_face_height(vertices, &scene->indices[face->first_index], face));
+    return fxl_placement_is_front(fxl_placement_of(scene, number), &from_eye, &face->normal,
+                                  fxl_face_height(vertices, face));
 }
 
 static fxl_point place_vertex(const fxl_scene *scene, uint32_t number, uint32_t vertex)
@@ -46,7 +45,7 @@ static fxl_point place_vertex(const fxl_scene *scene, uint32_t number, uint32_t 
 static void place_face(const fxl_scene *scene, uint32_t number, const fxl_face *face,
                        fxl_point *points)
 {
-    const uint16_t *indices = &scene->indices[face->first_index];
+    const uint16_t *indices = fxl_face_indices(scene->indices, face);
     FXL_ASSERT(face->count >= 3 && face->count <= FXL_FACE_VERTICES_MAX);
     for (uint32_t i = 0; i < face->count; i++) {
         points[i] = place_vertex(scene, number, indices[i]);

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../scene/face_bounds.h"
 #include "../view/model_view.h"
 #include "../view/outcode.h"
 #include "../view/project.h"
@@ -225,15 +226,16 @@ static inline void begin_box(screen_box *box, const fxl_screen_point *a, const f
 /* The corners of a triangle whose vertices are the given ones, where the clipper has projected all
  * of them, and they are in the cache: mostly. */
 static inline bool find_projected(const fxl_model_view *model_view, const fxl_face *face,
-                                  const fxl_corner *const of[3], fxl_screen_corners *corners)
+                                  const fxl_corner *const of[3], const fxl_scene *scene,
+                                  fxl_screen_corners *corners)
 {
     screen_box box;
-    const uint16_t *indices = model_view->indices + face->first_index;
+    const uint16_t *indices = face->indices;
     const fxl_cached_vertex *entries = model_view->entries;
     const uint32_t mask = model_view->mask, tag = model_view->tag;
     const uint32_t a = of[0]->vertex, b = of[1]->vertex, c = of[2]->vertex;
-    if (face->count != 3 || face->whole_count != 0 || indices[0] != a || indices[1] != b ||
-        indices[2] != c) {
+    if (face->count != 3 || indices[0] != a || indices[1] != b || indices[2] != c ||
+        fxl_is_part(scene, face)) {
         return false;
     }
     const fxl_cached_vertex *first = &entries[a & mask], *second = &entries[b & mask];
@@ -269,14 +271,11 @@ static __attribute__((noinline)) bool
 find_corners(const fxl_model_view *model_view, const fxl_face *face, const fxl_corner *const of[3],
              const fxl_traversal *traversal, fxl_screen_corners *corners)
 {
-    const uint16_t *indices = model_view->indices + face->first_index;
+    const fxl_face_outline outline = fxl_whole_face(traversal->renderer->scene, face);
+    const uint16_t *indices = outline.indices;
+    const uint32_t count = outline.count;
     const uint16_t vertices[3] = {of[0]->vertex, of[1]->vertex, of[2]->vertex};
-    uint32_t count = face->count;
     screen_box box;
-    if (face->whole_count != 0) {
-        indices += count;
-        count = face->whole_count;
-    }
     for (uint32_t i = 0; i < 3; i++) {
         if (vertices[i] != indices[i] && !has_vertex(indices, count, vertices[i])) {
             return false;
@@ -309,7 +308,7 @@ bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *f
                              fxl_screen_corners *corners)
 {
     if (!FXL_IS_COMPACT && traversal->clipper->by_clip_flags &&
-        find_projected(model_view, face, of, corners)) {
+        find_projected(model_view, face, of, traversal->renderer->scene, corners)) {
         return true;
     }
     return find_corners(model_view, face, of, traversal, corners);

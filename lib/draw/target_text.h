@@ -229,7 +229,7 @@ static inline void find_depth(const fxl_model_view *model_view, const fxl_face *
 {
     const fxl_view *view = model_view->view;
     if (!FXL_IS_COMPACT && traversal->clipper->by_clip_flags && view->lens.off_centre == NULL) {
-        const uint32_t number = model_view->indices[face->first_index];
+        const uint32_t number = face->indices[0];
         fxl_find_depth_plane(&face->normal, model_view->axes,
                              &fxl_fetch_vertex(model_view, number)->position, view, plane);
         return;
@@ -364,13 +364,14 @@ static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *
                   const fxl_point *points, uint32_t count)
 {
     const fxl_traversal *traversal = pieces->traversal;
+    fxl_face piece = *face;
     fxl_model_view model_view;
     (void)shader;
-    (void)count;
+    fxl_set_face_of_points(&piece, count);
     fxl_model_view_of_polygon(&model_view, points, &traversal->renderer->frame.view,
                               &traversal->workspace->cache);
     model_view.planes = pieces->planes;
-    pieces->outcome |= submit_polygons(&model_view, face, traversal);
+    pieces->outcome |= submit_polygons(&model_view, &piece, traversal);
     return pieces->outcome < FXL_OUTCOME_FULL;
 }
 

@@ -52,7 +52,7 @@ static inline void fxl_place_face(fxl_face_place *place, const fxl_scene *scene,
         place->normal = turned->normal(scene, at, face);
     } else {
         place->vertices = &scene->vertices[model->first_vertex];
-        place->indices = &scene->indices[face->first_index];
+        place->indices = fxl_face_indices(scene->indices, face);
         place->centre = instance->centre;
         place->normal = face->normal;
     }

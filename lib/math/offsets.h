@@ -54,11 +54,11 @@
 #define SCREEN_POLYGON_POINTS 4
 
 /* fxl_face */
-#define FACE_NORMAL      0
-#define FACE_FIRST_INDEX 12
-#define FACE_COUNT       16
-#define FACE_MATERIAL    17
-#define FACE_SIZE        20
+#define FACE_NORMAL   0
+#define FACE_COUNT    12
+#define FACE_MATERIAL 13
+#define FACE_INDICES  14
+#define FACE_SIZE     20
 
 /* fxl_face_bounds */
 #define FACE_BOUNDS_HEIGHT_LOW  0

@@ -114,7 +114,7 @@ static bool take_faces(fxl_bsp_cutter *cutter, const fxl_instance *instance, con
         if (turned != NULL) {
             turned->place_face(scene, number, face, points);
         } else {
-            place_face(vertices, &scene->indices[face->first_index], face, instance, points);
+            place_face(vertices, fxl_face_indices(scene->indices, face), face, instance, points);
         }
         for (uint32_t k = 0; k < face->count; k++) {
             if (!append(cutter, &outline, new_vertex(cutter, &points[k], i))) {

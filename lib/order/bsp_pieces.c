@@ -90,7 +90,7 @@ static fxl_outcome outcome_of_turned(const fxl_placement_code *turned, const fxl
     fxl_model_view_of_polygon(&model_view, points, &traversal->renderer->frame.view,
                               &traversal->workspace->cache);
     model_view.planes = entry->instance.planes;
-    whole.first_index = 0;
+    fxl_set_face_of_points(&whole, face->count);
     return outcome_of(&model_view, &whole, traversal);
 }
 

@@ -96,7 +96,7 @@ static void place_face(const fxl_scene *scene, uint32_t number, const fxl_face *
         return;
     }
     for (uint32_t k = 0; k < face->count; k++) {
-        const fxl_point *vertex = &vertices[scene->indices[face->first_index + k]];
+        const fxl_point *vertex = &vertices[fxl_face_indices(scene->indices, face)[k]];
         points[k].x = instance->centre.x + vertex->x;
         points[k].y = instance->centre.y + vertex->y;
         points[k].z = instance->centre.z + vertex->z;

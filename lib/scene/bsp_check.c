@@ -61,7 +61,7 @@ static bool lies_on(const fxl_scene *scene, const fxl_model *model, const fxl_fa
 {
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
     for (uint32_t i = 0; i < face->count; i++) {
-        const fxl_point *vertex = &vertices[scene->indices[face->first_index + i]];
+        const fxl_point *vertex = &vertices[fxl_face_indices(scene->indices, face)[i]];
         int64_t height = fxl_dot(&node->normal, vertex->x, vertex->y, vertex->z);
         if (!fxl_within(height - fxl_bsp_distance(node),
                         (int64_t)FXL_BSP_PLANARITY_MAX * FXL_Q2_30_ONE)) {
@@ -106,7 +106,7 @@ static bool sphere_holds(const fxl_scene *scene, const fxl_model *model, uint32_
     for (uint32_t j = 0; j < node->face_count; j++) {
         const fxl_face *face = &scene->faces[model->first_face + node->first_face + j];
         for (uint32_t i = 0; i < face->count; i++) {
-            const fxl_point *vertex = &vertices[scene->indices[face->first_index + i]];
+            const fxl_point *vertex = &vertices[fxl_face_indices(scene->indices, face)[i]];
             if (square_between(vertex, &node->centre) > square(node->radius)) {
                 return false;
             }

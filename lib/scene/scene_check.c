@@ -25,7 +25,7 @@ static FXL_COLD fxl_status check_counts(const fxl_scene *scene, fxl_scene_fault 
     if (!count_in(scene->vertex_count, 3, FXL_SCENE_VERTICES_MAX)) {
         return fxl_fault_at(fault, "vertex table", 0, FXL_E_COUNT);
     }
-    if (!count_in(scene->index_count, 3, FXL_SCENE_INDICES_MAX)) {
+    if (scene->index_count > FXL_SCENE_INDICES_MAX) {
         return fxl_fault_at(fault, "index table", 0, FXL_E_COUNT);
     }
     if (!count_in(scene->face_count, 1, FXL_SCENE_FACES_MAX)) {
@@ -40,25 +40,48 @@ static FXL_COLD fxl_status check_counts(const fxl_scene *scene, fxl_scene_fault 
     return FXL_OK;
 }
 
+static bool holds_indices(const fxl_scene *scene, uint32_t first, uint32_t count)
+{
+    return first <= scene->index_count && count <= scene->index_count - first;
+}
+
+/* Whether the scene has the indices of a face that is no triangle, of which it has the first. */
+static bool is_listed(const fxl_scene *scene, const fxl_face *face)
+{
+    const uint32_t first = fxl_face_first_index(face);
+    return holds_indices(scene, first, face->count) && scene->indices[first] == face->indices[0];
+}
+
 /* formats 1.5 */
 static FXL_COLD fxl_status check_faces(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     for (uint32_t i = 0; i < scene->face_count; i++) {
         const fxl_face *face = &scene->faces[i];
+        const uint32_t whole = scene->wholes != NULL ? scene->wholes[i] : 0;
         if (!count_in(face->count, 3, FXL_SCENE_FACE_VERTICES_MAX) ||
-            (face->whole_count != 0 &&
-             !count_in(face->whole_count, 3, FXL_SCENE_FACE_VERTICES_MAX))) {
+            (whole != 0 && !count_in(fxl_whole_count(whole), 3, FXL_SCENE_FACE_VERTICES_MAX))) {
             return fxl_fault_at(fault, "face", i, FXL_E_COUNT);
         }
         if (face->count > FXL_FACE_VERTICES_MAX) {
             return fxl_fault_at(fault, "face", i, FXL_E_CAPACITY);
         }
-        if (face->first_index > scene->index_count ||
-            (uint32_t)face->count + face->whole_count > scene->index_count - face->first_index) {
+        if ((face->count != 3 && !is_listed(scene, face)) ||
+            !holds_indices(scene, fxl_whole_first(whole), fxl_whole_count(whole))) {
             return fxl_fault_at(fault, "face", i, FXL_E_INDEX);
         }
     }
     return FXL_OK;
+}
+
+/* Whether a model has the vertices of a face or of a whole face. */
+static bool has_vertices(const fxl_model *model, const uint16_t *indices, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        if (indices[i] >= model->vertex_count) {
+            return false;
+        }
+    }
+    return true;
 }
 
 static FXL_COLD fxl_status check_indices(const fxl_scene *scene, const fxl_model *model,
@@ -66,11 +89,10 @@ static FXL_COLD fxl_status check_indices(const fxl_scene *scene, const fxl_model
 {
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
-        const uint32_t count = (uint32_t)face->count + face->whole_count;
-        for (uint32_t corner = 0; corner < count; corner++) {
-            if (scene->indices[face->first_index + corner] >= model->vertex_count) {
-                return fxl_fault_at(fault, "face", model->first_face + i, FXL_E_INDEX);
-            }
+        const fxl_face_outline whole = fxl_whole_face(scene, face);
+        if (!has_vertices(model, fxl_face_indices(scene->indices, face), face->count) ||
+            !has_vertices(model, whole.indices, whole.count)) {
+            return fxl_fault_at(fault, "face", model->first_face + i, FXL_E_INDEX);
         }
     }
     return FXL_OK;
@@ -219,9 +241,9 @@ static FXL_COLD fxl_status check_radii(const fxl_scene *scene, fxl_scene_fault *
 static bool is_flat(const fxl_scene *scene, const fxl_model *model, const fxl_face *face)
 {
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
-    const fxl_point *first = &vertices[scene->indices[face->first_index]];
+    const fxl_point *first = &vertices[face->indices[0]];
     for (uint32_t i = 1; i < face->count; i++) {
-        const fxl_point *vertex = &vertices[scene->indices[face->first_index + i]];
+        const fxl_point *vertex = &vertices[fxl_face_indices(scene->indices, face)[i]];
         int64_t height = (int64_t)face->normal.x * ((int64_t)vertex->x - first->x) +
                          (int64_t)face->normal.y * ((int64_t)vertex->y - first->y) +
                          (int64_t)face->normal.z * ((int64_t)vertex->z - first->z);
@@ -255,10 +277,10 @@ static bool face_bounds_match(const fxl_scene *scene, const fxl_model *model, co
                               const fxl_face_bounds *key)
 {
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
-    const uint16_t *indices = &scene->indices[face->first_index];
+    const uint16_t *indices = fxl_face_indices(scene->indices, face);
     fxl_point box = fxl_face_box(vertices, indices, face->count);
-    return fxl_face_bounds_height(key) == fxl_face_height(vertices, indices, face) &&
-           key->box_x == box.x && key->box_y == box.y && key->box_z == box.z;
+    return fxl_face_bounds_height(key) == fxl_face_height(vertices, face) && key->box_x == box.x &&
+           key->box_y == box.y && key->box_z == box.z;
 }
 
 /* Sorted models take the face bounds in turn. */
@@ -308,10 +330,11 @@ static uint32_t draw_list_needed(const fxl_scene *scene)
 /* Whether every table begins where its records may; a null one does. */
 static bool is_aligned(const fxl_scene *scene)
 {
-    const uintptr_t words =
-        (uintptr_t)scene->vertices | (uintptr_t)scene->faces | (uintptr_t)scene->models |
-        (uintptr_t)scene->instances | (uintptr_t)scene->face_bounds | (uintptr_t)scene->bsp_nodes |
-        (uintptr_t)scene->beams | (uintptr_t)scene->clusters | (uintptr_t)scene->placements;
+    const uintptr_t words = (uintptr_t)scene->vertices | (uintptr_t)scene->faces |
+                            (uintptr_t)scene->models | (uintptr_t)scene->instances |
+                            (uintptr_t)scene->face_bounds | (uintptr_t)scene->bsp_nodes |
+                            (uintptr_t)scene->beams | (uintptr_t)scene->clusters |
+                            (uintptr_t)scene->placements | (uintptr_t)scene->wholes;
     return (words & (FXL_WORD - 1)) == 0 && fxl_is_aligned(scene->indices, sizeof(uint16_t));
 }
 
@@ -322,8 +345,9 @@ FXL_COLD fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *faul
         check_counts,   check_faces, check_models,  check_instances,   check_placed_vertices,
         check_vertices, check_radii, check_normals, check_face_bounds, check_placements,
     };
-    if (scene == NULL || scene->vertices == NULL || scene->indices == NULL ||
-        scene->faces == NULL || scene->models == NULL || scene->instances == NULL) {
+    if (scene == NULL || scene->vertices == NULL ||
+        (scene->indices == NULL && scene->index_count != 0) || scene->faces == NULL ||
+        scene->models == NULL || scene->instances == NULL) {
         return fxl_fault_at(fault, "scene", 0, FXL_E_ARGUMENT);
     }
     if (!is_aligned(scene)) {

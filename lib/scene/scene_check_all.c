@@ -42,11 +42,12 @@ static bool box_holds(const fxl_point *low, const fxl_point *high, const fxl_poi
  * world wherever an instance of the model lies. */
 static bool centre_is_among(const cluster_faces *in)
 {
-    fxl_point low = in->vertices[in->indices[in->faces[0].first_index]];
+    fxl_point low = in->vertices[in->faces[0].indices[0]];
     fxl_point high = low;
     for (uint32_t i = 0; i < in->cluster->face_count; i++) {
         for (uint32_t corner = 0; corner < in->faces[i].count; corner++) {
-            const fxl_point *vertex = &in->vertices[in->indices[in->faces[i].first_index + corner]];
+            const fxl_point *vertex =
+                &in->vertices[fxl_face_indices(in->indices, &in->faces[i])[corner]];
             fxl_widen(vertex->x, &low.x, &high.x);
             fxl_widen(vertex->y, &low.y, &high.y);
             fxl_widen(vertex->z, &low.z, &high.z);
@@ -64,7 +65,8 @@ static bool sphere_holds(const cluster_faces *in)
     const uint64_t most = (uint64_t)((int64_t)in->cluster->radius * in->cluster->radius);
     for (uint32_t i = 0; i < in->cluster->face_count; i++) {
         for (uint32_t corner = 0; corner < in->faces[i].count; corner++) {
-            const fxl_point *vertex = &in->vertices[in->indices[in->faces[i].first_index + corner]];
+            const fxl_point *vertex =
+                &in->vertices[fxl_face_indices(in->indices, &in->faces[i])[corner]];
             const int64_t x = (int64_t)vertex->x - centre->x, y = (int64_t)vertex->y - centre->y,
                           z = (int64_t)vertex->z - centre->z;
             if ((uint64_t)(x * x) + (uint64_t)(y * y) + (uint64_t)(z * z) > most) {
@@ -100,7 +102,7 @@ static bool faces_away(const cluster_faces *in, const fxl_face *face)
     const int64_t across =
         dot_units(&cluster->axis, &cluster->axis) - (int64_t)((uint64_t)cluster->cutoff << 28);
     return fxl_dot(&face->normal, apex->x, apex->y, apex->z) <=
-               fxl_face_height(in->vertices, &in->indices[face->first_index], face) &&
+               fxl_face_height(in->vertices, face) &&
            along >= 0 && along * along >= across + (across >> 28) + 1;
 }
 

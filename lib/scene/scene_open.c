@@ -107,6 +107,7 @@ static void open_geometry(const fxl_image_header *head, fxl_scene *scene)
     scene->indices = (const uint16_t *)first_of(head, SECTION_INDICES);
     scene->index_count = count_of(head, SECTION_INDICES);
     scene->faces = (const fxl_face *)first_of(head, SECTION_FACES);
+    scene->wholes = (const uint32_t *)first_of(head, SECTION_WHOLE_FACES);
     scene->face_count = count_of(head, SECTION_FACES);
     scene->models = (const fxl_model *)first_of(head, SECTION_MODELS);
     scene->model_count = count_of(head, SECTION_MODELS);

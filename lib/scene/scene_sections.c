@@ -162,7 +162,7 @@ static FXL_COLD fxl_status check_presence(const fxl_image_header *head, fxl_scen
          {SECTION_BILLBOARDS, SECTION_BILLBOARD_MAP, SECTION_SPRITE_PIXELS, 0}},
     };
     for (uint32_t kind = SECTION_PALETTE; kind <= SECTION_INSTANCES; kind++) {
-        if (count_of(head, kind) == 0) {
+        if (kind != SECTION_INDICES && count_of(head, kind) == 0) {
             return missing(kind, fault);
         }
     }
@@ -200,6 +200,10 @@ static FXL_COLD fxl_status check_counts(const fxl_image_header *head, fxl_scene_
     if (count_of(head, SECTION_FACE_MAP) != 0 &&
         count_of(head, SECTION_FACE_MAP) != count_of(head, SECTION_FACES)) {
         return missing(SECTION_FACE_MAP, fault);
+    }
+    if (count_of(head, SECTION_WHOLE_FACES) != 0 &&
+        count_of(head, SECTION_WHOLE_FACES) != count_of(head, SECTION_FACES)) {
+        return missing(SECTION_WHOLE_FACES, fault);
     }
     if (count_of(head, SECTION_BILLBOARD_MAP) != 0 &&
         count_of(head, SECTION_BILLBOARD_MAP) != count_of(head, SECTION_MODELS)) {

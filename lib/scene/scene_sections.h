@@ -41,7 +41,8 @@ enum {
     SECTION_BILLBOARD_MAP = 29,
     SECTION_SPRITE_PIXELS = 30,
     SECTION_LENS_CENTRE = 31,
-    SECTION_KINDS = 32 /* one more than the greatest */
+    SECTION_WHOLE_FACES = 32,
+    SECTION_KINDS = 33 /* one more than the greatest */
 };
 
 /* Of each kind: bytes of an entry, whether a reader that does not know it must refuse the image, the most
@@ -77,7 +78,8 @@ enum {
     {32, 1, FXL_SCENE_TABLE_MAX, "billboard table"},     \
     {2, 1, FXL_SCENE_MODELS_MAX, "billboard map"},       \
     {1, 1, FXL_SCENE_IMAGE_MAX, "sprite pixels"},        \
-    {8, 1, 1, "lens centre"},
+    {8, 1, 1, "lens centre"},                            \
+    {4, 1, FXL_SCENE_FACES_MAX, "whole face table"},
 
 FXL_STATIC_ASSERT(FXL_SCENE_VERTICES_MAX == 1000000, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(FXL_SCENE_INDICES_MAX == 4000000, FXL_AS_DOCUMENTED);
@@ -121,10 +123,9 @@ FXL_STATIC_ASSERT(sizeof(fxl_point) == 12, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_point, x) == 0, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(sizeof(fxl_face) == 20, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_face, normal) == 0, FXL_AS_DOCUMENTED);
-FXL_STATIC_ASSERT(offsetof(fxl_face, first_index) == 12, FXL_AS_DOCUMENTED);
-FXL_STATIC_ASSERT(offsetof(fxl_face, count) == 16, FXL_AS_DOCUMENTED);
-FXL_STATIC_ASSERT(offsetof(fxl_face, material) == 17, FXL_AS_DOCUMENTED);
-FXL_STATIC_ASSERT(offsetof(fxl_face, whole_count) == 18, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(offsetof(fxl_face, count) == 12, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(offsetof(fxl_face, material) == 13, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(offsetof(fxl_face, indices) == 14, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(sizeof(fxl_model) == 28, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_model, first_vertex) == 0, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_model, kind) == 16, FXL_AS_DOCUMENTED);

@@ -64,7 +64,7 @@ static inline fxl_clip_result fxl_clip_common_whole(const fxl_model_view *model_
                                                     fxl_screen_polygon *screen,
                                                     const fxl_clip_steps *steps, unsigned stop)
 {
-    const uint16_t *indices = model_view->indices + face->first_index;
+    const uint16_t *indices = fxl_face_indices(model_view->indices, face);
     for (uint32_t i = 0; i < face->count; i++) {
         fxl_cached_vertex *vertex = steps->fetch(model_view, indices[i]);
         if ((vertex->clip_flags & stop) != 0) {
@@ -108,7 +108,7 @@ static inline fxl_clip_result fxl_clip_common_face(const fxl_model_view *model_v
     if (whole != FXL_CLIP_CUT) {
         return whole;
     }
-    const uint16_t *indices = model_view->indices + face->first_index;
+    const uint16_t *indices = fxl_face_indices(model_view->indices, face);
     fxl_varying_polygon *in = steps->input(model_view);
     const fxl_varying_polygon *clipped;
     unsigned any = 0, all = FXL_PLANES_ALL;

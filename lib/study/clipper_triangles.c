@@ -21,7 +21,7 @@ static const fxl_cached_vertex *fetch_corner(const fxl_model_view *model_view, c
                                              uint32_t corner)
 {
     fxl_cached_vertex *vertex =
-        fxl_fetch_vertex(model_view, model_view->indices[face->first_index + corner]);
+        fxl_fetch_vertex(model_view, fxl_face_indices(model_view->indices, face)[corner]);
     if (vertex->clip_flags == FXL_VERTEX_UNPROJECTED &&
         fxl_project_visible(&model_view->view->projection, &vertex->position, &vertex->screen) ==
             FXL_OK) {

@@ -10,7 +10,7 @@ bool fxl_face_is_front(const fxl_scene *scene, const fxl_instance *instance, con
                        const fxl_point *eye)
 {
     uint32_t first_vertex = scene->models[instance->model].first_vertex;
-    const fxl_point *vertex = &scene->vertices[first_vertex + scene->indices[face->first_index]];
+    const fxl_point *vertex = &scene->vertices[first_vertex + face->indices[0]];
     const fxl_point *centre = &instance->centre;
     /* The vertex in the world and the eye are within FXL_COORDINATE_MAX, so each
      * difference is below 2^30; so is eye - centre. */
@@ -33,7 +33,7 @@ bool fxl_exact_dot_is_negative(const fxl_direction *direction, int32_t x, int32_
 void fxl_face_to_polygon(const fxl_model_view *model_view, const fxl_face *face,
                          fxl_polygon *polygon)
 {
-    const uint16_t *indices = model_view->indices + face->first_index;
+    const uint16_t *indices = fxl_face_indices(model_view->indices, face);
     const fxl_point *eye = &model_view->view->camera.position;
     FXL_ASSERT(face->count >= 3 && face->count <= FXL_FACE_VERTICES_MAX);
     polygon->colour = face->material;

@@ -165,7 +165,7 @@ void fxl_face_to_polygon(const fxl_model_view *model_view, const fxl_face *face,
 static inline bool fxl_model_view_face_is_front(const fxl_model_view *model_view,
                                                 const fxl_face *face)
 {
-    fxl_point first = fxl_model_view_vertex(model_view, model_view->indices[face->first_index]);
+    fxl_point first = fxl_model_view_vertex(model_view, face->indices[0]);
     return fxl_dot_is_negative(&face->normal, first.x, first.y, first.z);
 }
 

@@ -77,7 +77,7 @@ fxl_front_faces:
     mov     end, r4
     muls    r6, r5
     movs    r3, r0
-    adds    r3, r3, #FACE_FIRST_INDEX
+    adds    r3, r3, #FACE_COUNT
     subs    r3, r3, r6
     str     r3, [sp, #FIRST]
     ldm     r2!, {r5-r7}
@@ -152,7 +152,7 @@ fxl_front_faces:
     add     r4, sp, #SMALL
     ldm     r4!, {r5-r7}
 .Lnext:
-    adds    r0, r0, #FACE_SIZE - FACE_FIRST_INDEX
+    adds    r0, r0, #FACE_SIZE - FACE_COUNT
     adds    r1, r1, #FACE_BOUNDS_SIZE
     cmp     r0, end
     bne     .Lface
@@ -168,7 +168,7 @@ fxl_front_faces:
 .Lexact:
     movs    r6, r0
     movs    r7, r1
-    subs    r0, r0, #FACE_FIRST_INDEX
+    subs    r0, r0, #FACE_COUNT
     ldr     r2, [sp, #EYE]
     bl      fxl_bounded_face_is_front
     movs    r2, r0

@@ -35,12 +35,21 @@ void fxl_model_view_of_instance(fxl_model_view *model_view, const fxl_scene *sce
                                 fxl_vertex_cache *cache);
 
 /* Sets up the model view of a polygon of the world: its vertices are points, and its face is any
- * whose first_index is 0. All entries of the cache become stale.
+ * that fxl_set_face_of_points made. All entries of the cache become stale.
  * Planes as for an instance.
  * Requires at most FXL_POLYGON_CAPACITY points, each within FXL_COORDINATE_MAX, that outlive
  * *model_view. Exact. */
 void fxl_model_view_of_polygon(fxl_model_view *model_view, const fxl_point *points,
                                const fxl_view *view, fxl_vertex_cache *cache);
+
+/* The indices of a face whose vertices are count points: 0, 1, 2, ... */
+static inline void fxl_set_face_of_points(fxl_face *face, uint32_t count)
+{
+    face->count = (uint8_t)count;
+    face->indices[0] = 0;
+    face->indices[1] = count == 3 ? 1 : 0;
+    face->indices[2] = count == 3 ? 2 : 0;
+}
 
 /* A vertex of the model relative to the eye, along the world's axes, in world units. Exact: the
  * vertex in the world and the eye are within FXL_COORDINATE_MAX, so each

@@ -94,7 +94,7 @@ static uint32_t find_front(const fxl_scene *scene, const fxl_model *model,
     const fxl_face *faces = &scene->faces[model->first_face];
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face_bounds *known = FXL_IS_SMALL && bounds != NULL ? bounds++ : NULL;
-        const uint16_t *indices = &scene->indices[faces[i].first_index];
+        const uint16_t *indices = fxl_face_indices(scene->indices, &faces[i]);
         if (known != NULL
                 ? fxl_dot(&faces[i].normal, eye->x, eye->y, eye->z) > fxl_face_bounds_height(known)
                 : is_front(&faces[i], &vertices[*indices], eye)) {
@@ -159,7 +159,7 @@ uint32_t fxl_drop_outside(const fxl_model_view *model_view, const fxl_face *face
     fxl_draw_entry *to = entries;
     for (const fxl_draw_entry *from = entries; from != end; from++) {
         const fxl_face *face = &faces[from->index];
-        const uint16_t *next = model_view->indices + face->first_index;
+        const uint16_t *next = fxl_face_indices(model_view->indices, face);
         const uint32_t left = face->count;
         uint32_t of_all = FXL_PLANES_ALL & flags_of(model_view, cached, mask, tag, *next++);
         if (of_all != 0) {

@@ -222,8 +222,7 @@ const fxl_model *fxl_turned_view_of_instance(fxl_turned_view *turned, const fxl_
 bool fxl_turned_view_is_front(const fxl_turned_view *turned, const fxl_face *face)
 {
     const fxl_model_view *model_view = &turned->model_view;
-    const fxl_q18_46 height =
-        fxl_face_height(model_view->vertices, model_view->indices + face->first_index, face);
+    const fxl_q18_46 height = fxl_face_height(model_view->vertices, face);
     return fxl_placement_is_front(turned->placement, &turned->from_eye, &face->normal, height);
 }
 
@@ -248,10 +247,9 @@ uint32_t fxl_list_turned_faces(const fxl_turned_view *turned, const fxl_scene *s
     const fxl_draw_entry *const start = entries;
     for (uint32_t i = first; i < first + count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
-        const uint16_t *indices = model_view->indices + face->first_index;
-        const fxl_q18_46 height = known != NULL
-                                      ? fxl_face_bounds_height(&known[i])
-                                      : fxl_face_height(model_view->vertices, indices, face);
+        const uint16_t *indices = fxl_face_indices(model_view->indices, face);
+        const fxl_q18_46 height = known != NULL ? fxl_face_bounds_height(&known[i])
+                                                : fxl_face_height(model_view->vertices, face);
         const int side = fxl_estimated_side((height >> turned->eye_shift) -
                                             fxl_dot(&face->normal, eye.x, eye.y, eye.z));
         if (side < 0 || (side == 0 && fxl_turned_view_is_front(turned, face))) {

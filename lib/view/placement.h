@@ -118,8 +118,7 @@ static inline bool fxl_turned_view_face_is_front(const fxl_turned_view *turned,
     const fxl_model_view *model_view = &turned->model_view;
     if (is_near) {
         /* Below 2^30: fxl_placement_eye says so. */
-        const fxl_point first =
-            fxl_model_view_vertex(model_view, model_view->indices[face->first_index]);
+        const fxl_point first = fxl_model_view_vertex(model_view, face->indices[0]);
         const int side = fxl_estimated_side(fxl_dot(&face->normal, first.x, first.y, first.z));
         if (side != 0) {
             return side < 0;

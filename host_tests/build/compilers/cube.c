@@ -13,9 +13,10 @@ static const fxl_point vertices[] = {{-U, -U, -U}, {U, -U, -U}, {U, U, -U}, {-U,
                                      {-U, -U, U},  {U, -U, U},  {U, U, U},  {-U, U, U}};
 static const uint16_t indices[] = {0, 3, 2, 1, 5, 6, 7, 4, 4, 7, 3, 0,
                                    1, 2, 6, 5, 3, 7, 6, 2, 4, 0, 1, 5};
-static const fxl_face faces[] = {{{0, 0, -N}, 0, 4, '.', 0}, {{0, 0, N}, 4, 4, 'b', 0},
-                                 {{-N, 0, 0}, 8, 4, 'l', 0}, {{N, 0, 0}, 12, 4, '#', 0},
-                                 {{0, N, 0}, 16, 4, '-', 0}, {{0, -N, 0}, 20, 4, 'u', 0}};
+static const fxl_face faces[] = {
+    {{0, 0, -N}, 4, '.', FXL_INDICES_AT(0, 0)}, {{0, 0, N}, 4, 'b', FXL_INDICES_AT(5, 4)},
+    {{-N, 0, 0}, 4, 'l', FXL_INDICES_AT(4, 8)}, {{N, 0, 0}, 4, '#', FXL_INDICES_AT(1, 12)},
+    {{0, N, 0}, 4, '-', FXL_INDICES_AT(3, 16)}, {{0, -N, 0}, 4, 'u', FXL_INDICES_AT(4, 20)}};
 static const fxl_model models[] = {{0, 8, 0, 6, FXL_MODEL_CONVEX, 0, 0, 2 * U, 0}};
 static const fxl_instance instances[] = {{{0, 0, 0}, 0, 0, 0}};
 

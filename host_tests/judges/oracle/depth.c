@@ -42,8 +42,8 @@ int depth_sample_read(const oracle_input *input, depth_sample *sample)
         (&sample->corners[(i - DEPTH_CORNERS) / 3].x)[(i - DEPTH_CORNERS) % 3] = (int32_t)n[i];
     }
     for (int i = 0; i < DEPTH_FACES; i++) {
-        sample->faces[i] = (fxl_face){oracle_triangle_normal(&sample->corners[3 * i]),
-                                      (uint32_t)(3 * i), 3, (uint8_t)(i + 1), 0};
+        sample->faces[i] = (fxl_face){
+            oracle_triangle_normal(&sample->corners[3 * i]), 3, (uint8_t)(i + 1), {0, 1, 2}};
         sample->models[i] = (fxl_model){.first_vertex = (uint32_t)(3 * i),
                                         .vertex_count = 3,
                                         .first_face = (uint32_t)i,

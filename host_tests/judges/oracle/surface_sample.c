@@ -78,7 +78,7 @@ int surface_sample_read(const oracle_input *input, surface_sample *sample)
         }
         sample->indices[i] = (uint16_t)i;
     }
-    sample->face = (fxl_face){oracle_triangle_normal(sample->corners), 0, 3, 7, 0};
+    sample->face = (fxl_face){oracle_triangle_normal(sample->corners), 3, 7, {0, 1, 2}};
     sample->model = (fxl_model){
         .vertex_count = 3, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = FXL_RADIUS_MAX};
     sample->instance = (fxl_instance){{0, 0, 0}, 0, 0, 0};

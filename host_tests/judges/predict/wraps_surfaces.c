@@ -2,6 +2,7 @@
 /* Counts of light, and of surfaces: those that are found, listed and read, and how their rows are
  * painted. */
 #include "draw/surface_polygon.h"
+#include "scene/face_bounds.h"
 #include "draw/submit.h"
 #include "paint/colour_run.h"
 #include "paint/corner_colours.h"
@@ -64,8 +65,7 @@ WRAPPED(bool, fxl_find_screen_corners,
         (const fxl_model_view *model_view, const fxl_face *face, const fxl_corner *const of[3],
          const fxl_traversal *traversal, fxl_screen_corners *corners))
 {
-    const uint32_t count = face->whole_count != 0 ? face->whole_count : face->count;
-    counted.corners_on_screen += count;
+    counted.corners_on_screen += fxl_whole_face(traversal->renderer->scene, face).count;
     return __real_fxl_find_screen_corners(model_view, face, of, traversal, corners);
 }
 

@@ -24,7 +24,7 @@ enum {
 typedef struct reader {
     const char *path;
     file_block image;
-    table vertices, corners, faces, models, instances;
+    table vertices, corners, faces, wholes, models, instances;
     play_tables play;
     light_tables light;
     scene_names names;
@@ -99,6 +99,7 @@ static void open_image(reader *r, const char *path)
     r->vertices = sections[KIND_VERTICES];
     r->corners = sections[KIND_INDICES];
     r->faces = sections[KIND_FACES];
+    r->wholes = sections[KIND_WHOLE_FACES];
     r->models = sections[KIND_MODELS];
     r->instances = sections[KIND_INSTANCES];
     r->play.instances = r->instances.at;
@@ -120,24 +121,36 @@ static const uint8_t *model_of(const reader *r, const uint8_t *instance)
     return entry_of(r, r->models, get_u16(instance + 12), MODEL, "model");
 }
 
-/* Vertex i of the indices of a face. */
+/* The vertex of a model that an index at a place names. */
+static vector vertex_at(const reader *r, const uint8_t *model, const uint8_t *index)
+{
+    return point_at(
+        entry_of(r, r->vertices, (uint64_t)get_u16(index) + get_u32(model), VERTEX, "vertex"));
+}
+
+/* Vertex i of a face: a triangle has its indices in its record. */
 static vector vertex_of(const reader *r, const uint8_t *model, const uint8_t *face, uint32_t i)
 {
-    uint64_t corner = (uint64_t)get_u32(face + 12) + i;
-    uint64_t vertex = get_u16(entry_of(r, r->corners, corner, CORNER, "index"));
-    vertex += get_u32(model);
-    return point_at(entry_of(r, r->vertices, vertex, VERTEX, "vertex"));
+    return vertex_at(r, model,
+                     face[12] == 3 ? face + 14 + 2 * i
+                                   : entry_of(r, r->corners, (uint64_t)get_u32(face + 16) + i,
+                                              CORNER, "index"));
 }
 
 /* The middle of the bounding box of a face, of a part that of the whole face. */
 static vector middle_of(const reader *r, const uint8_t *model, const uint8_t *face)
 {
-    const uint32_t own = face[16], whole = get_u16(face + 18);
-    if (whole == 1 || whole == 2)
-        unusable("%s: a whole face of %u vertices", r->path, whole);
+    const uint64_t number = (uint64_t)(face - r->faces.at) / FACE;
+    const uint32_t part =
+        r->wholes.count ? get_u32(entry_of(r, r->wholes, number, 4, "whole face")) : 0;
+    const uint32_t count = part ? part % 32 : face[12];
+    if (count < 3)
+        unusable("%s: a whole face of %u vertices", r->path, count);
     vector low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
-    for (uint32_t i = whole ? own : 0; i < own + whole; i++) {
-        const vector at = vertex_of(r, model, face, i);
+    for (uint32_t i = 0; i < count; i++) {
+        const vector at =
+            part ? vertex_at(r, model, entry_of(r, r->corners, part / 32 + i, CORNER, "index"))
+                 : vertex_of(r, model, face, i);
         low = (vector){fmin(low.x, at.x), fmin(low.y, at.y), fmin(low.z, at.z)};
         high = (vector){fmax(high.x, at.x), fmax(high.y, at.y), fmax(high.z, at.z)};
     }
@@ -148,7 +161,7 @@ static void add_face(const reader *r, const placing *place, const uint8_t *model
                      const uint8_t *face, uint8_t colour, world *w)
 {
     world_polygon *polygon = &w->polygons[w->polygon_count++];
-    *polygon = (world_polygon){.first = w->corner_count, .count = face[16], .colour = colour};
+    *polygon = (world_polygon){.first = w->corner_count, .count = face[12], .colour = colour};
     if (polygon->count < 3)
         unusable("%s: a face of %u vertices", r->path, polygon->count);
     for (uint32_t i = 0; i < polygon->count; i++)
@@ -158,7 +171,7 @@ static void add_face(const reader *r, const placing *place, const uint8_t *model
     turned.scale = 1;
     const vector normal = {get_i32(face), get_i32(face + 4), get_i32(face + 8)};
     polygon->lit = (light_face){placing_point(&turned, vector_times(normal, 1 / 1073741824.0)),
-                                placing_point(place, middle_of(r, model, face)), face[17]};
+                                placing_point(place, middle_of(r, model, face)), face[13]};
 }
 
 /* 1..255, by the numbers of an instance and of a face of its model. */
@@ -186,9 +199,9 @@ static world world_of(const reader *r, uint32_t frame)
                     continue;
                 if (pass == 1)
                     add_face(r, &places[o], model, face,
-                             r->names == SCENE_COLOURS ? face[17] : name_of(o, f), &w);
+                             r->names == SCENE_COLOURS ? face[13] : name_of(o, f), &w);
                 faces++;
-                corners += face[16];
+                corners += face[12];
             }
         }
         if (pass == 0) {

@@ -8,11 +8,11 @@
 /* Of each kind: bytes of an entry, and the most entries. */
 static const uint32_t bytes_of[KINDS] = {0,   3,   12, 2,  20, 28,  16, 24, 4,   20, 48,
                                          176, 256, 48, 40, 76, 32,  28, 20, 256, 16, 1,
-                                         12,  8,   12, 2,  12, 256, 32, 2,  1,   8};
+                                         12,  8,   12, 2,  12, 256, 32, 2,  1,   8,  4};
 static const uint32_t most_of[KINDS] = {
     0,     256,   1000000, 4000000, 1000000, 65535,   65535, 1000000, 1000000, 1000000, 65535,
     4,     1,     65535,   65535,   65535,   1000000, 1,     4,       64,      65535,   1 << 24,
-    65535, 65535, 196605,  1000000, 65535,   256,     65535, 65535,   1 << 24, 1};
+    65535, 65535, 196605,  1000000, 65535,   256,     65535, 65535,   1 << 24, 1,       1000000};
 
 /* Takes the entry of one section, whose bytes may begin at `from`, or later if `gap`. Returns where
  * it ends. */
@@ -49,7 +49,9 @@ static void check_set(const char *path, const uint8_t *bytes, const table *s)
     for (int kind = KIND_BILLBOARDS; kind <= KIND_SPRITE_PIXELS; kind++)
         some_billboards |= s[kind].count > 0;
     for (int kind = KIND_PALETTE; kind <= KIND_INSTANCES; kind++)
-        need(path, s[kind].count > 0, "a section is missing");
+        need(path, s[kind].count > 0 || kind == KIND_INDICES, "a section is missing");
+    need(path, !s[KIND_WHOLE_FACES].count || s[KIND_WHOLE_FACES].count == s[KIND_FACES].count,
+         "the whole faces have not an entry for each face");
     need(path, s[KIND_PALETTE].count == 256, "its palette has not 256 entries");
     need(path, !s[KIND_POSES].count != !s[KIND_SEGMENTS].count, "it has not one path");
     need(path, !s[KIND_BEAMS].count == !s[KIND_LIT_COLOURS].count, "beams without lit colours");

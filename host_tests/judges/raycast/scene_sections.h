@@ -36,7 +36,8 @@ enum {
     KIND_BILLBOARD_MAP = 29,
     KIND_SPRITE_PIXELS = 30,
     KIND_LENS_CENTRE = 31,
-    KINDS = 32
+    KIND_WHOLE_FACES = 32,
+    KINDS = 33
 };
 
 /* A section: its first entry, and how many there are. Null and 0: there is none. */

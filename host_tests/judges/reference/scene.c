@@ -101,35 +101,65 @@ static bool inside_world(const ref_lattice_point *p)
     return coordinate_is_sound(p->x) && coordinate_is_sound(p->y) && coordinate_is_sound(p->z);
 }
 
+/* Appends indices of the image to those of the scene. Returns whether the image has them. */
+static bool add_indices(ref_scene *scene, const uint8_t *from, uint32_t there, uint32_t first,
+                        uint32_t count)
+{
+    if (count < 3 || count > REF_FACE_VERTICES_MAX || first > there || count > there - first) {
+        return false;
+    }
+    for (uint32_t k = 0; k < count; k++) {
+        scene->indices[scene->index_count++] = ref_u16(from + 2 * ((size_t)first + k));
+    }
+    return true;
+}
+
+/* The faces, and of each its indices, and behind them those of the whole face of which it is a
+ * part. */
+static bool read_faces(const uint8_t *bytes, const uint8_t *faces, ref_scene *scene)
+{
+    uint32_t there, parts;
+    const uint8_t *indices = ref_section(bytes, REF_INDICES, &there);
+    const uint8_t *wholes = ref_section(bytes, REF_WHOLE_FACES, &parts);
+    scene->indices =
+        calloc(2 * (size_t)REF_FACE_VERTICES_MAX * scene->face_count, sizeof *scene->indices);
+    for (uint32_t i = 0; scene->indices && i < scene->face_count; i++) {
+        const uint8_t *p = faces + 20 * (size_t)i;
+        const uint32_t whole = parts != 0 ? ref_u32(wholes + 4 * (size_t)i) : 0;
+        const uint32_t first = scene->index_count;
+        scene->faces[i] = (ref_face){{ref_i32(p), ref_i32(p + 4), ref_i32(p + 8)},
+                                     first,
+                                     p[12],
+                                     p[13],
+                                     (uint16_t)(whole % 32)};
+        if (!(p[12] == 3 ? add_indices(scene, p + 14, 3, 0, 3)
+                         : add_indices(scene, indices, there, ref_u32(p + 16), p[12])) ||
+            scene->indices[first] != ref_u16(p + 14) ||
+            (whole != 0 && !add_indices(scene, indices, there, whole / 32, whole % 32))) {
+            return false;
+        }
+    }
+    return scene->indices != NULL;
+}
+
 static bool read_geometry(const uint8_t *bytes, ref_scene *scene)
 {
-    const uint8_t *vertices, *indices, *faces, *models, *instances;
+    const uint8_t *vertices, *faces, *models, *instances;
     scene->vertices =
         ref_table(bytes, REF_VERTICES, sizeof *scene->vertices, &vertices, &scene->vertex_count);
-    scene->indices =
-        ref_table(bytes, REF_INDICES, sizeof *scene->indices, &indices, &scene->index_count);
     scene->faces = ref_table(bytes, REF_FACES, sizeof *scene->faces, &faces, &scene->face_count);
     scene->models =
         ref_table(bytes, REF_MODELS, sizeof *scene->models, &models, &scene->model_count);
     scene->instances = ref_table(bytes, REF_INSTANCES, sizeof *scene->instances, &instances,
                                  &scene->instance_count);
-    if (!scene->vertices || !scene->indices || !scene->faces || !scene->models ||
-        !scene->instances) {
+    if (!scene->vertices || !scene->faces || !scene->models || !scene->instances) {
         return false;
     }
     for (uint32_t i = 0; i < scene->vertex_count; i++) {
         scene->vertices[i] = ref_point_read(vertices + 12 * (size_t)i);
     }
-    for (uint32_t i = 0; i < scene->index_count; i++) {
-        scene->indices[i] = ref_u16(indices + 2 * (size_t)i);
-    }
-    for (uint32_t i = 0; i < scene->face_count; i++) {
-        const uint8_t *p = faces + 20 * (size_t)i;
-        scene->faces[i] = (ref_face){{ref_i32(p), ref_i32(p + 4), ref_i32(p + 8)},
-                                     ref_u32(p + 12),
-                                     p[16],
-                                     p[17],
-                                     ref_u16(p + 18)};
+    if (!read_faces(bytes, faces, scene)) {
+        return false;
     }
     for (uint32_t i = 0; i < scene->model_count; i++) {
         const uint8_t *p = models + 28 * (size_t)i;
@@ -148,11 +178,6 @@ static bool faces_are_sound(const ref_scene *scene, const ref_model *model)
     for (uint32_t i = 0; i < model->face_count; i++) {
         const ref_face *face = &scene->faces[model->first_face + i];
         const uint32_t count = (uint32_t)face->count + face->whole_count;
-        if (face->count < 3 || face->count > REF_FACE_VERTICES_MAX || face->whole_count == 1 ||
-            face->whole_count == 2 || face->whole_count > REF_FACE_VERTICES_MAX ||
-            (uint64_t)face->first_index + count > scene->index_count) {
-            return false;
-        }
         for (uint32_t k = 0; k < count; k++) {
             if (scene->indices[face->first_index + k] >= model->vertex_count) {
                 return false;

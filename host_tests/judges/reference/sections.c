@@ -50,7 +50,8 @@ static const struct {
                               [REF_BILLBOARDS] = {32, 65535},
                               [REF_BILLBOARD_MAP] = {2, 65535},
                               [REF_SPRITE_PIXELS] = {1, 16u << 20},
-                              [REF_LENS_CENTRE] = {8, 1}};
+                              [REF_LENS_CENTRE] = {8, 1},
+                              [REF_WHOLE_FACES] = {4, 1000000}};
 
 static const uint8_t *entry_at(const uint8_t *bytes, uint32_t number)
 {
@@ -150,11 +151,13 @@ static bool set_is_sound(const uint8_t *bytes)
     const bool billboards = has(bytes, REF_BILLBOARDS) && has(bytes, REF_SPRITE_PIXELS) &&
                             count_of(bytes, REF_BILLBOARD_MAP) == count_of(bytes, REF_MODELS);
     for (int kind = REF_PALETTE; kind <= REF_INSTANCES; kind++) {
-        if (!has(bytes, kind)) {
+        if (kind != REF_INDICES && !has(bytes, kind)) {
             return false;
         }
     }
     return count_of(bytes, REF_PALETTE) == 256 &&
+           (!has(bytes, REF_WHOLE_FACES) ||
+            count_of(bytes, REF_WHOLE_FACES) == count_of(bytes, REF_FACES)) &&
            has(bytes, REF_POSES) != has(bytes, REF_SEGMENTS) &&
            has(bytes, REF_BEAMS) == has(bytes, REF_LIT_COLOURS) &&
            has(bytes, REF_MOTIONS) == has(bytes, REF_MOTION_KEYS) &&

@@ -48,9 +48,9 @@ static fxl_model_view any_face(void)
     fxl_model_view of;
     ANY_CONTENT(indices);
     ANY_CONTENT(&face);
-    ASSUME(face.count >= 3 && face.count <= CORNERS && face.first_index == 0);
+    ASSUME(face.count >= 3 && face.count <= CORNERS && (face.count == 3 || (face.indices[1] == 0 && face.indices[2] == 0)));
     for (uint32_t i = 0; i < CORNERS; i++) {
-        ASSUME(indices[i] < VERTICES);
+        ASSUME(indices[i] < VERTICES && (face.count != 3 || i >= 3 || face.indices[i] < VERTICES));
     }
     of.view = &view;
     of.indices = indices;

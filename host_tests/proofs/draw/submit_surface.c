@@ -46,8 +46,11 @@ void prove_nearest_depth(void)
 {
     fxl_model_view model_view;
     fxl_face face;
+    fxl_scene scene;
+    fxl_renderer renderer;
     fxl_traversal traversal;
     uint16_t indices[10];
+    uint32_t whole;
     fxl_corner some[3];
     const fxl_corner *const corners[3] = {&some[0], &some[1], &some[2]};
     const bool has_others = nondet_bool();
@@ -56,12 +59,18 @@ void prove_nearest_depth(void)
     }
     fxl_q18_46 nearest = depths[0] < depths[1] ? depths[0] : depths[1];
     nearest = nearest < depths[2] ? nearest : depths[2];
-    model_view.indices = indices;
-    ASSUME(face.first_index == 0 && face.count <= 5 && face.whole_count <= 5);
+    scene.indices = indices;
+    scene.faces = &face;
+    scene.wholes = nondet_bool() ? &whole : NULL;
+    renderer.scene = &scene;
+    traversal.renderer = &renderer;
+    ASSUME(face.count <= 5 && (face.count == 3 || fxl_face_first_index(&face) == 0) && (whole == 0 || (whole / 32 == 5 && whole % 32 <= 5)));
+    const bool is_part = scene.wholes != NULL && whole != 0;
     for (uint32_t i = 0; i < 10; i++) {
-        const bool is_read = face.whole_count == 0 ? i < face.count : (i >= face.count && i < (uint32_t)face.count + face.whole_count);
-        ASSUME(indices[i] < 4);
-        nearest = has_others && is_read && depths[indices[i]] < nearest ? depths[indices[i]] : nearest;
+        const bool is_read = is_part ? i >= 5 && i < 5 + whole % 32 : i < face.count;
+        const uint32_t number = !is_part && face.count == 3 && i < 3 ? face.indices[i] : indices[i];
+        ASSUME(indices[i] < 4 && number < 4);
+        nearest = has_others && is_read && depths[number] < nearest ? depths[number] : nearest;
     }
     ASSERT("the least of all, or of the corners", nearest_depth(&model_view, &face, corners, &traversal, depths, has_others) == nearest);
     PROOF_ENDS();

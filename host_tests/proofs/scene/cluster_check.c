@@ -63,8 +63,9 @@ void prove_sphere_holds(void)
 {
     any_checked_scene();
     ANY_CONTENT(clusters);
-    const uint32_t first = faces[0].first_index;
+    const uint32_t first = fxl_face_first_index(&faces[0]);
     ASSUME(first < INDICES && indices[first] < VERTICES && is_vertex(&vertices[indices[first]]));
+    ASSUME(faces[0].indices[0] == indices[first]);
     ASSUME(clusters[0].radius >= 0 && is_vertex(&clusters[0].centre));
     clusters[0].face_count = 1;
     faces[0].count = 1;

@@ -26,7 +26,7 @@ void prove_check_counts(void)
     scene.model_count = nondet_u32();
     scene.instance_count = nondet_u32();
     const fxl_status status = check_counts(&scene, &fault);
-    ASSERT("in range", status != FXL_OK || (scene.vertex_count >= 3 && scene.vertex_count <= FXL_SCENE_VERTICES_MAX && scene.index_count >= 3 &&
+    ASSERT("in range", status != FXL_OK || (scene.vertex_count >= 3 && scene.vertex_count <= FXL_SCENE_VERTICES_MAX &&
                                             scene.index_count <= FXL_SCENE_INDICES_MAX && scene.face_count >= 1 && scene.face_count <= FXL_SCENE_FACES_MAX &&
                                             scene.model_count >= 1 && scene.model_count <= FXL_SCENE_MODELS_MAX && scene.instance_count >= 1 &&
                                             scene.instance_count <= FXL_SCENE_INSTANCES_MAX));
@@ -66,8 +66,7 @@ void prove_check_indices(void)
     const uint32_t i = below(FACES), corner = below(INDICES);
     ASSERT("each index is below the number of vertices",
            status != FXL_OK || i < models[number].first_face || i - models[number].first_face >= models[number].face_count ||
-               corner >= (uint32_t)faces[i].count + faces[i].whole_count ||
-               indices[faces[i].first_index + corner] < models[number].vertex_count);
+               index_is_below(i, corner, models[number].vertex_count));
     PROOF_ENDS();
 }
 
@@ -178,9 +177,9 @@ void prove_is_flat(void)
     any_scene();
     models[0].first_vertex = 0;
     faces[0].count = 2; /* a round in any state */
-    ASSUME(faces[0].first_index <= INDICES - 2 && indices[faces[0].first_index] < VERTICES && indices[faces[0].first_index + 1] < VERTICES);
-    ASSUME(FXL_DIRECTION(&faces[0].normal) && is_vertex(&vertices[indices[faces[0].first_index]]) &&
-           is_vertex(&vertices[indices[faces[0].first_index + 1]]));
+    ASSUME(fxl_face_first_index(&faces[0]) <= INDICES - 2 && faces[0].indices[0] < VERTICES && fxl_face_indices(indices, &faces[0])[1] < VERTICES);
+    ASSUME(FXL_DIRECTION(&faces[0].normal) && is_vertex(&vertices[faces[0].indices[0]]) &&
+           is_vertex(&vertices[fxl_face_indices(indices, &faces[0])[1]]));
     (void)is_flat(&scene, &models[0], &faces[0]);
     PROOF_ENDS();
 }

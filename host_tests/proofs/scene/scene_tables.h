@@ -17,6 +17,7 @@
 static fxl_point vertices[VERTICES];
 static uint16_t indices[INDICES];
 static fxl_face faces[FACES];
+static uint32_t wholes[FACES];
 static fxl_model models[MODELS];
 static fxl_instance instances[INSTANCES];
 static fxl_scene scene;
@@ -29,11 +30,13 @@ static inline void any_scene(void)
     ANY_CONTENT(vertices);
     ANY_CONTENT(indices);
     ANY_CONTENT(faces);
+    ANY_CONTENT(wholes);
     ANY_CONTENT(models);
     ANY_CONTENT(instances);
     scene.vertices = vertices;
     scene.indices = indices;
     scene.faces = faces;
+    scene.wholes = nondet_bool() ? wholes : NULL;
     scene.models = models;
     scene.instances = instances;
     scene.face_bounds = NULL;
@@ -48,12 +51,20 @@ static inline void any_scene(void)
     ASSUME(scene.model_count <= MODELS && scene.instance_count <= INSTANCES);
 }
 
+/* Whether the scene has so many indices from a number on. */
+static inline bool are_indices(uint32_t first, uint32_t count)
+{
+    return first <= scene.index_count && count <= scene.index_count - first;
+}
+
 /* What check_faces leaves of a face. */
 static inline bool is_face(const fxl_face *face)
 {
+    const uint32_t first = face->indices[1] + 65536u * face->indices[2];
+    const uint32_t whole = scene.wholes != NULL ? scene.wholes[face - faces] : 0;
     return face->count >= 3 && face->count <= FXL_SCENE_FACE_VERTICES_MAX &&
-           (face->whole_count == 0 || (face->whole_count >= 3 && face->whole_count <= FXL_SCENE_FACE_VERTICES_MAX)) &&
-           face->first_index <= scene.index_count && (uint32_t)face->count + face->whole_count <= scene.index_count - face->first_index;
+           (face->count == 3 || (are_indices(first, face->count) && indices[first] == face->indices[0])) &&
+           (whole == 0 || (whole % 32 >= 3 && whole % 32 <= FXL_SCENE_FACE_VERTICES_MAX && are_indices(whole / 32, whole % 32)));
 }
 
 /* What check_models leaves of a model, but for its indices. */
@@ -65,13 +76,20 @@ static inline bool is_model(const fxl_model *model)
            model->face_count <= scene.face_count - model->first_face;
 }
 
+/* Whether an index of a face, and of the face that it is a part of, is below a count. */
+static inline bool index_is_below(uint32_t face, uint32_t corner, uint32_t count)
+{
+    const uint32_t whole = scene.wholes != NULL ? scene.wholes[face] : 0;
+    return (corner >= faces[face].count || fxl_face_indices(indices, &faces[face])[corner] < count) &&
+           (corner >= whole % 32 || indices[whole / 32 + corner] < count);
+}
+
 /* What check_indices leaves: the indices of a model's faces are below its number of vertices. */
 static inline bool has_indices(const fxl_model *model)
 {
     for (uint32_t i = 0; i < FACES; i++) {
         for (uint32_t corner = 0; corner < INDICES; corner++) {
-            if (i >= model->first_face && i - model->first_face < model->face_count && corner < (uint32_t)faces[i].count + faces[i].whole_count &&
-                indices[faces[i].first_index + corner] >= model->vertex_count) {
+            if (i >= model->first_face && i - model->first_face < model->face_count && !index_is_below(i, corner, model->vertex_count)) {
                 return false;
             }
         }

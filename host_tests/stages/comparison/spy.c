@@ -131,7 +131,7 @@ static ref_volume_polygon seen_of(const fxl_model_view *model_view, const fxl_fa
     ref_volume_polygon seen = {.count = face->count};
     for (int i = 0; i < seen.count; i++) {
         fxl_cached_vertex vertex;
-        fxl_transform_vertex(model_view, model_view->indices[face->first_index + (uint32_t)i],
+        fxl_transform_vertex(model_view, fxl_face_indices(model_view->indices, face)[(uint32_t)i],
                              &vertex);
         ref_view_point at = bridge_view_point(&vertex.position);
         seen.vertices[i] = (ref_volume_vertex){.x = at.x, .y = at.y, .z = at.z};

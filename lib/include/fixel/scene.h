@@ -39,20 +39,46 @@ extern "C" {
 #define FXL_BSP_PLANARITY_MAX FXL_CAST(fxl_q16_16, 8)
 #define FXL_BSP_NONE 0xFFFFu /* the number that stands for no BSP node */
 
-/* A face. Its vertices are count entries of the scene's indices, from indices[first_index] on. Each
- * index is the number of a vertex within the model. The vertices go clockwise as seen from the
- * front. The normal points to the front; it alone decides which side is the front.
- *
- * A tool may cut a face into parts, as for a BSP tree. The indices of a part are then followed by
- * those of the whole face, of which light at run time takes the middle. So all parts have one
- * colour. */
+/* A face. It has count vertices, clockwise as seen from the front; an index is the number of one
+ * within the model. A triangle has its indices in itself. Any other face has the first of them, and
+ * all are entries of the scene's indices, one behind the other: FXL_INDICES_AT. fxl_face_indices
+ * finds both. The normal points to the front; it alone decides which side is the front. */
 typedef struct {
     fxl_direction normal;
-    uint32_t first_index;
-    uint8_t count;        /* 3..24; a build draws up to FXL_FACE_VERTICES_MAX */
-    uint8_t material;     /* of a flat face: its palette index */
-    uint16_t whole_count; /* of a part: how many vertices the whole face has, 3..24; or 0 */
+    uint8_t count;       /* 3..24; a build draws up to FXL_FACE_VERTICES_MAX */
+    uint8_t material;    /* of a flat face: its palette index */
+    uint16_t indices[3]; /* of a triangle; of another face the first one, and a number's halves */
 } fxl_face;
+
+/* The member indices of a face that is no triangle, as in a table of faces: vertex is the scene's
+ * indices[number], its first one. */
+#define FXL_INDICES_AT(vertex, number) \
+    { \
+        FXL_CAST(uint16_t, vertex), FXL_CAST(uint16_t, (number)&0xFFFFu), \
+            FXL_CAST(uint16_t, (number) >> 16) \
+    }
+
+/* The indices of a face: indices are those of its scene. */
+static inline const uint16_t *fxl_face_indices(const uint16_t *indices, const fxl_face *face)
+{
+    return face->count == 3
+               ? face->indices
+               : indices + (face->indices[1] | FXL_CAST(uint32_t, face->indices[2]) << 16);
+}
+
+/* Gives a face of count vertices the scene's indices from number first on. */
+static inline void fxl_face_take_indices(fxl_face *face, const uint16_t *indices, uint32_t first)
+{
+    const bool is_triangle = face->count == 3;
+    face->indices[0] = indices[first];
+    face->indices[1] = is_triangle ? indices[first + 1] : FXL_CAST(uint16_t, first & 0xFFFFu);
+    face->indices[2] = is_triangle ? indices[first + 2] : FXL_CAST(uint16_t, first >> 16);
+}
+
+/* A tool may cut a face into parts, as for a BSP tree. Light at run time takes the middle of the
+ * whole face, so all parts have one colour. The whole face: count indices of the scene, 3..24, from
+ * number first on. */
+#define FXL_WHOLE(first, count) FXL_CAST(uint32_t, 32u * (first) + (count))
 
 /* The plane and the bounding box of a face of a sorted model, precomputed: facing and order need
  * them in every frame. */
@@ -342,6 +368,7 @@ typedef struct {
     uint32_t first_turned; /* where there are placements: the first instance that has one */
     const fxl_placement_code *placement_code; /* where there are some: &fxl_turned_instances */
     uint32_t instance_capacity; /* of a world (fixel/world.h): the most instances; else 0 */
+    const uint32_t *wholes; /* of each face: FXL_WHOLE of the one that it is a part of, or 0; or null */
 } fxl_scene;
 
 /* A scene image: the scene and the settings beside it. */

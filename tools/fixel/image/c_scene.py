@@ -21,9 +21,11 @@ class _Tables:
 
     def __init__(self, scene, name):
         self.scene, self.name, self.has_bounds = scene, name, image_models.has_keys(scene)
-        self.vertices, self.indices, self.faces, self.models, self.bounds, self.clusters = [], [], [], [], [], []
+        self.vertices, self.faces, self.models, self.bounds, self.clusters = [], [], [], [], []
+        self.indices = image_models.Indices()
         for model in scene.models:
             self._add(model)
+        self.wholes = self.indices.wholes_if_any()
 
     def _add(self, model):
         first_bounds = len(self.bounds) if model.kind == SORTED else 0
@@ -33,8 +35,7 @@ class _Tables:
         self.clusters += map(_cluster, model.clusters)
         self.vertices += [braces(*vertex) for vertex in model.vertices]
         for face in model.faces:
-            self.faces.append(braces(braces(*face.normal), len(self.indices), len(face.corners), face.colour, len(face.whole)))
-            self.indices += map(str, face.corners + face.whole)
+            self.faces.append(braces(braces(*face.normal), len(face.corners), face.colour, braces(*self.indices.of(face))))
             if self.has_bounds and model.kind == SORTED:
                 height, *box = image_models.key_of(model, face)
                 self.bounds.append(braces(*split64(height), *box))
@@ -47,10 +48,10 @@ class _Tables:
         made = [
             self._table("fxl_point", "vertices", self.vertices,
                         "x, y, z in 16.16, relative to the centre of the instance."),
-            self._table("uint16_t", "indices", self.indices,
-                        "Numbers of vertices within the model, clockwise as seen from the front."),
             self._table("fxl_face", "faces", self.faces,
-                        "Normal in 2.30, first index, count of vertices, colour, reserved."),
+                        "Normal in 2.30; count of vertices, colour; of a triangle the numbers of its vertices within the model, "
+                        "clockwise as seen from the front; of another face the first one, and where it is among the indices, low "
+                        "half first."),
             self._table("fxl_model", "models", self.models,
                         "First vertex, vertices, first face, faces, kind, reserved, first cluster, radius in "
                         "16.16, first face bounds."),
@@ -58,6 +59,12 @@ class _Tables:
                         [braces(braces(*item.centre), item.model, item.layer, 0) for item in self.scene.objects],
                         "Centre in 16.16, model, layer, recolour."),
         ]
+        if self.indices.table:
+            made.append(self._table("uint16_t", "indices", list(map(str, self.indices.table)),
+                                    "Numbers of vertices within the model, clockwise as seen from the front."))
+        if self.wholes:
+            made.append(self._table("uint32_t", "wholes", list(map(str, self.wholes)),
+                                    "Of each face: the first index of the whole face that it is a part of, times 32, and its count."))
         if self.bounds:
             made.append(self._table("fxl_face_bounds", "face_bounds", self.bounds,
                                     "Of the faces of sorted models: normal . first vertex, low and high word; "
@@ -88,8 +95,9 @@ class _Tables:
         def rows(there, what, *more):
             return ", ".join(map(str, (f"{name}_{what}" if there else "NULL", *more)))
         entries = [
-            ", ".join(f"{name}_{what}" for what in ("vertices", "indices", "faces", "models", "instances")),
-            ", ".join(str(len(part)) for part in (self.vertices, self.indices, self.faces, self.models,
+            ", ".join([f"{name}_vertices", f"{name}_indices" if self.indices.table else "NULL",
+                       *(f"{name}_{what}" for what in ("faces", "models", "instances"))]),
+            ", ".join(str(len(part)) for part in (self.vertices, self.indices.table, self.faces, self.models,
                                                   scene.objects)),
             f"{memory_needed.draw_list_needed(scene)} /* draw_list_needed */",
             rows(self.bounds, "face_bounds", len(self.bounds)),
@@ -101,6 +109,7 @@ class _Tables:
             rows(scene.placements, "placements", len(scene.objects) - len(scene.placements) if scene.placements else 0,
                  "&fxl_turned_instances" if scene.placements else "NULL"),
             "0 /* instance_capacity */",
+            rows(self.wholes, "wholes"),
         ]
         return record("fxl_scene", f"{name}_scene", entries, "The scene, for fxl_renderer_init.")
 

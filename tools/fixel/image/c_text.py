@@ -55,7 +55,7 @@ def table(kind, name, items, about=None, dimensions=None):
 
 def record(kind, name, rows, about=None):
     """const KIND NAME = {...}; of rows of members."""
-    return _table(kind, name, about, [INDENT + row + ("," if row is not rows[-1] else "") for row in rows])
+    return _table(kind, name, about, [f"{INDENT}{row}," for row in rows[:-1]] + [INDENT + rows[-1]])
 
 
 def header(about, guard, includes, parts):

@@ -106,11 +106,11 @@ SECTIONS = (
     Section("vertices", "vertex table", (Field("3i", "x", "x, y, z (16.16, relative to the centre of the instance)"),),
             1_000_000, 3, limit="FXL_SCENE_VERTICES_MAX", record="fxl_point"),
     Section("corners", "index table", (Field("H", "", "number of a vertex within the model"),),
-            4_000_000, 3, limit="FXL_SCENE_INDICES_MAX", documented="indices"),
+            4_000_000, limit="FXL_SCENE_INDICES_MAX", documented="indices"),
     Section("faces", "face table", (
-        Field("3i", "normal", "normal (2.30)"), Field("I", "first_index", "first index"), Field("B", "count", "count"),
-        Field("B", "material", "colour"),
-        Field("H", "whole_count", "vertices of the whole face that this one is a part of (0: it is whole)")),
+        Field("3i", "normal", "normal (2.30)"),
+        Field("B", "count", "count"), Field("B", "material", "colour"),
+        Field("3H", "indices", "the indices of a triangle; of another face its first one, then the number of that, low half first")),
             1_000_000, limit="FXL_SCENE_FACES_MAX", record="fxl_face"),
     Section("models", "model table", (
         Field("4I", "first_vertex", "first vertex, vertex count, first face, face count"),
@@ -216,9 +216,13 @@ SECTIONS = (
                        "or its colours"),), IMAGE_MAX, limit="FXL_SCENE_IMAGE_MAX"),
     Section("centre of the lens", "lens centre", (
         Field("2i", "x", "x, y in 16.16 pixels from the upper left corner of the screen, y down"),), 1, record="fxl_image_centre", documented="lens centre"),
+    Section("wholes", "whole face table", (
+        Field("I", "", "32 × number of the first index of the whole face that the face is a part of, + its count (3..24); "
+                       "0: it is no part"),),
+            1_000_000, limit="FXL_SCENE_FACES_MAX", documented="whole faces"),
 )
 KINDS = {section.name: number for number, section in enumerate(SECTIONS, 1)}
-ALWAYS = ("palette", "vertices", "corners", "faces", "models", "objects")
+ALWAYS = ("palette", "vertices", "faces", "models", "objects")
 # Sections that go together: where one of the first list is, each of the second must be.
 TOGETHER = (
     (("beams", "lit"), ("beams", "lit")),

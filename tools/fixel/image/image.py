@@ -147,8 +147,9 @@ def unpack(blob):
     check_coordinates(head.start, "the start")
     gait = (*head.acceleration, head.turn)
     _check_gait(gait)
-    image_models.check_faces(tables["faces"], tables["corners"])
-    models, extras = image_models.read_models(tables["models"], tables["vertices"], tables["corners"], tables["faces"])
+    image_models.check_faces(tables["faces"], tables["corners"], tables["wholes"])
+    models, extras = image_models.read_models(tables["models"], tables["vertices"], tables["corners"], tables["faces"],
+                                              tables["wholes"])
     objects = image_models.read_objects(tables["objects"], models)
     unturned = len(objects) - len(tables["placements"])
     image_models.check_extents(objects[:unturned], models)

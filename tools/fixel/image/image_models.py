@@ -106,9 +106,39 @@ def has_keys(scene):
     return not scene.depth_bits or is_mixed or any(model.clusters for model in scene.models)
 
 
+class Indices:
+    """The indices of faces that are no triangles, and of faces that were cut."""
+
+    def __init__(self):
+        self.table, self.wholes, self._cut = [], [], {}
+
+    def of(self, face):
+        """What the record of the next face has: a triangle its own indices."""
+        own = face.corners
+        if len(own) != 3:
+            first = self._add(own)
+            own = (own[0], first & 0xFFFF, first >> 16)
+        self.wholes.append(32 * self._of_whole(face.whole) + len(face.whole) if face.whole else 0)
+        return own
+
+    def _of_whole(self, whole):
+        """Where the indices of a whole face begin: its parts come one behind the other."""
+        if self._cut.get("corners") != whole:
+            self._cut = {"corners": whole, "first": self._add(whole)}
+        return self._cut["first"]
+
+    def _add(self, corners):
+        self.table += corners
+        return len(self.table) - len(corners)
+
+    def wholes_if_any(self):
+        """Of each face the whole one; empty where no face was cut."""
+        return self.wholes if any(self.wholes) else []
+
+
 def tables(models_of_scene, with_keys=True):
     """Vertices, corners, faces and models as packed bytes, the keys of sorted models' faces, and the clusters, by name."""
-    vertices, corners, faces, models, keys, clusters = [], [], [], [], [], []
+    vertices, indices, faces, models, keys, clusters = [], Indices(), [], [], [], []
     for model in models_of_scene:
         models.append(MODEL.pack(len(vertices), len(model.vertices), len(faces),
                                  len(model.faces), model.kind, 0, 1 + len(clusters) if model.clusters else 0,
@@ -116,13 +146,13 @@ def tables(models_of_scene, with_keys=True):
                                  len(keys) if model.kind == SORTED else 0))
         vertices += [VERTEX.pack(*vertex) for vertex in model.vertices]
         for face in model.faces:
-            faces.append(FACE.pack(*face.normal, len(corners), len(face.corners), face.colour, len(face.whole)))
-            corners += face.corners + face.whole
+            faces.append(FACE.pack(*face.normal, len(face.corners), face.colour, *indices.of(face)))
         if with_keys and model.kind == SORTED:
             keys += [KEY.pack(*key) for key in keys_of(model)]
         clusters += [cluster.pack() for cluster in model.clusters]
-    return {"vertices": vertices, "corners": struct.pack(f"<{len(corners)}H", *corners), "faces": faces, "models": models,
-            "keys": keys, "clusters": clusters}
+    wholes = indices.wholes_if_any()
+    return {"vertices": vertices, "corners": struct.pack(f"<{len(indices.table)}H", *indices.table), "faces": faces, "models": models,
+            "keys": keys, "clusters": clusters, "wholes": struct.pack(f"<{len(wholes)}I", *wholes)}
 
 
 def check_coordinates(point, what):
@@ -161,16 +191,27 @@ def check_planes(model, number):
             check_plane(face.normal, [model.vertices[c] for c in face.corners], f"face {i} of model {number}")
 
 
-def check_faces(faces, corners):
-    for i, (*_, first, count, _, whole) in enumerate(faces):
-        for number in (count, whole or 3):
+def check_faces(faces, corners, wholes):
+    for i, (*_, count, _, vertex, low, high) in enumerate(faces):
+        first = low + (high << 16)
+        whole = wholes[i] if wholes else 0
+        for number in (count, whole % 32 if whole else 3):
             if not 3 <= number <= FACE_VERTICES_MAX:
                 fail("count", f"face {i}: {number} vertices are outside 3..{FACE_VERTICES_MAX}")
-        if first + count + whole > len(corners):
+        if (count != 3 and first + count > len(corners)) or whole // 32 + whole % 32 > len(corners):
             fail("index", f"face {i} reaches past the table of indices")
+        if count != 3 and corners[first] != vertex:
+            fail("index", f"face {i}: its first vertex is {vertex}, and {corners[first]} in the table of indices")
 
 
-def read_models(models, vertices, corners, faces):
+def outlines(record, whole, corners):
+    """The corners of a face and of the whole face, of its record and its entry of the whole faces."""
+    *_, count, _, vertex, low, high = record
+    own = (vertex, low, high) if count == 3 else corners[low + (high << 16):low + (high << 16) + count]
+    return own, corners[whole // 32:whole // 32 + whole % 32] if whole else ()
+
+
+def read_models(models, vertices, corners, faces, wholes):
     result, extras, vertex, face = [], [], 0, 0
     for i, (first_vertex, vertex_count, first_face, face_count, kind, reserved, first_cluster, radius,
             first_key) in enumerate(models):
@@ -186,12 +227,11 @@ def read_models(models, vertices, corners, faces):
         if vertex > len(vertices) or face > len(faces):
             fail("index", f"model {i} reaches past the vertices or the faces")
         own = []
-        for number, (*normal, first, count, colour, whole) in \
-                enumerate(faces[first_face:first_face + face_count], first_face):
-            outline = corners[first:first + count + whole]
-            if max(outline) >= vertex_count:
-                fail("index", f"face {number}: vertex {max(outline)} of {vertex_count}")
-            own.append(Face(tuple(normal), outline[:count], colour, whole=outline[count:]))
+        for number, record in enumerate(faces[first_face:first_face + face_count], first_face):
+            outline, whole = outlines(record, wholes[number] if wholes else 0, corners)
+            if max(outline + whole) >= vertex_count:
+                fail("index", f"face {number}: vertex {max(outline + whole)} of {vertex_count}")
+            own.append(Face(record[:3], outline, record[4], whole=whole))
         result.append(Model(vertices[first_vertex:first_vertex + vertex_count], own, kind))
         extras.append((radius, first_key, first_cluster))
     if (vertex, face) != (len(vertices), len(faces)):

@@ -106,6 +106,8 @@ def _check_counts(tables):
         fail("count", f"{objects} objects, {placements} placements and {motions} motions do not go together")
     if tables["face map"] and len(tables["face map"]) != len(tables["faces"]):
         fail("count", f"{len(tables['face map'])} entries of the face map for {len(tables['faces'])} faces")
+    if tables["wholes"] and len(tables["wholes"]) != len(tables["faces"]):
+        fail("count", f"{len(tables['wholes'])} entries of the whole faces for {len(tables['faces'])} faces")
     if tables["billboard map"] and len(tables["billboard map"]) != len(tables["models"]):
         fail("count", f"{len(tables['billboard map'])} entries of the billboard map for {len(tables['models'])} models")
 
@@ -114,7 +116,7 @@ def _unpacked(one, table, count):
     """A list of tuples; of single numbers a tuple or bytes, which take a tenth of the memory."""
     if one.format == "<B":
         return bytes(table)
-    return struct.unpack(f"<{count}H", table) if one.format == "<H" else list(one.iter_unpack(table))
+    return struct.unpack(f"<{count}{one.format[1]}", table) if one.format in ("<H", "<I") else list(one.iter_unpack(table))
 
 
 def read(blob, head):
