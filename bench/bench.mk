@@ -51,7 +51,7 @@ $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
 # is built as otherwise, and whole frames as pixels of RGB565, where the board has the memory.
 BENCH_PROGRAMS := calibration fixel fixel-bands fixel-target listing-double listing-float memset kernels
 BENCH_PROGRAMS_WIDE := fixel-rgb565 fixel-native fixel-arduino fixel-one-file fixel-native-arduino fixel-native-one-file
-BENCH_PROGRAMS_OF = $(if $(filter $(BENCH_EXTRA),$(1)),calibration fixel fixel-target,$(BENCH_PROGRAMS)) \
+BENCH_PROGRAMS_OF = $(if $(filter $(BENCH_EXTRA),$(1)),fixel fixel-target,$(BENCH_PROGRAMS)) \
     $(if $(BENCH_SCREEN.$(1)),$(BENCH_PROGRAMS_WIDE) $(if $(filter $(BENCH_EXTRA),$(1)),,fixel-os fixel-small fixel-rgb565-bands fixel-native-bands)) \
     $(if $(filter m0 m3,$(1)),fixel-native-without-tiny)
 BENCH_NEEDED := $(call LIB_NEEDED,$(wildcard bench/firmware/*.c bench/listing/*.c) $(addprefix firmware/walk/,path.c plan.c) \
