@@ -334,7 +334,7 @@ def test_a_model_of_too_many_faces_is_refused_soon(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("program, core", [
     ({"cpu": "cortex-m3"}, "m3"), ({"cpu": "cortex-m0"}, "m0"), ({"cpu": "cortex-m0plus"}, "m0"), ({"cpu": "cortex-m55"}, "m3"),
-    ({"cpu": "cortex-m3", "code": "own"}, None), ({"cpu": "rv32imc"}, None), ({"cpu": "host"}, None)])
+    ({"cpu": "cortex-m3", "code": "own"}, None), ({"cpu": "rv32imc"}, "rv32"), ({"cpu": "host"}, None)])
 def test_instructions_are_told_of_code_that_has_been_measured(tmp_path, monkeypatch, program, core):
     made = firmware.Program(tmp_path, "b", qemu=(), openocd=(), segments=(), **program)
     assert model_look._core_of(made) == core

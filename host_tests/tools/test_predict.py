@@ -308,6 +308,7 @@ def test_the_parts_add_up():
 def test_the_core_of_flags():
     assert frame_costs.core_of("-mcpu=cortex-m7 -mthumb") == "m3" and frame_costs.core_of("-mcpu=cortex-m0 -mthumb") == "m0"
     assert frame_costs.core_of("-mcpu=cortex-m55 -mfloat-abi=soft") == "m3"
+    assert frame_costs.core_of("-march=rv32imc -mabi=ilp32") == "rv32" and frame_costs.core_of("-march=rv32imc_zba_zbb -mabi=ilp32") is None
     assert frame_costs.core_of("-mcpu=cortex-m3 -Os") is None and frame_costs.core_of("-mcpu=cortex-m55 -mfloat-abi=hard") is None
     assert pathlib.Path(frame_costs.FILE).name == "costs.json"
 

@@ -2,6 +2,7 @@
 """The board rv32, where its tools are: the frames of scenes, a display's wires, faults, the first program, and unit tests."""
 
 import functools
+import json
 import shutil
 import subprocess
 
@@ -23,6 +24,17 @@ run = functools.partial(own_tools.run, "rv32")
 def test_scenes_are_equal_to_the_host(tmp_path, scene, words):
     summary = own_tools.draw_scene("rv32", tmp_path / "out", scene, words)
     assert summary["cpu"] == "rv32imc" and summary["instructions_per_frame"]["min"] > 0
+
+
+@here
+@pytest.mark.parametrize("scene", ["window", "car", "room", "gallery", "grove"])
+def test_instructions_are_predicted_as_near_as_for_other_boards(tmp_path, scene):
+    """Of scenes that are not in the fit."""
+    _, drawn = run("rv32", tmp_path / "out", f"SCENE=scenes/{scene}.toml", "FRAMES=12")
+    done = run_make("predict", "BOARD=rv32", f"SCENE=scenes/{scene}.toml", "FRAMES=12", f"JSON={tmp_path / 'said.json'}")
+    assert done.returncode == 0, done.stderr
+    said = json.loads((tmp_path / "said.json").read_text(encoding="utf-8"))
+    assert said["core"] == "rv32" and abs(said["instructions_per_frame"]["mean"] / drawn["instructions_per_frame"]["mean"] - 1) <= 0.15
 
 
 @here

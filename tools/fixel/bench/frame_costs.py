@@ -121,7 +121,7 @@ def core_of(flags):
     if any(word.startswith(("-O", "-DFXL_")) for word in words):
         return None
     cores = {"-mcpu=cortex-m0": "m0", "-mcpu=cortex-m0plus": "m0", "-mcpu=cortex-m3": "m3", "-mcpu=cortex-m4": "m3",
-             "-mcpu=cortex-m7": "m3", "-mcpu=cortex-m33": "m3", "-mcpu=cortex-m55": "m3"}
+             "-mcpu=cortex-m7": "m3", "-mcpu=cortex-m33": "m3", "-mcpu=cortex-m55": "m3", "-march=rv32imc": "rv32"}
     if "-mcpu=cortex-m55" in words and "-mfloat-abi=soft" not in words:
         return None     # its vectors take other instructions
     return next((cores[word] for word in words if word in cores), None)

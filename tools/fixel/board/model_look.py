@@ -69,7 +69,7 @@ def room_of(elf):
 
 def _core_of(program):
     """The core of bench/costs.json that has the code of a program, or None."""
-    return None if program.code else frame_costs.core_of(f"-mcpu={program.cpu} -mfloat-abi=soft")     # as all boards have
+    return None if program.code else frame_costs.core_of(f"-mcpu={program.cpu} -march={program.cpu} -mfloat-abi=soft")  # as all boards have
 
 
 def band_of(room, scene, most=None):
