@@ -64,7 +64,7 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
                           uint32_t count, const fxl_band *band)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
-    if (DRAWS_TEXELS && fxl_has_texel_words(&polygon->gradients)) {
+    if (DRAWS_TEXELS && surface->texture != 0 && fxl_has_texel_words(&polygon->gradients)) {
         return draw_texels(surfaces, workspace, polygon, points, count, band);
     }
     if (fxl_depth_is_in_words(&polygon->depth)) {

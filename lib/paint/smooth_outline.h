@@ -181,6 +181,7 @@ fxl_texels_finder fxl_find_texels;
  * light_row.h. shifts: of u and v less by the bits that a level of the texture leaves out. */
 #define FXL_SHIFT_OF_TEXELS 120 /* no other is above 64, but FXL_SHIFT_OF_WORDS */
 
+/* Of a face with a texture: without any attribute, the shifts are undefined. */
 static inline bool fxl_has_texel_words(const fxl_gradients *gradients)
 {
     return gradients->shifts[0] > 64 && gradients->shifts[0] <= FXL_SHIFT_OF_TEXELS;
