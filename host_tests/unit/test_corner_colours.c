@@ -42,6 +42,7 @@ static quad_scene *make(bool is_triangle, uint8_t flags, uint8_t division)
     quad->surface.division = division;
     if (is_triangle) {
         quad->face.count = 3;
+        fxl_face_take_indices(&quad->face, quad->scene.indices, 0);
         for (uint16_t i = 0; i < 3; i++) {
             quad->mapped_corners[i].vertex = i;
             quad->corners[i] = exact_point(&quad->vertices[i], 1.0 / 65536);

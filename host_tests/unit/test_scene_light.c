@@ -277,6 +277,7 @@ void test_every_face_must_fit_the_beams(void)
         tiny_scene *tiny = tiny_make();
         for (uint32_t i = 0; i < 12; i++) {
             tiny->faces[i].count = i == larger ? 4 : 3;
+            fxl_face_take_indices(&tiny->faces[i], tiny->corners, 4 * i);
         }
         tiny->scene.beams = beams;
         tiny->scene.lit = lit;
