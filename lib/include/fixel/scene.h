@@ -28,7 +28,7 @@ extern "C" {
 #define FXL_BSP_DEPTH_MAX           1023u /* of a node below the root */
 #define FXL_SCENE_CLUSTERS_MAX      65535u
 #define FXL_MOTION_KEYS_MAX         1000000u
-#define FXL_SCENE_TABLE_MAX         65535u /* textures; surfaces; mapped faces; normals of corners */
+#define FXL_SCENE_TABLE_MAX         65535u  /* textures, surfaces, mapped faces, corner normals */
 #define FXL_SCENE_CORNERS_MAX       196605u /* three for each mapped face */
 #define FXL_MOTION_DEPTH_MAX        8u      /* of a chain of parents */
 #define FXL_LIGHT_POINTS_MAX        4
@@ -38,11 +38,12 @@ extern "C" {
 /* The largest distance of a vertex of a BSP node's faces from its plane, in units of 1/65536. */
 #define FXL_BSP_PLANARITY_MAX FXL_CAST(fxl_q16_16, 8)
 #define FXL_BSP_NONE 0xFFFFu /* the number that stands for no BSP node */
+#define FXL_CLUSTER_APEX_MAX FXL_CAST(fxl_q16_16, 2 * FXL_COORDINATE_MAX) /* of a coordinate */
 
-/* A face. It has count vertices, clockwise as seen from the front; an index is the number of one
- * within the model. A triangle has its indices in itself. Any other face has the first of them, and
- * all are entries of the scene's indices, one behind the other: FXL_INDICES_AT. fxl_face_indices
- * finds both. The normal points to the front; it alone decides which side is the front. */
+/* A face of count vertices, clockwise as seen from the front; an index is the number of one within
+ * the model. A triangle has its indices in itself. Any other face has the first of them, and all
+ * are in the scene's table of indices, one behind the other: FXL_INDICES_AT. fxl_face_indices finds
+ * both. The normal points to the front; it alone decides which side is the front. */
 typedef struct {
     fxl_direction normal;
     uint8_t count;       /* 3..24; a build draws up to FXL_FACE_VERTICES_MAX */
@@ -54,9 +55,9 @@ typedef struct {
  * indices[number], its first one. */
 #define FXL_INDICES_AT(vertex, number) \
     { \
-        FXL_CAST(uint16_t, vertex), FXL_CAST(uint16_t, (number)&0xFFFFu), \
-            FXL_CAST(uint16_t, (number) >> 16) \
+        FXL_U16(vertex), FXL_U16(number), FXL_U16((number) >> 16) \
     }
+#define FXL_U16(number) FXL_CAST(uint16_t, (number)&0xFFFFu)
 
 /* The indices of a face: indices are those of its scene. */
 static inline const uint16_t *fxl_face_indices(const uint16_t *indices, const fxl_face *face)
@@ -71,20 +72,18 @@ static inline void fxl_face_take_indices(fxl_face *face, const uint16_t *indices
 {
     const bool is_triangle = face->count == 3;
     face->indices[0] = indices[first];
-    face->indices[1] = is_triangle ? indices[first + 1] : FXL_CAST(uint16_t, first & 0xFFFFu);
-    face->indices[2] = is_triangle ? indices[first + 2] : FXL_CAST(uint16_t, first >> 16);
+    face->indices[1] = is_triangle ? indices[first + 1] : FXL_U16(first);
+    face->indices[2] = is_triangle ? indices[first + 2] : FXL_U16(first >> 16);
 }
 
-/* A tool may cut a face into parts, as for a BSP tree. Light at run time takes the middle of the
- * whole face, so all parts have one colour. The whole face: count indices of the scene, 3..24, from
- * number first on. */
+/* The whole face of the parts that a tool cut it into, as for a BSP tree: count indices of the
+ * scene, 3..24, from number first on. Light at run time takes its middle for all parts. */
 #define FXL_WHOLE(first, count) FXL_CAST(uint32_t, 32u * (first) + (count))
 
-/* The plane and the bounding box of a face of a sorted model, precomputed: facing and order need
- * them in every frame. */
+/* Plane and bounding box of a face of a sorted model: facing and order need them in every frame. */
 typedef struct {
     uint32_t height_low, height_high; /* normal . first vertex, 18.46, two's complement */
-    int32_t box_x, box_y, box_z; /* minimum + maximum of the vertices, 16.16 */
+    int32_t box_x, box_y, box_z;      /* minimum + maximum of the vertices, 16.16 */
 } fxl_face_bounds;
 
 enum {
@@ -130,9 +129,6 @@ typedef struct {
     fxl_q16_16 radius;               /* spheres; 0..FXL_RADIUS_MAX */
 } fxl_bsp_node;
 
-/* The largest coordinate of the apex of a cluster's cone. */
-#define FXL_CLUSTER_APEX_MAX FXL_CAST(fxl_q16_16, 2 * FXL_COORDINATE_MAX)
-
 /* A cluster: a run of faces of a sorted model, which are left out together if none can be seen. The
  * clusters of a model take its faces in turn. Points are relative to the centre of the instance.
  * All vertices of the faces lie in the sphere. Its centre lies in the bounding box of the faces.
@@ -148,25 +144,20 @@ typedef struct {
     uint16_t reserved;   /* 0 */
 } fxl_cluster;
 
-/* The code that draws clusters. A scene names it, so that a program whose scenes have no clusters
- * does not link it. */
+/* The code that draws clusters, and that for instances that turn and scale. A scene that has some
+ * names it, so that a program whose scenes have none does not link it. */
 typedef struct fxl_cluster_code fxl_cluster_code;
-extern const fxl_cluster_code fxl_clusters;
-
-/* The code that draws instances that turn and scale. A scene with placements names it, so that a
- * program whose scenes have none does not link it. */
 typedef struct fxl_placement_code fxl_placement_code;
+extern const fxl_cluster_code fxl_clusters;
 extern const fxl_placement_code fxl_turned_instances;
 
-/* The most planes of a beam, and the most beams of a scene. */
-#define FXL_BEAM_PLANES_MAX 8
-#define FXL_BEAMS_MAX       4
+#define FXL_BEAM_PLANES_MAX 8 /* of a beam */
+#define FXL_BEAMS_MAX       4 /* of a scene */
 
 /* A plane of the world, as in a scene image. A point is inside if normal . point >= distance. */
 typedef struct {
     fxl_direction normal; /* of unit length, with the tolerance of a face's normal */
-    uint32_t distance_low;
-    uint32_t distance_high; /* the distance in 18.46, two's complement, below 2^61 */
+    uint32_t distance_low, distance_high; /* 18.46, two's complement, below 2^61 */
 } fxl_beam_plane;
 
 enum {
@@ -203,7 +194,6 @@ typedef struct {
     fxl_q16_16 speed_max;    /* world units per step, 0..256 */
     fxl_angle turn;          /* angle per step, at most a quarter turn */
 } fxl_motion_limits;
-
 #define FXL_MOTION_MAX FXL_CAST(fxl_q16_16, 256 * 65536)
 
 /* A player: the eye, its speed, and a count. */
@@ -267,16 +257,14 @@ typedef struct {
     fxl_direction direction; /* in which it travels; of unit length where strength is not 0 */
     fxl_point_light points[FXL_LIGHT_POINTS_MAX];
     uint32_t point_count;         /* 0..FXL_LIGHT_POINTS_MAX */
-    fxl_q16_16 fog_near, fog_far; /* depths at which fog begins and hides all, 0 <= near < far <=
-                                     FXL_FAR_MAX; both 0: there is no fog */
+    fxl_q16_16 fog_near, fog_far; /* depths: 0 <= begin < hides all <= FXL_FAR_MAX; both 0: none */
     const uint8_t *ramp;          /* ramp[256 * level + c]: the colour c at a level, from dark or
                                      hidden by fog (0) to full (levels - 1) */
     uint32_t levels;              /* FXL_LIGHT_LEVELS_MIN..FXL_LIGHT_LEVELS_MAX */
     uint16_t dark; /* RGB565 frames, which take no colour of the ramp: what no light leaves */
 } fxl_light_settings;
 
-/* The light of an image, as the image has it, without its point lights. The units and ranges are
- * those of fxl_light_settings. */
+/* The light of an image without its point lights, in the units and ranges of fxl_light_settings. */
 typedef struct {
     fxl_q2_30 ambient, strength;
     fxl_direction direction;
@@ -293,9 +281,7 @@ typedef struct {
     uint16_t dark; /* a colour of RGB565 */
 } fxl_scene_light;
 
-/* A texture as a scene image has it: fxl_texture (fixel/surfaces.h) with places instead of
- * pointers.
- */
+/* A texture of a scene image: fxl_texture (fixel/surfaces.h) with places instead of pointers. */
 typedef struct {
     uint32_t texels;  /* where in the image's texels its first byte is; FXL_TEXTURE_565: even */
     uint32_t colours; /* FXL_TEXTURE_4: where in the image's texels its 16 colours are; else 0 */
@@ -321,20 +307,17 @@ typedef struct {
     uint32_t blend_first, blend_count;
 } fxl_scene_surfaces;
 
-/* A billboard as a scene image has it: fxl_billboard and fxl_sprite (fixel/billboards.h) with
- * places instead of pointers. */
+/* A billboard of an image: fxl_billboard, fxl_sprite (fixel/billboards.h), places for pointers. */
 typedef struct {
     uint32_t pixels;  /* where in the image's sprite pixels its first byte is */
     uint32_t colours; /* 1 or 4 bits: where in them its 2 or 16 colours are; else 0 */
     uint16_t pixel_width, pixel_height;
-    uint16_t key; /* 0..255, or 256: all pixels are drawn */
-    uint8_t bits;
-    uint8_t reserved; /* 0 */
+    uint16_t key;           /* 0..255, or 256: all pixels are drawn */
+    uint8_t bits, reserved; /* reserved: 0 */
     fxl_q16_16 width, height, anchor_x, anchor_y;
 } fxl_scene_billboard;
 
-/* The billboards of a scene image, of which fxl_billboards_open (fixel/billboards.h) makes a set.
- */
+/* The billboards of an image, of which fxl_billboards_open (fixel/billboards.h) makes a set. */
 typedef struct {
     const fxl_scene_billboard *billboards;
     const uint8_t *pixels;     /* of all sprites */
@@ -342,9 +325,8 @@ typedef struct {
     uint32_t count, pixel_bytes;
 } fxl_scene_billboards;
 
-/* A scene: tables that the caller owns and that must outlive it. A scene without face bounds gives
- * the same frames; its sorted models take longer where their faces are sorted: not with a depth
- * buffer where no surface is blended or added. */
+/* A scene: tables that the caller owns and that must outlive it. Without face bounds the frames are
+ * the same; sorting takes longer (with a depth buffer only surfaces that are mixed need it). */
 typedef struct {
     const fxl_point *vertices;
     const uint16_t *indices;
@@ -368,7 +350,7 @@ typedef struct {
     uint32_t first_turned; /* where there are placements: the first instance that has one */
     const fxl_placement_code *placement_code; /* where there are some: &fxl_turned_instances */
     uint32_t instance_capacity; /* of a world (fixel/world.h): the most instances; else 0 */
-    const uint32_t *wholes; /* of each face: FXL_WHOLE of the one that it is a part of, or 0; or null */
+    const uint32_t *wholes;     /* of each face: FXL_WHOLE of what it is a part of, or 0; or null */
 } fxl_scene;
 
 /* A scene image: the scene and the settings beside it. */
@@ -403,8 +385,7 @@ typedef struct {
  * range, normal, planarity and face bounds; that no vertex lies outside its model's radius; and
  * that every vertex of every instance lies within FXL_COORDINATE_MAX.
  * Requires tables as long as their counts; fault may be null.
- * FXL_E_ARGUMENT: a null pointer; or a scene that has clusters, a BSP tree or beams, which
- * fxl_scene_check_all checks, so that a program without any links none of their checks.
+ * FXL_E_ARGUMENT: a null pointer; clusters, a BSP tree or beams: fxl_scene_check_all checks these.
  * FXL_E_ALIGNMENT: a table of 32-bit members is not aligned to 4 bytes, or indices to 2.
  * FXL_E_COUNT: a count is out of its range.
  * FXL_E_INDEX: an index is past the end of its table.
@@ -414,16 +395,14 @@ typedef struct {
  * FXL_E_PLANARITY: a vertex is off the plane of its face.
  * FXL_E_FACE_BOUNDS: a face's bounds are not those of its vertices and its normal.
  * FXL_E_RESERVED: a reserved field or an enumeration has an unknown value.
- * FXL_E_CAPACITY: a face has more than FXL_FACE_VERTICES_MAX vertices, which a build with a larger
- * FXL_POLYGON_CAPACITY would draw.
+ * FXL_E_CAPACITY: a face's vertices exceed FXL_FACE_VERTICES_MAX, by this FXL_POLYGON_CAPACITY.
  * FXL_E_PLACEMENT: an orientation is no rotation; fxl_placement_check checks a turned instance,
  * instead of its vertices.
  * With each of these statuses: scene untouched, *fault written. On FXL_OK *fault is untouched. */
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
 
-/* Checks a scene that may have clusters, a BSP tree and beams: these too. Otherwise as
- * fxl_scene_check. On FXL_OK scene->cluster_code is set too, and scene->placement_code where there
- * are placements.
+/* As fxl_scene_check, but of a scene that may have clusters, a BSP tree and beams: these too.
+ * On FXL_OK cluster_code of the scene is set too, and where there are placements placement_code.
  * FXL_E_CLUSTER: a face of a cluster may be seen from within the cluster's cone.
  * FXL_E_BSP: the tree is too deep, or an instance may not be with it (docs/extras/bsp.md).
  * The statuses of fxl_scene_check and fxl_beam_check.
@@ -431,8 +410,8 @@ fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
 fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault);
 
 /* Checks the motions of a scene that fxl_scene_check_all has checked: every count, index and range,
- * and that no frame takes an instance out of the world or a scale out of its range. The time is
- * linear in the counts. fault may be null.
+ * and that no frame takes an instance out of the world or a scale out of range. fault may be null.
+ * The time is linear in the counts.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ALIGNMENT: a table is not aligned to 4 bytes.
  * FXL_E_COUNT: a count is out of its range.
@@ -443,8 +422,7 @@ fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault);
 fxl_status fxl_motion_check(const fxl_motion_set *set, const fxl_scene *scene,
                             fxl_scene_fault *fault);
 
-/* Checks the settings of a light: every count and range, and the length of the direction. fault may
- * be null.
+/* Checks the settings of a light: counts, ranges, the length of the direction. fault may be null.
  * FXL_E_ARGUMENT: settings is null.
  * FXL_E_COUNT: point_count or levels is out of range.
  * FXL_E_RANGE: a number is out of its range.
@@ -452,9 +430,8 @@ fxl_status fxl_motion_check(const fxl_motion_set *set, const fxl_scene *scene,
  * With each of these statuses: *fault written. On FXL_OK *fault is untouched. */
 fxl_status fxl_light_check(const fxl_light_settings *settings, fxl_scene_fault *fault);
 
-/* Makes the settings of an image's light, for fxl_attach_light. The ramp is that of the
- * image. Requires a light whose base is not null, with at most FXL_LIGHT_POINTS_MAX point lights:
- * so has an image that fxl_scene_open opened, unless it has no light. */
+/* Makes the settings of an image's light, for fxl_attach_light, with the image's ramp. Requires a
+ * base that is not null and at most FXL_LIGHT_POINTS_MAX point lights: as fxl_scene_open checks. */
 void fxl_light_settings_of(const fxl_scene_light *light, fxl_light_settings *settings);
 
 /* Opens a scene image of size bytes, in place. It checks everything before it uses anything: magic,
@@ -486,16 +463,12 @@ fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opene
 fxl_status fxl_placement_check(const fxl_placement *placement, const fxl_point *centre,
                                fxl_q16_16 radius);
 
-/* --- beams of light ---------------------------------------------------------------------- */
-
 /* Makes the beam that falls through a window from a light at a point, or from a direction. The
- * window is a convex polygon of 3 to FXL_BEAM_PLANES_MAX - 1 corners, in either winding. The
- * beam has a plane for each side of the window, in order; the side goes from its corner to the
- * next. After them comes the window's own plane, through its first three corners; the beam
- * begins there, on the side away from the light. Each plane passes exactly through its side's
- * first corner (the window's own plane through the first one).
- * Requires a window of count points. The light and the window are in world units, travel is in
- * 2.30.
+ * window is a convex polygon of 3 to FXL_BEAM_PLANES_MAX - 1 corners, in either winding. The beam
+ * has a plane for each side, from a corner to the next, in order. After them comes the window's own
+ * plane, through its first three corners; the beam begins there, on the side away from the light.
+ * Each plane passes exactly through its side's first corner (the window's own through the first).
+ * Requires a window of count points. Light and window are in world units, travel is in 2.30.
  * Error: a component of a normal is at most 2 units of 2^-30 from the exact one.
  * Source: "Realtime 3D Clipping" (C6).
  * FXL_E_ARGUMENT: a null pointer.
