@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "paint/depth_runs.c"
 #include "paint/depth_row.h"
+#include "paint/texel_outline.c"
 #include "proof.h"
 
 /* The depth test of a run: four cells at once and the rest, so six cells have every path. */
@@ -113,5 +114,80 @@ void prove_depth_shifted(void)
     ASSUME(drop > -32 && drop < 64);
     const uint32_t shifted = fxl_depth_shifted(value, drop);
     ASSERT("the lowest bits of the floor", shifted == (drop >= 0 ? (uint32_t)(value >> drop) : (uint32_t)value << -drop));
+    PROOF_ENDS();
+}
+
+/* --- texels in words --------------------------------------------------------------------------- */
+
+#define WIDTH 3
+#define ROWS  2
+
+static FXL_ALIGN_8 uint16_t texels[8];
+static uint16_t palette[256];
+
+/* Any words, of a texture of 8 texels of 8 or of 16 bits: 1 x 8 to 8 x 1. */
+static fxl_texel_outline any_texels(void)
+{
+    fxl_texel_outline of;
+    const uint32_t columns = nondet_u32(), rows = nondet_u32();
+    ASSUME(columns <= 3 && rows <= 3 - columns);
+    of.texels = (const uint8_t *)(const void *)texels;
+    of.palette = palette;
+    of.columns_mask = (1u << columns) - 1u;
+    of.rows_mask = ((1u << rows) - 1u) << columns;
+    ASSUME(of.is_wide <= 1);
+    return of;
+}
+
+/* [[row]]
+ * function = "lib/paint/texel_outline.c:colour_of"
+ * property = "no texel is read that is not of the level, and without light it is that of the column and row of u and v, for any words"
+ * checks = 139
+ */
+void prove_colour_of_words(void)
+{
+    const fxl_texel_outline of = any_texels();
+    fxl_texel_words at;
+    const uint32_t columns = of.columns_mask + 1u, rows = of.rows_mask / columns + 1u;
+    const uint32_t place = (at.v >> 16) / columns % rows * columns + (at.u >> 24) % columns;
+    const uint32_t texel = of.is_wide ? texels[place] : palette[of.texels[place]];
+    ASSERT("of the column and row", colour_of(&of, &at, false, of.is_wide != 0) == texel);
+    ASSERT("lit", colour_of(&of, &at, true, of.is_wide != 0) <= 0xFFFFu);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "lib/paint/texel_outline.c:paint_near"
+ * property = "runs of up to 4 pixels of any words: visible cells take the code, others stay with their pixels, none is out of bounds"
+ * checks = 291
+ * unwind = 6
+ */
+/* [[row]]
+ * function = "lib/paint/texel_outline.c:paint_any"
+ * property = "the same in any order, and beyond the end of an octave a cell is not nearer than the word"
+ * checks = 291
+ * unwind = 6
+ */
+void prove_paint_near(void)
+{
+    const fxl_texel_outline of = any_texels();
+    fxl_texel_words at;
+    uint16_t cells[4], pixels[4], before[4], beneath[4];
+    const uint32_t count = nondet_u32(), i = nondet_u32();
+    ASSUME(count >= 1 && count <= 4 && i < 4);
+    before[i] = cells[i];
+    beneath[i] = pixels[i];
+    const uint32_t word = at.code + of.along.code * i;
+    const bool is_near = nondet_bool();
+    uint32_t code = word;
+    if (is_near) {
+        paint_near(&of, at, cells, pixels, count, nondet_bool(), of.is_wide != 0);
+    } else {
+        code = word < of.border ? 2u * word - of.border : word;
+        paint_any(&of, at, cells, pixels, count);
+    }
+    const bool is_visible = i < count && (code >> 16 > before[i] || (!is_near && of.or_equal && code >> 16 == before[i]));
+    ASSERT("a visible one is kept", cells[i] == (is_visible ? code >> 16 : before[i]));
+    ASSERT("the others' pixels stay", is_visible || pixels[i] == beneath[i]);
     PROOF_ENDS();
 }
