@@ -8,17 +8,6 @@
 
 #if !FXL_KERNELS_ARMV7M
 
-/* Whether all vertices of a face are outside of the same plane. */
-static bool is_outside(const fxl_model_view *model_view, const fxl_face *face)
-{
-    const uint16_t *index = fxl_face_indices(model_view->indices, face);
-    uint32_t of_all = FXL_PLANES_ALL;
-    for (const uint16_t *end = index + face->count; index < end && of_all != 0; index++) {
-        of_all &= fxl_fetch_vertex(model_view, *index)->clip_flags;
-    }
-    return of_all != 0;
-}
-
 /* Usually all vertices are inside. Then their places on the screen are the result. */
 /* SPEC 4.7 */
 fxl_clip_result fxl_clip_by_view(const fxl_model_view *model_view, const fxl_face *face,
@@ -33,7 +22,7 @@ fxl_clip_result fxl_clip_by_view(const fxl_model_view *model_view, const fxl_fac
         if ((state & FXL_VERTEX_OUTSIDE) != 0) {
             if (state != FXL_VERTEX_UNPROJECTED) {
                 /* If no vertex was inside before. */
-                return of_all == UINT32_MAX && is_outside(model_view, face)
+                return of_all == UINT32_MAX && fxl_face_is_outside(model_view, face)
                            ? FXL_CLIP_OUTSIDE
                            : fxl_clip_assembled(model_view, face, work, screen);
             }

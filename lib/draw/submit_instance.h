@@ -35,7 +35,7 @@ typedef bool fxl_instance_submit(const fxl_traversal *traversal, const fxl_draw_
 
 /* A convex instance: none of its faces hides another, so any order will do. Front to back
  * they come in reverse, so that the first face to cover a pixel is the one that would cover it
- * last back to front. */
+ * last back to front. Or one whose faces a depth buffer orders: of these, many may lie outside. */
 /* SPEC 6.2, 6.4 */
 static inline bool fxl_submit_convex(const fxl_traversal *traversal,
                                      const fxl_model_view *model_view, const fxl_model *model,
@@ -44,12 +44,16 @@ static inline bool fxl_submit_convex(const fxl_traversal *traversal,
     const fxl_face *faces = traversal->renderer->scene->faces;
     const bool reverse = traversal->renderer->near_first;
     const uint32_t first = traversal->resume->faces, step = reverse ? UINT32_MAX : 1;
-    uint32_t left = model->face_count - first, backfacing = 0;
+    const bool drops =
+        model->kind == FXL_MODEL_SORTED && fxl_drops_outside(traversal, model_view, model);
+    uint32_t left = model->face_count - first, backfacing = 0, outside = 0;
     uint32_t at = reverse ? left - 1 : first;
     at += model->first_face; /* not before: a scene without faces may have no table */
     for (; left != 0; left--) {
         if (!is_front(model_view, &faces[at])) {
             backfacing++;
+        } else if (drops && fxl_face_is_outside(model_view, &faces[at])) {
+            outside++;
         } else if (!fxl_submit_face(model_view, &faces[at], traversal)) {
             break;
         }
@@ -59,6 +63,7 @@ static inline bool fxl_submit_convex(const fxl_traversal *traversal,
     traversal->resume->faces = (uint16_t)number;
     traversal->counters->in += number - first;
     traversal->counters->backfacing += backfacing;
+    traversal->counters->outside += outside;
     return left == 0;
 }
 

@@ -93,3 +93,13 @@ void fxl_model_view_of_polygon(fxl_model_view *model_view, const fxl_point *poin
     model_view->offset.z = -eye->z;
     set_up(model_view, view, cache);
 }
+
+bool fxl_face_is_outside(const fxl_model_view *model_view, const fxl_face *face)
+{
+    const uint16_t *index = fxl_face_indices(model_view->indices, face);
+    uint32_t of_all = FXL_PLANES_ALL;
+    for (const uint16_t *end = index + face->count; index < end && of_all != 0; index++) {
+        of_all &= fxl_fetch_vertex(model_view, *index)->clip_flags;
+    }
+    return of_all != 0;
+}

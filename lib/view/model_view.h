@@ -80,6 +80,9 @@ static inline fxl_cached_vertex *fxl_fetch_vertex(const fxl_model_view *model_vi
     return entry;
 }
 
+/* Whether all vertices of a face lie outside one plane of the model view: it fetches them. Exact. */
+bool fxl_face_is_outside(const fxl_model_view *model_view, const fxl_face *face);
+
 /* *sum = *origin + axes . point: three exact sums. sum may be origin. Requires each coordinate of
  * the point below 2^30. Then each product with an axis is below 2^61 (fxl_dot), and *origin must
  * leave room for it. */

@@ -58,7 +58,7 @@ static fxl_model_view any_face(void)
     return of;
 }
 
-/* For is_outside and fxl_clip_assembled, which have rows of their own. */
+/* For fxl_face_is_outside and fxl_clip_assembled, which have rows of their own. */
 bool any_is_outside(const fxl_model_view *model_view, const fxl_face *of)
 {
     (void)model_view;
@@ -80,7 +80,7 @@ fxl_clip_result any_assembled(const fxl_model_view *model_view, const fxl_face *
  * property = "any face of 3 to 24 corners, any vertices: nothing is out of bounds, and each shift and sum is in its range"
  * checks = 239
  * unwind = 25
- * stands_in = { fxl_fetch_vertex = "any_fetch", is_outside = "any_is_outside", fxl_clip_assembled = "any_assembled" }
+ * stands_in = { fxl_fetch_vertex = "any_fetch", fxl_face_is_outside = "any_is_outside", fxl_clip_assembled = "any_assembled" }
  * stubs = { fxl_clip_assembled = "any result: no row proves it", fxl_project_inside = "any place on the screen: that a vertex inside the planes has one is what make report measures" }
  */
 void prove_clip_by_view(void)
@@ -88,19 +88,5 @@ void prove_clip_by_view(void)
     const fxl_model_view of = any_face();
     const fxl_clip_result result = fxl_clip_by_view(&of, &face, &work, &screen);
     ASSERT("between or inside, all of the face", result != FXL_CLIP_BETWEEN || (screen.count == face.count && screen.colour == face.material));
-    PROOF_ENDS();
-}
-
-/* [[row]]
- * function = "is_outside"
- * property = "any face of 3 to 24 corners: nothing is out of bounds"
- * checks = 100
- * unwind = 25
- * stands_in = { fxl_fetch_vertex = "any_fetch" }
- */
-void prove_is_outside(void)
-{
-    const fxl_model_view of = any_face();
-    (void)is_outside(&of, &face);
     PROOF_ENDS();
 }

@@ -116,3 +116,43 @@ void prove_model_view_of_polygon(void)
     ASSERT("a model view, its offset below 2^30", is_model_view(&of) && FXL_POINT_BELOW(&of.offset, (1 << 30) - 1));
     PROOF_ENDS();
 }
+
+#define CORNERS  FXL_FACE_VERTICES_MAX
+#define VERTICES 8 /* of a model */
+
+static uint16_t indices[CORNERS];
+static fxl_face face;
+static fxl_cached_vertex fetched;
+static uint32_t of_all;
+
+/* For fxl_fetch_vertex, which has a row of its own: any vertex of the model. Keeps which planes all were outside of. */
+fxl_cached_vertex *any_fetch(const fxl_model_view *model_view, uint32_t number)
+{
+    ASSERT("a vertex of the model", model_view->indices == indices && number < VERTICES);
+    ANY_CONTENT(&fetched);
+    of_all &= fetched.clip_flags;
+    return &fetched;
+}
+
+/* [[row]]
+ * function = "fxl_face_is_outside"
+ * property = "any face of 3 to 24 corners: nothing is out of bounds, and it is outside if all that were fetched are outside of one plane"
+ * checks = 82
+ * unwind = 25
+ * stands_in = { fxl_fetch_vertex = "any_fetch" }
+ */
+void prove_face_is_outside(void)
+{
+    fxl_model_view of;
+    ANY_CONTENT(indices);
+    ANY_CONTENT(&face);
+    ASSUME(face.count >= 3 && face.count <= CORNERS && (face.count == 3 || (face.indices[1] == 0 && face.indices[2] == 0)));
+    for (uint32_t i = 0; i < CORNERS; i++) {
+        ASSUME(indices[i] < VERTICES && (face.count != 3 || i >= 3 || face.indices[i] < VERTICES));
+    }
+    of.indices = indices;
+    of_all = FXL_PLANES_ALL;
+    const bool is_outside = fxl_face_is_outside(&of, &face);
+    ASSERT("outside of one plane", is_outside == (of_all != 0));
+    PROOF_ENDS();
+}
