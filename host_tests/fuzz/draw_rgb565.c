@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene with surfaces in frames of 16 bits a pixel: whole, in bands and in another workspace. */
+/* A scene with surfaces in frames of 16 bits a pixel: whole, in bands and in another workspace; and the same with a
+ * depth buffer. */
 #include <string.h>
 
 #include "answers.h"
@@ -236,6 +237,23 @@ static void choose(fxl_renderer *renderer, const uint16_t *palette)
     DEMAND(fxl_renderer_choose(renderer, &config) == FXL_OK);
 }
 
+/* The same frames with a depth buffer. */
+static void draw_twice_by_depth(fxl_renderer *renderer, draw_parts *parts,
+                                const fxl_surface_set *set, bool is_lit, const uint16_t *palette,
+                                fuzz_input *in)
+{
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    fxl_config config = fxl_config_for(1, 1, &fxl_rgb565_depth_16);
+    config.palette = palette;
+    config.depth_size = FXL_DEPTH_BYTES(lens->width, lens->height, 16u);
+    config.depth = draw_memory(config.depth_size);
+    DEMAND(fxl_renderer_choose(renderer, &config) == FXL_OK);
+    draw_attach(renderer, parts, set, FXL_SURFACES_OF(fxl_rgb565_depth_16), is_lit);
+    draw_twice(renderer, in);
+    draw_detach(renderer);
+    free(config.depth);
+}
+
 void draw_rgb565(fxl_renderer *renderer, draw_parts *parts, const fxl_surface_set *from,
                  fuzz_input *in)
 {
@@ -244,10 +262,13 @@ void draw_rgb565(fxl_renderer *renderer, draw_parts *parts, const fxl_surface_se
     make_set(&made, from, in);
     choose(renderer, palette);
     parts->light.settings.dark = (uint16_t)fuzz_bits(in, 2);
-    draw_attach(renderer, parts, &made.set, FXL_SURFACES_OF(fxl_rgb565), fuzz_below(in, 4));
+    const bool is_lit = fuzz_below(in, 4) != 0;
+    draw_attach(renderer, parts, &made.set, FXL_SURFACES_OF(fxl_rgb565), is_lit);
     misuse(renderer, &made, palette);
+    fuzz_input same = *in;
     draw_twice(renderer, in);
     draw_detach(renderer);
+    draw_twice_by_depth(renderer, parts, &made.set, is_lit, palette, &same);
     for (uint32_t i = 0; i < TEXTURES; i++) {
         free(made.texels[i]);
     }

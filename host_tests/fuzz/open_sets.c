@@ -10,7 +10,7 @@
 enum {
     BILLBOARD_FACES = 4096, /* of a scene that is drawn with billboards */
     SURFACE_FACES = 512,    /* with surfaces */
-    ROWS = 4
+    ROWS = 48
 };
 
 /* A row of a frame, without a display list. */
@@ -111,22 +111,11 @@ static uint32_t sum_texels(const fxl_texture *texture)
 
 static const uint16_t palette[256] = {0xFFFF, 0x1234};
 
-/* Has a renderer draw a set: in frames of a palette, or in RGB565. */
-static void attach(fxl_renderer *renderer, fxl_surfaces *surfaces, const fxl_surface_set *set,
-                   bool is_wide)
-{
-    const fxl_config config = {
-        .order = &fxl_by_distance, .target = &fxl_rgb565, .palette = palette};
-    DEMAND(!is_wide || fxl_renderer_choose(renderer, &config) == FXL_OK);
-    DEMAND(fxl_attach_surfaces(renderer, surfaces, set,
-                               is_wide ? FXL_SURFACES_OF(fxl_rgb565)
-                                       : FXL_SURFACES_OF(fxl_palette)) == FXL_OK);
-}
-
-/* In the image's light, if it has one. */
+/* In frames of a palette, in RGB565, or in that with a depth buffer; in the image's light, if it has one. */
 static void draw_rows(const fxl_scene_image *opened, const fxl_surface_set *set,
-                      const fxl_pose *pose, bool is_wide)
+                      const fxl_pose *pose, const fxl_target *target, const fxl_painter *painter)
 {
+    const bool is_wide = target != &fxl_palette;
     const fxl_scene *scene = &opened->scene;
     fxl_draw_entry *order = draw_memory(scene->draw_list_needed * sizeof *order);
     fxl_renderer *renderer = draw_memory(sizeof *renderer);
@@ -137,9 +126,14 @@ static void draw_rows(const fxl_scene_image *opened, const fxl_surface_set *set,
     fxl_surfaces surfaces;
     fxl_light light;
     fxl_lit_surfaces lit;
+    fxl_config config = fxl_config_for(1, 1, target);
+    config.palette = is_wide ? palette : NULL;
+    config.depth_size = FXL_DEPTH_BYTES(opened->lens.width, rows, 16u);
+    config.depth = draw_memory(config.depth_size);
     band.palette = is_wide ? palette : NULL;
     DEMAND(fxl_renderer_init_with(renderer, scene, &opened->lens, &memory) == FXL_OK);
-    attach(renderer, &surfaces, set, is_wide);
+    DEMAND(fxl_renderer_choose(renderer, &config) == FXL_OK);
+    DEMAND(fxl_attach_surfaces(renderer, &surfaces, set, painter) == FXL_OK);
     if (opened->light.base != NULL) {
         fxl_light_settings settings;
         fxl_light_settings_of(&opened->light, &settings);
@@ -155,6 +149,7 @@ static void draw_rows(const fxl_scene_image *opened, const fxl_surface_set *set,
     } else {
         record_band(&band);
     }
+    free(config.depth);
     free(pixels);
     free(renderer);
     free(order);
@@ -178,10 +173,12 @@ void open_surfaces(const fxl_scene_image *opened, const fxl_pose *pose)
         record_number(sum);
         if (draw_model_view(&opened->scene) <= SURFACE_FACES) {
             if (fxl_surfaces_check(&set, &opened->scene, 8, NULL) == FXL_OK) {
-                draw_rows(opened, &set, pose, false);
+                draw_rows(opened, &set, pose, &fxl_palette, FXL_SURFACES_OF(fxl_palette));
             }
             if (fxl_surfaces_check(&set, &opened->scene, 16, NULL) == FXL_OK) {
-                draw_rows(opened, &set, pose, true);
+                draw_rows(opened, &set, pose, &fxl_rgb565, FXL_SURFACES_OF(fxl_rgb565));
+                draw_rows(opened, &set, pose, &fxl_rgb565_depth_16,
+                          FXL_SURFACES_OF(fxl_rgb565_depth_16));
             }
         }
     } else {
