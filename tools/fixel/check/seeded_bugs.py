@@ -35,7 +35,7 @@ COPIED_BUILT = ("host/unit", "equality", "bench/m0", "bench/m3", "core/*/lib", "
 FOUND = ("build/lib_needs.mk", "build/lib_conditions.mk")
 TEST_CPU = 120          # seconds of CPU time; a bug that never ends is caught too
 # A core's kernels against the portable ones, on the emulated core: with so many thousand inputs.
-EQUALITY = ("equality/m0", "equality/m3", "equality/m3-small", "equality/m3-os")
+EQUALITY = ("equality/m0", "equality/m3", "equality/m55", "equality/m3-small", "equality/m3-os")
 EQUALITY_THOUSANDS = 20
 # Frames that the host draws and the reference renderer judges, as make run does: "run/SCENE", "run/SCENE/PIXELS".
 RUNS = ("run/room", "run/gallery", "run/gallery/rgb565", "run/grove", "run/landscape", "run/car/rgb565", "run/clamped",
