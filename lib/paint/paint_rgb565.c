@@ -351,8 +351,8 @@ static inline bool has_lines(const fxl_paint *paint)
 /* Whether texels are of 8 or 16 bits, repeat and are in no beam. */
 static inline bool has_plain_texels(const fxl_paint *paint)
 {
-    return paint->level.colours == NULL &&
-           (paint->level.flags & (FXL_TEXTURE_CLAMP | FXL_LEVEL_IN_BEAM)) == 0;
+    const uint32_t clamp = FXL_TEXTURE_CLAMP, others = clamp | FXL_LEVEL_IN_BEAM;
+    return paint->level.colours == NULL && (paint->level.flags & others) == 0;
 }
 
 /* Whether all that is shown are such texels, or the key. */
