@@ -51,7 +51,7 @@ def test_a_frame_of_each_workload_is_a_bar_beside_those_of_other_renderers():
     rows = [bench_row("w1", "fixel", "m3", 10, 11), bench_row("w2", "fixel", "m3", 20, 25),
             bench_row("w2", "listing-float", "m3", 80, 90), bench_row("w1", "fixel", "m0", 30, 31),
             bench_row("w1", "fixel", "m55", 40, 40), {**bench_row("w1", "memset", "m3", 1, 1), "frame": None}]
-    figure = bench_plots.frames(plan, {"cores": ["m0", "m3", "m55"], "rows": rows})
+    figure = bench_plots.frames(plan, {"cores": ["m0", "m3", "m55"], "extra_cores": [], "rows": rows})
     assert figure.get_size_inches()[1] == pytest.approx(2 * 3.3)       # two rows of two cores
     panels = figure.axes
     assert len(panels) == 4 and [axes.axison for axes in panels] == [True, True, True, False]
