@@ -57,7 +57,7 @@ typedef struct {
     { \
         FXL_U16(vertex), FXL_U16(number), FXL_U16((number) >> 16) \
     }
-#define FXL_U16(number) FXL_CAST(uint16_t, (number)&0xFFFFu)
+#define FXL_U16(number) FXL_CAST(uint16_t, FXL_CAST(uint32_t, number) & 0xFFFFu)
 
 /* The indices of a face: indices are those of its scene. */
 static inline const uint16_t *fxl_face_indices(const uint16_t *indices, const fxl_face *face)
