@@ -376,7 +376,7 @@ show_texels(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0, uint3
         const bool are_sixteens = has_sixteens(paint, row, x0, x1);
         if (!are_sixteens) {
             end = next < x1 ? next : x1;
-            log = log_of(paint, row, x0);
+            log = log_at(paint, row, x0);
         }
         if (!FXL_KERNELS_ARMV6M && are_sixteens) { /* constant shifts */
             count = find_lines(paint, row, x0, x1, 4, lines);

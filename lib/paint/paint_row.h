@@ -222,7 +222,7 @@ static inline bool has_sixteens(const fxl_paint *paint, const fxl_paint_row *row
 }
 
 /* The log of the segments of the 16 columns that have x0. */
-static inline uint32_t log_of(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0)
+static inline uint32_t log_at(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0)
 {
     uint32_t least[3];
     fxl_find_least_weights(paint->gradients, paint->division, least);

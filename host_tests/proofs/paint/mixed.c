@@ -167,7 +167,7 @@ void prove_after(void)
 }
 
 /* [[row]]
- * function = "lib/paint/paint_row.h:log_of"
+ * function = "lib/paint/paint_row.h:log_at"
  * property = "any weights and rule: 0, 2, 3 or 4"
  * checks = 180
  */
@@ -189,7 +189,7 @@ void prove_log_of(void)
     const uint32_t x0 = nondet_u32(), x1 = nondet_u32();
     ASSUME(x0 < x1 && x1 < 1u << 15);
     paint.gradients = &gradients;
-    const uint32_t log = log_of(&paint, &row, x0), weight = weight_after(&paint, &row, x0 & ~15u);
+    const uint32_t log = log_at(&paint, &row, x0), weight = weight_after(&paint, &row, x0 & ~15u);
     ASSERT("columns of a segment", log == 0 || (log >= 2 && log <= 4));
     ASSERT("a weight", weight >= 1 && weight <= INT32_MAX);
     ASSERT("16 columns", !has_sixteens(&paint, &row, x0, x1) || paint.division == FXL_DIVIDE_16);
