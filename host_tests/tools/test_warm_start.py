@@ -38,7 +38,7 @@ def test_a_result(tmp_path):
         found.append([done.returncode, done.stdout, without_progress(done.stderr), (tmp_path / "tiny.fxls").read_bytes()])
         (tmp_path / "tiny.fxls").unlink()
     warm, cold = found
-    assert warm == cold and warm[:3] == [0, "", ["tiny.fxls: 2,600 bytes, 5 objects, 16 frames"]]
+    assert warm == cold and warm[:3] == [0, "", ["tiny.fxls: 2,512 bytes, 5 objects, 16 frames"]]
 
 
 JOB = """import json, os, signal, sys, threading

@@ -100,8 +100,8 @@ static void put_model(scene_bytes *scene)
     }
     at = add_table(scene, FACES, 1, 20);
     put_point(scene, at, 0, 0, -FXL_Q2_30_ONE);
-    bytes(scene)[at + 16] = 4;
-    bytes(scene)[at + 17] = SCENE_COLOUR;
+    bytes(scene)[at + 12] = 4;
+    bytes(scene)[at + 13] = SCENE_COLOUR; /* its first index is 0, and the number of that too */
     at = add_table(scene, MODELS, 1, 28);
     put32(scene, at + 4, 4);
     put32(scene, at + 12, 1);
