@@ -247,7 +247,7 @@ endif
 
 # --- commands ----------------------------------------------------------------
 
-.PHONY: FORCE help test-programs bench-test-programs boards-programs set-up-lib $(COMMANDS)
+.PHONY: FORCE help test-programs bench-test-programs boards-programs $(COMMANDS)
 
 help: ## print this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
@@ -366,10 +366,11 @@ pictures: ## renew the pictures of the documents (needs make report) [BOARD= ONL
 	@$(MAKE) $(BOARD_WALK.$(BOARD_CHOSEN)) $(BUILD)/host/live $(BUILD)/host/frames $(BUILD)/host/libfixel.a
 	$(foreach name,$(PICTURES_ASKED),$(PICTURE.$(name))$(newline))
 
-# lib/lib.mk has the recipe. Each of its objects depends on the file of the flags, and so on set-up.
 lib: ## build the library and its headers for your firmware: for a core, or a chip such as rp2040 [CORE=cortex-m3 SIZE=1 LIB_FLAGS=]
-set-up-lib:
 	@tools/setup.sh $(LIB_SETUP)
+	@$(MAKE) $(LIB_MADE)
+	@printf '  %s\n' '$(LIB_CORE) means $(strip $(LIB_CC) $(LIB_CORE_FLAGS) $(LIB_OPTIMISE) $(LIB_FLAGS))'
+	@printf '  %s and %s\n' '$(LIB_OUT)/libfixel.a' '$(LIB_OUT)/include/fixel.h'
 
 one-file: ## write the library as fixel.h and fixel.c into build/one-file [OUT=]
 	@$(SET_UP) tools

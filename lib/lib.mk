@@ -30,10 +30,8 @@ $(BUILD)/lib_needs.mk: lib/needs.py $(LIB_SOURCES) $(wildcard lib/*/*.h) $(LIB_H
 $(LIB_CONDITIONS).mk: lib/needs.py $(LIB_SOURCES) $(wildcard lib/*/*.h)
 	$(MAKE_FOLDER)
 	@python3 $< --conditions $(@:.mk=) $(LIB_SOURCES)
-ifneq ($(filter-out help $(filter-out lib,$(COMMANDS)),$(MAKECMDGOALS)),)
-include $(LIB_CONDITIONS).mk
-endif
 ifneq ($(filter-out help $(COMMANDS),$(MAKECMDGOALS)),)
+include $(LIB_CONDITIONS).mk
 include $(BUILD)/lib_needs.mk
 endif
 
@@ -105,16 +103,13 @@ LIB_CC := $(if $(filter host,$(LIB_CORE)),$(HOSTCC),$(LIB_CROSS)gcc)
 LIB_AR := $(if $(filter host,$(LIB_CORE)),ar,$(LIB_CROSS)ar)
 LIB_OPTIMISE := $(if $(SIZE),-Os -DFXL_SMALL,-O2)
 
-.PHONY: lib
 ifneq ($(and $(filter unknown,$(LIB_CORE)),$(filter lib,$(MAKECMDGOALS))),)
 $(error CORE=$(CORE) is unknown; the cores are: $(LIB_CORES))
 endif
-lib: $(LIB_OUT)/libfixel.a $(LIB_OUT)/libfixel_study.a $(LIB_HEADERS:lib/include/%=$(LIB_OUT)/include/%)
-	@printf '  %s\n' '$(LIB_CORE) means $(strip $(LIB_CC) $(LIB_CORE_FLAGS) $(LIB_OPTIMISE) $(LIB_FLAGS))'
-	@printf '  %s and %s\n' '$(LIB_OUT)/libfixel.a' '$(LIB_OUT)/include/fixel.h'
+LIB_MADE := $(LIB_OUT)/libfixel.a $(LIB_OUT)/libfixel_study.a $(LIB_HEADERS:lib/include/%=$(LIB_OUT)/include/%)
 
 # Flags are part of what was built: another choice builds anew.
-$(LIB_OUT)/flags: FORCE | set-up-lib
+$(LIB_OUT)/flags: FORCE
 	$(MAKE_FOLDER)
 	@echo '$(LIB_CC) $(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS)' | cmp -s - $@ || \
 	    echo '$(LIB_CC) $(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS)' > $@
@@ -127,7 +122,7 @@ LIB_COMPILE = $(LIB_CC) $(LIB_CFLAGS) $(LIB_CHOSEN) $(call LIB_TUNE,$(LIB_CORE_F
 
 $(eval $(call LIB_RULES,$(LIB_OUT)/objects,$$(LIB_COMPILE) $$< -o $$@,$(LIB_OUT)/flags,$$(SAY)))
 
-LIB_OBJECTS := $(if $(filter lib $(LIB_OUT)/%,$(MAKECMDGOALS)),$(patsubst %,$(LIB_OUT)/objects/%.o,\
+LIB_OBJECTS := $(if $(filter $(LIB_OUT)/%,$(MAKECMDGOALS)),$(patsubst %,$(LIB_OUT)/objects/%.o,\
     $(call LIB_NAMES_FOR,lib,$(LIB_CC) $(LIB_CHOSEN),$(call LIB_TUNE,$(LIB_CORE_FLAGS)))))
 $(LIB_OUT)/libfixel.a: $(filter-out $(LIB_OUT)/objects/study/%,$(LIB_OBJECTS))
 $(LIB_OUT)/libfixel_study.a: $(filter $(LIB_OUT)/objects/study/%,$(LIB_OBJECTS))
