@@ -39,10 +39,15 @@ WRAPPED_COUNT_VOID(void, fxl_corner_planes_depth,
                    (fxl_corner_planes * planes, fxl_depth_plane *plane), (planes, plane),
                    counted.small_depths += !planes->has_weight)
 
-WRAPPED_COUNT(bool, fxl_corner_planes_linear,
-              (const fxl_corner_planes *planes, const int32_t light[3], fxl_gradients *gradients,
-               fxl_depth_plane *depth),
-              (planes, light, gradients, depth), counted.small_linear += 1)
+/* It begins planes in its own file, and on Armv7-M in one kernel. */
+WRAPPED(bool, fxl_find_smooth_planes,
+        (const fxl_screen_corners *corners, const fxl_lens *lens, const int32_t light[3],
+         fxl_gradients *gradients, fxl_depth_plane *depth))
+{
+    fxl_corner_planes planes;
+    counted.small_linear += fxl_corner_planes_begin(corners, lens, FXL_WORDS_SIDE_MAX, &planes);
+    return __real_fxl_find_smooth_planes(corners, lens, light, gradients, depth);
+}
 
 WRAPPED_COUNT_VOID(void, fxl_find_depth_plane,
                    (const fxl_direction *normal, const fxl_axes *axes,

@@ -91,6 +91,17 @@ WRAPPED(void, fxl_corner_planes_find,
     counted.small_divided += is_constant ? 0 : count;
 }
 
+WRAPPED(bool, fxl_find_texels,
+        (const fxl_corner_planes *planes, int32_t (*values)[3], uint32_t count, bool is_affine,
+         fxl_gradients *gradients, fxl_depth_plane *depth))
+{
+    const bool is_found =
+        __real_fxl_find_texels(planes, values, count, is_affine, gradients, depth);
+    counted.small_surfaces += is_found;
+    counted.small_attributes += is_found ? count : 0;
+    return is_found;
+}
+
 WRAPPED(bool, fxl_surface_polygon_append,
         (fxl_display_list * list, const fxl_screen_polygon *screen, fxl_rows rows,
          const fxl_surface_polygon *polygon))
