@@ -75,3 +75,22 @@ void prove_nearest_depth(void)
     ASSERT("the least of all, or of the corners", nearest_depth(&model_view, &face, corners, &traversal, depths, has_others) == nearest);
     PROOF_ENDS();
 }
+
+/* [[row]]
+ * function = "may_have_words"
+ * property = "any surface and texture: opaque texels of 8 or 16 bits that repeat, without a key, a stipple or a beam, divided every 16 pixels or not at all"
+ * checks = 46
+ */
+void prove_may_have_words(void)
+{
+    fxl_surfaces surfaces;
+    fxl_surface surface;
+    fxl_texture texture;
+    const bool may = may_have_words(&surfaces, &surface, &texture);
+    ASSERT("opaque, and lit at most", !may || (surface.opacity == 16 && (surface.flags | FXL_SURFACE_LIT) == FXL_SURFACE_LIT));
+    ASSERT("its texture", !may || (texture.flags == 0 && texture.format != FXL_TEXTURE_4));
+    ASSERT("in no beam", !may || surfaces.beams == NULL);
+    ASSERT("each that is so", may || surface.opacity != 16 || surface.flags != 0 || texture.flags != 0 || texture.format == FXL_TEXTURE_4 ||
+                                  surfaces.beams != NULL || surface.division != FXL_DIVIDE_16);
+    PROOF_ENDS();
+}

@@ -191,3 +191,60 @@ void prove_paint_near(void)
     ASSERT("the others' pixels stay", is_visible || pixels[i] == beneath[i]);
     PROOF_ENDS();
 }
+
+/* [[row]]
+ * function = "lib/paint/texel_outline.c:words_at"
+ * property = "any words and any number of pixels: those of as many steps, modulo 2^32"
+ * checks = 106
+ * unwind = 5
+ */
+/* [[row]]
+ * id = "shifted of texels in words"
+ * function = "lib/paint/texel_outline.c:shifted"
+ * property = "any value: the lower word of it over a power of two of up to 16 bits, rounded down"
+ * checks = 106
+ * unwind = 5
+ */
+void prove_words_at(void)
+{
+    fxl_texel_words at, along;
+    const uint32_t count = nondet_u32(), drop = nondet_u32();
+    ASSUME(count <= 3 && drop <= 16);
+    const fxl_texel_words there = words_at(&at, &along, count);
+    for (uint32_t i = 0; i < count; i++) {
+        step(&at, &along);
+    }
+    ASSERT("as by steps", there.code == at.code && there.u == at.u && there.v == at.v && there.light == at.light);
+    const int64_t value = nondet_s64();
+    ASSUME(value > -((int64_t)1 << 40) && value < (int64_t)1 << 40);
+    const int32_t word = (int32_t)shifted(value, drop), lower = (int32_t)value;
+    const int64_t rest = lower - (int64_t)word * ((int64_t)1 << drop);
+    ASSERT("rounded down", rest >= 0 && rest < (int64_t)1 << drop);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * id = "set_words of texels"
+ * function = "lib/paint/texel_outline.c:set_words"
+ * property = "gradients in words, a level that leaves up to 8 bits out, up to 256 columns: each shift is below 17, and each word is the gradient's"
+ * checks = 100
+ */
+void prove_set_words(void)
+{
+    fxl_gradients gradients;
+    fxl_paint paint;
+    fxl_depth_plane depth;
+    fxl_texel_outline of;
+    paint.gradients = &gradients;
+    const uint32_t u_drop = nondet_u32(), v_drop = nondet_u32();
+    ASSUME(u_drop <= 8 && v_drop <= 8 && paint.level.log_width <= 8 && (gradients.count == 2 || gradients.count == 3));
+    gradients.shifts[FXL_ATTRIBUTE_U] = (int8_t)(FXL_SHIFT_OF_TEXELS - (int32_t)u_drop);
+    gradients.shifts[FXL_ATTRIBUTE_V] = (int8_t)(FXL_SHIFT_OF_TEXELS - (int32_t)v_drop);
+    set_words(&paint, &depth, &of);
+    const int32_t u = (int32_t)gradients.attributes[FXL_ATTRIBUTE_U].along, v = (int32_t)gradients.attributes[FXL_ATTRIBUTE_V].down;
+    ASSERT("u, by its level", of.along.u == (uint32_t)(u >> u_drop));
+    ASSERT("v, by its level and columns", of.down.v == (uint32_t)(v >> (v_drop + 8 - paint.level.log_width)));
+    ASSERT("light, or none", of.along.light == (gradients.count == 3 ? (uint32_t)gradients.attributes[FXL_SEGMENT_LIGHT].along : 0));
+    ASSERT("depth", of.at.code == (uint32_t)depth.gradient.at && of.down.code == (uint32_t)depth.gradient.down);
+    PROOF_ENDS();
+}

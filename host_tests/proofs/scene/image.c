@@ -135,7 +135,7 @@ void prove_check_presence(void)
     ANY_CONTENT(counts);
     const fxl_status status = check_presence(&image.head, &fault);
     const uint32_t kind = nondet_u32();
-    ASSUME(kind >= SECTION_PALETTE && kind <= SECTION_INSTANCES);
+    ASSUME(kind >= SECTION_PALETTE && kind <= SECTION_INSTANCES && kind != SECTION_INDICES);
     ASSERT("the tables that every scene has", status != FXL_OK || counts[kind] != 0);
     ASSERT("one path", status != FXL_OK || (counts[SECTION_POSES] == 0) != (counts[SECTION_SEGMENTS] == 0));
     ASSERT("beams with their colours", status != FXL_OK || (counts[SECTION_BEAMS] == 0) == (counts[SECTION_LIT_COLOURS] == 0));

@@ -156,3 +156,18 @@ void prove_face_is_outside(void)
     ASSERT("outside of one plane", is_outside == (of_all != 0));
     PROOF_ENDS();
 }
+
+/* [[row]]
+ * function = "lib/view/model_view.h:fxl_set_face_of_points"
+ * property = "any number of points: those of a triangle have the indices 0, 1 and 2, and the listed ones of others begin at 0"
+ * checks = 29
+ */
+void prove_set_face_of_points(void)
+{
+    const uint32_t count = nondet_u32();
+    ASSUME(count >= 3 && count <= FXL_POLYGON_CAPACITY);
+    fxl_set_face_of_points(&face, count);
+    ASSERT("as many", face.count == count && face.indices[0] == 0);
+    ASSERT("of a triangle, or none", count == 3 ? face.indices[1] == 1 && face.indices[2] == 2 : face.indices[1] == 0 && face.indices[2] == 0);
+    PROOF_ENDS();
+}
