@@ -37,7 +37,7 @@ void fxl_find_corner(const fxl_model_view *model_view, uint32_t number, const fx
 /* [[row]]
  * function = "nearest_depth"
  * property = "faces and whole faces of up to 5 vertices: the least depth of the whole face, and of the corners alone where they are told to be all"
- * checks = 219
+ * checks = 344
  * unwind = 11
  * stubs = { fxl_find_corner = "any depth: it is measured" }
  */

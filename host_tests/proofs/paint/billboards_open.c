@@ -137,7 +137,7 @@ uint64_t any_square(fxl_q16_16 side, fxl_q16_16 anchor)
  * id = "check_model of a billboard"
  * function = "check_model"
  * property = "any model of a checked scene and any checked billboard: one that passes is convex and has one face"
- * checks = 335
+ * checks = 388
  * unwind = 8
  * stands_in = { square_beyond = "any_square" }
  */
@@ -171,7 +171,7 @@ fxl_status any_model(const fxl_model *model, const fxl_billboard *board)
 /* [[row]]
  * function = "fxl_billboards_check"
  * property = "any set of up to 2 billboards of a checked scene: nothing is out of bounds, and each model has a checked billboard of the table, or none"
- * checks = 490
+ * checks = 543
  * unwind = 8
  * stands_in = { check_billboard = "any_billboard", check_model = "any_model" }
  */

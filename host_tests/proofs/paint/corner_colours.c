@@ -178,7 +178,7 @@ void prove_differences_fit(void)
 /* [[row]]
  * function = "share"
  * property = "nothing overflows, and the place of a corner is that of its pixel and less than half of one"
- * checks = 200
+ * checks = 283
  */
 void prove_share(void)
 {
@@ -255,7 +255,7 @@ void prove_channel_of_colours(void)
 /* [[row]]
  * function = "channel_of_values"
  * property = "nothing overflows, for all levels from 1/16 to 63 15/16"
- * checks = 96
+ * checks = 143
  * unwind = 4
  */
 void prove_channel_of_values(void)

@@ -227,7 +227,7 @@ void prove_words_at(void)
  * id = "set_words of texels"
  * function = "lib/paint/texel_outline.c:set_words"
  * property = "gradients in words, a level that leaves up to 8 bits out, up to 256 columns: each shift is below 17, and each word is the gradient's"
- * checks = 100
+ * checks = 211
  */
 void prove_set_words(void)
 {

@@ -203,7 +203,7 @@ static void any_tables(void)
 /* [[row]]
  * function = "check_corner"
  * property = "any corner of a checked scene: one that passes has a vertex and a normal of their tables, texels in their range, and colours of 24 bits"
- * checks = 303
+ * checks = 356
  * unwind = 8
  */
 void prove_check_corner(void)
@@ -222,7 +222,7 @@ void prove_check_corner(void)
 /* [[row]]
  * function = "check_face"
  * property = "any mapped face of a checked scene and tables of up to 2 entries: one that passes has a surface and corners of their tables"
- * checks = 382
+ * checks = 435
  * unwind = 8
  * stands_in = { on_one_line = "any_line", check_corner = "any_corner" }
  */
@@ -251,7 +251,7 @@ fxl_status any_face(const fxl_surface_set *of, const fxl_scene *in, const fxl_mo
  * id = "check_faces of surfaces"
  * function = "check_faces"
  * property = "any face map of a checked scene and up to 2 mapped faces: one that passes has records of the table"
- * checks = 349
+ * checks = 402
  * unwind = 8
  * stands_in = { check_face = "any_face" }
  */
@@ -292,7 +292,7 @@ fxl_status any_faces(const fxl_surface_set *of, const fxl_scene *in, fxl_scene_f
 /* [[row]]
  * function = "fxl_surfaces_check"
  * property = "any set of tables of up to 2 entries, or without some: nothing is out of bounds, and one that passes has the tables that it needs"
- * checks = 489
+ * checks = 542
  * unwind = 8
  * stands_in = { check_texture = "any_texture", check_surface = "any_surface", fxl_is_unit = "any_unit_of_set", check_faces = "any_faces" }
  */

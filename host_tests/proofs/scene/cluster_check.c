@@ -28,7 +28,7 @@ static void any_cluster(void)
  * id = "check_models of clusters"
  * function = "check_models"
  * property = "any checked scene: nothing is out of bounds"
- * checks = 281
+ * checks = 334
  * unwind = 8
  */
 void prove_check_models(void)
@@ -41,7 +41,7 @@ void prove_check_models(void)
 /* [[row]]
  * function = "centre_is_among"
  * property = "any cluster of a checked model: nothing is out of bounds, and a centre that passes is below 2^30"
- * checks = 489
+ * checks = 518
  * unwind = 8
  */
 void prove_centre_is_among(void)
@@ -55,7 +55,7 @@ void prove_centre_is_among(void)
  * id = "sphere_holds of a cluster"
  * function = "sphere_holds"
  * property = "any sphere, and one vertex of any face: nothing overflows or is out of bounds"
- * checks = 357
+ * checks = 413
  * unwind = 8
  */
 /* One round: a vertex of a face. */
@@ -104,7 +104,7 @@ int64_t any_dot_units(const fxl_direction *a, const fxl_direction *b)
 /* [[row]]
  * function = "faces_away"
  * property = "any face of a checked cluster and any cone: nothing overflows or is out of bounds"
- * checks = 483
+ * checks = 518
  * unwind = 8
  * stands_in = { dot_units = "any_dot_units", fxl_dot = "any_dot" }
  */
@@ -133,7 +133,7 @@ bool any_away(const cluster_faces *of, const fxl_face *face)
 /* [[row]]
  * function = "check_sphere"
  * property = "any cluster: a radius that passes is in its range"
- * checks = 285
+ * checks = 338
  * unwind = 8
  * stands_in = { centre_is_among = "any_answer", sphere_holds = "any_answer" }
  */
@@ -148,7 +148,7 @@ void prove_check_sphere(void)
 /* [[row]]
  * function = "check_cone"
  * property = "any cluster: each face's test gets what it requires"
- * checks = 455
+ * checks = 508
  * unwind = 8
  * stands_in = { fxl_is_unit = "any_unit", faces_away = "any_away" }
  */
@@ -171,7 +171,7 @@ fxl_status any_check(const cluster_faces *of)
 /* [[row]]
  * function = "check_cluster"
  * property = "any cluster: its faces are the model's"
- * checks = 361
+ * checks = 414
  * unwind = 8
  * stands_in = { check_sphere = "any_check", check_cone = "any_check" }
  */
@@ -198,7 +198,7 @@ fxl_status any_checked_cluster(const fxl_scene *of, const fxl_model *model, uint
 /* [[row]]
  * function = "check_clusters"
  * property = "any model and up to 2 clusters: it ends, and no cluster is beyond the table"
- * checks = 379
+ * checks = 432
  * unwind = 8
  * stands_in = { check_cluster = "any_checked_cluster" }
  */
@@ -233,7 +233,7 @@ fxl_status any_clusters(const fxl_scene *of, uint32_t number, uint32_t *next, fx
 /* [[row]]
  * function = "fxl_cluster_check"
  * property = "any checked scene, with clusters or without: nothing is out of bounds"
- * checks = 314
+ * checks = 367
  * unwind = 8
  * stands_in = { check_models = "any_models", check_clusters = "any_clusters" }
  */

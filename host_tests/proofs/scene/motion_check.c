@@ -252,7 +252,7 @@ fxl_status any_motion(const fxl_motion_set *of, uint32_t number, fxl_q16_16 radi
 /* [[row]]
  * function = "fxl_motion_check"
  * property = "any set of up to 3 motions, or null: each motion and key looked at is one of its table"
- * checks = 439
+ * checks = 492
  * unwind = 11
  * stands_in = { check_motion = "any_motion" }
  */

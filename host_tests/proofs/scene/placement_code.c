@@ -15,7 +15,7 @@ static fxl_q16_16 any_radius(const fxl_scene *of, uint32_t number)
 /* [[row]]
  * function = "fxl_instance_radius"
  * property = "any instance of a checked scene, turned or not: its placement's, or its model's, which is in its range"
- * checks = 1609
+ * checks = 1764
  * unwind = 8
  */
 void prove_instance_radius(void)
@@ -45,7 +45,7 @@ static fxl_status any_code(const fxl_scene *of, uint32_t *number)
 /* [[row]]
  * function = "lib/scene/scene_check.c:check_placements"
  * property = "any scene, with turned instances or without: one that passes has code for them, and they are the last of its table"
- * checks = 1299
+ * checks = 1422
  * unwind = 8
  */
 void prove_check_placements(void)

@@ -36,7 +36,7 @@ void prove_check_counts(void)
 /* [[row]]
  * function = "check_faces"
  * property = "any faces: of those that pass the indices lie in their table"
- * checks = 141
+ * checks = 189
  * unwind = 8
  */
 void prove_check_faces(void)
@@ -51,7 +51,7 @@ void prove_check_faces(void)
 /* [[row]]
  * function = "check_indices"
  * property = "any model and faces that passed: nothing is out of bounds, and indices that pass are below the number of vertices"
- * checks = 215
+ * checks = 365
  * unwind = 8
  */
 void prove_check_indices(void)
@@ -123,7 +123,7 @@ static fxl_placement placement;
 /* [[row]]
  * function = "check_placed_vertices"
  * property = "any models and instances that passed: nothing overflows or is out of bounds"
- * checks = 370
+ * checks = 423
  * unwind = 8
  */
 void prove_check_placed_vertices(void)
@@ -169,7 +169,7 @@ void prove_check_radii(void)
 /* [[row]]
  * function = "is_flat"
  * property = "any normal of a direction's range, any two vertices that passed: nothing overflows"
- * checks = 192
+ * checks = 217
  * unwind = 8
  */
 void prove_is_flat(void)
@@ -194,7 +194,7 @@ bool any_flat(const fxl_scene *of, const fxl_model *model, const fxl_face *face)
 /* [[row]]
  * function = "check_normals"
  * property = "any models and faces that passed: what the tests require"
- * checks = 367
+ * checks = 420
  * unwind = 8
  * stands_in = { is_flat = "any_flat", fxl_is_unit = "any_unit" }
  */
@@ -210,7 +210,7 @@ static fxl_face_bounds bounds[FACES];
 /* [[row]]
  * function = "face_bounds_match"
  * property = "any face that passed: nothing overflows or is out of bounds"
- * checks = 486
+ * checks = 527
  * unwind = 8
  * stands_in = { fxl_dot = "any_dot" }
  */
@@ -236,7 +236,7 @@ bool any_match(const fxl_scene *of, const fxl_model *model, const fxl_face *face
 /* [[row]]
  * function = "check_face_bounds"
  * property = "any models that passed and any face bounds: nothing is out of bounds"
- * checks = 412
+ * checks = 465
  * unwind = 8
  * stands_in = { face_bounds_match = "any_match" }
  */
@@ -269,7 +269,7 @@ static fxl_status any_more(const fxl_scene *of, fxl_scene_fault *to)
 /* [[row]]
  * function = "fxl_scene_check_with"
  * property = "any scene, or null: one that passes was checked by all, in their order"
- * checks = 238
+ * checks = 250
  * unwind = 12
  * stands_in = { check_counts = "any_check", check_faces = "any_check", check_models = "any_check", check_instances = "any_check", check_placed_vertices = "any_check", check_vertices = "any_check", check_radii = "any_check", check_normals = "any_check", check_face_bounds = "any_check", check_placements = "any_check" }
  */
@@ -322,7 +322,7 @@ void prove_scene_check(void)
 /* [[row]]
  * function = "lib/scene/placement_code.h:fxl_placement_code_of"
  * property = "any instance, turned or not: its number and its placement, in their tables"
- * checks = 1403
+ * checks = 1526
  */
 void prove_placement_code_of(void)
 {

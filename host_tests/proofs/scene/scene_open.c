@@ -171,7 +171,7 @@ void prove_check_path(void)
 /* [[row]]
  * function = "open_sections"
  * property = "any image that passed: nothing is out of bounds"
- * checks = 403
+ * checks = 409
  * stubs = { fxl_scene_section = "any entry that lies in the image, or none", fxl_lens_from_fov = "any status", fxl_lens_set_centre = "any status", fxl_light_settings_of = "any settings", fxl_light_check = "any status", fxl_scene_sections_check = "any status", fxl_scene_check_all = "any status, after the sections", fxl_motion_check = "any status, after the scene" }
  */
 void prove_open_sections(void)
