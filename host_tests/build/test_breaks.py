@@ -38,7 +38,7 @@ def root(tmp_path):
     (tmp_path / "host_tests/unit/test_a.c").write_text(TEST)
     (tmp_path / planting.FOLDER / "b.toml").write_text('["lib/a.c".sum.one]\nwhy = "w"\nline = "return a + b;"\nbecomes = "return a - b;"\n'
                                                        'tests = ["test_a"]\n')
-    (tmp_path / clauses.RECORD).write_text(clauses.record_text(clauses.read(tmp_path)))
+    clauses.accept(tmp_path, clauses.read(tmp_path), {})
     listed(tmp_path, ("tag", "clause", "/* SPEC 1.1 */", "", "make trace", "SPEC 1.1"))
     return tmp_path
 

@@ -9,7 +9,7 @@ import pytest
 from conftest import CHECKOUT, run_cli, run_make, write_files
 
 from fixel.base.errors import ToolError
-from fixel.check import clauses, planting, trace, trace_break
+from fixel.check import clauses, planting, sentences, trace, trace_break
 
 BUILT_PROGRAMS = ()
 SAMPLE = 5
@@ -63,7 +63,7 @@ def root(tmp_path):
     """A checkout of three clauses with their code and tests."""
     write_files(tmp_path, {"SPEC.md": SPEC, "docs/extras/beams.md": "**2.1** A beam is straight.\n", "lib/a.c": CODE,
                            "host_tests/unit/test_a.c": TEST, "host_tests/build/test_b.py": PYTEST, LEDGER: BUG % "SPEC 1.1"})
-    write_files(tmp_path, {clauses.RECORD: clauses.record_text(clauses.read(tmp_path))})
+    clauses.accept(tmp_path, clauses.read(tmp_path), {})
     return tmp_path
 
 
@@ -199,6 +199,103 @@ def test_a_reason_for_what_is_no_normative_clause_is_refused(root, capsys):
     (root / trace.UNBROKEN).write_text('[reasons]\n"SPEC 1.2.1" = "r"\n"beams 2.1" = "r"\n')
     _, _, wrong = traced(root, capsys)
     assert len(wrong) == 1 and "'SPEC 1.2.1' is no normative clause" in wrong[0]
+
+
+# --- sentences -----------------------------------------------------------------------
+
+PAGE = """**1.1 Sums.** A sum is exact, e.g. that of two
+numbers. It has a [sign](a.md). Of three:
+
+| row | says |
+| --- | --- |
+| first | `a` |
+
+* An entry, which goes
+  on. It ends.
+
+    no = sentence;
+
+1. A step.
+"""
+
+
+def test_sentences_entries_and_rows_are_found_with_their_lines():
+    [clause] = clauses.of_text("SPEC.md", PAGE)
+    assert [(each.line, each.words) for each in clause.sentences] == [
+        (1, "A sum is exact, e.g. that of two"), (2, "It has a sign."), (2, "Of three:"), (6, "first a"),
+        (8, "An entry, which goes on."), (9, "It ends."), (13, "A step.")]
+
+
+def record_of(sentences_):
+    return [(each.letter, each.state, each.words) for each in sentences_]
+
+
+@pytest.mark.parametrize("old, new, letters, gone", [
+    ("", "", "abcdefg", []), ("It has", "It wraps. It has", "ahbcdefg", []), ("It has a", "It had a", "abcdefg", []),
+    ("* An entry", "* A new one.\n* An entry", "abcdhefg", []), (" It ends.", "", "abcdeg", ["f"]), ("| first", "| last", "abcdefg", [])])
+def test_a_sentence_keeps_its_letter(old, new, letters, gone):
+    [before], [after] = clauses.of_text("SPEC.md", PAGE), clauses.of_text("SPEC.md", PAGE.replace(old, new, 1))
+    sentences.name_new(before.sentences, [])
+    record = record_of(before.sentences)
+    assert "".join(letter for letter, _, _ in record) == "abcdefg"
+    assert sentences.match(after.sentences, record) == gone
+    sentences.name_new(after.sentences, record)
+    assert "".join(each.letter for each in after.sentences) == letters
+
+
+def test_there_are_letters_enough():
+    many = [sentences.Sentence(1, str(number)) for number in range(60)]
+    sentences.name_new(many, [])
+    assert [many[number].letter for number in (25, 26, 27, 52)] == ["z", "aa", "ab", "ba"] and len({each.letter for each in many}) == 60
+
+
+@pytest.fixture
+def two(root):
+    """The checkout with a second sentence in SPEC 1.1, the first one tagged."""
+    change(root, "SPEC.md", "of two numbers.", "of two numbers. It wraps.")
+    change(root, "host_tests/unit/test_a.c", "SPEC 1.1, 1.2", "SPEC 1.1a, 1.2")
+    trace.main(["--root", str(root), "--build", str(root / "build"), "--accept"])
+    return root
+
+
+def test_a_new_sentence_needs_a_test_or_is_prose(two, capsys):
+    code, _, wrong = traced(two, capsys)
+    assert code == 1 and len(wrong) == 1 and wrong[0].startswith("SPEC.md:3: SPEC 1.1b ('It wraps.') has no test")
+    for state in (", prose", ", open"):
+        change(two, str(clauses.RECORD), "SPEC 1.1b:", f"SPEC 1.1b{state}:")
+        assert traced(two, capsys)[0] == 0
+        assert traced(two, capsys, "--accept")[0] == 0      # which keeps it
+        change(two, "host_tests/unit/test_a.c", "SPEC 1.1a", "SPEC 1.1a, 1.1b")
+        code, _, wrong = traced(two, capsys)
+        assert code == 1 and len(wrong) == 1 and "has a test, host_tests/unit/test_a.c:1: take" in wrong[0]
+        change(two, str(clauses.RECORD), f"SPEC 1.1b{state}:", "SPEC 1.1b:")
+        assert traced(two, capsys)[0] == 0
+        change(two, "host_tests/unit/test_a.c", "SPEC 1.1a, 1.1b", "SPEC 1.1a")
+
+
+@pytest.mark.parametrize("file, old, new, words", [
+    ("host_tests/unit/test_a.c", "SPEC 1.1a", "SPEC 1.1c", "the tag 'SPEC 1.1c' names no clause"),
+    ("SPEC.md", "It wraps.", "It does not.", "'It does not.' of SPEC 1.1 is not in"),
+    ("SPEC.md", " It wraps.", "", "there is no sentence SPEC 1.1b any more"),
+    (str(clauses.RECORD), "SPEC 1.1b: ", "SPEC 1.1b, proze: ", "is not 'id: first words'")])
+def test_a_sentence_that_is_not_as_on_record_is_named(two, capsys, file, old, new, words):
+    change(two, file, old, new)
+    try:
+        code, _, wrong = traced(two, capsys)
+    except ToolError as error:
+        code, wrong = 1, [str(error)]
+    assert code == 1 and any(words in each for each in wrong), wrong
+
+
+def test_a_row_of_a_proof_shows_a_sentence(two, capsys):
+    (two / "host_tests/proofs/math").mkdir(parents=True)
+    row = '/* [[row]]\n * function = "lib/a.c:sum"\n * property = "it wraps"\n * clause = "SPEC 1.1b"\n */\nvoid sum(void)\n{\n}\n'
+    (two / "host_tests/proofs/math/a.c").write_text(row)
+    assert traced(two, capsys)[0] == 0
+    assert "make prove: sum" in traced(two, capsys, "--only", "SPEC 1.1")[1]
+    change(two, "host_tests/proofs/math/a.c", "SPEC 1.1b", "SPEC 1.1 b")
+    with pytest.raises(ToolError, match="make prove: sum: clause = 'SPEC 1.1 b' is no list of clauses"):
+        traced(two, capsys)
 
 
 # --- what is broken ------------------------------------------------------------------

@@ -10,5 +10,5 @@ shards of campaigns. `pytest_server.py` runs the tests in their copies of the ch
 `test` too; `lines.py` knows which test executes which line, as `recorder/` wrote it down.
 
 For `trace`: `clauses.py` reads the clauses of the specification and their record, and which code and which tests are about
-them; `trace_break.py` breaks them.
+them, `sentences.py` what each of them says; `trace_break.py` breaks them.
 """

@@ -5,31 +5,37 @@ A clause begins a line of SPEC.md or of a page below docs/ with its number in bo
 is the page's name and the number: "SPEC 4.5", "beams 2.2". Behind the number "(informative)" marks a clause that only
 explains. All others are normative: code and a test must have their ids.
 
-The record, host_tests/build/trace/clauses.txt, has the first words of each clause. A clause whose words stand at another
-id there was renumbered, and what cites the id would speak of another clause.
+The record, host_tests/build/trace/clauses.txt, has the first words of each clause and of each of its sentences (sentences.py).
+A clause whose words stand at another id there was renumbered, and what cites the id would speak of another clause.
 
 Tags say which clauses a function, a block or a test is about. In C and assembly a tag is a comment of ids alone on a line:
-/* SPEC 4.5 */ or /* SPEC 4.5, 4.6, beams 2.2 */. It stands above a function or a block, and is about the lines from there to the
+/* SPEC 4.5 */ or /* SPEC 4.5, 4.6b, beams 2.2 */. It stands above a function or a block, and is about the lines from there to the
 next tag, at most to the end of the function. Above a test of host_tests/ it is about that test. In Python it is a comment
 (# formats 1.2) above a function or block; a test has it in its docstring: formats 1.2.
 """
 
 import ast
 import dataclasses
+import itertools
 import pathlib
 import re
+import string
 
+from fixel.base import output
 from fixel.base.errors import ToolError
+from fixel.check import sentences
 
 PAGES = ("SPEC.md", "docs/*.md", "docs/extras/*.md")
 RECORD = pathlib.Path("host_tests/build/trace/clauses.txt")
 BEGIN = re.compile(r"^(?:[*-] )?\*\*(\d+(?:\.\d+)+)( [^*]*)?\*\*[ .,]*(\(informative\))?(.*)$")
 MARKUP = re.compile(r"\[([^\]]*)\]\([^)]*\)|[*`]|(\|)")
 WORDS = 8       # of a clause in the record
-NUMBERS = r"\d+(?:\.\d+)+"
+NUMBERS = r"\d+(?:\.\d+)+[a-z]*"
+ENTRY = re.compile(rf"(\w+ {NUMBERS})(?:, ({'|'.join(sentences.STATES[1:])}))?: (.*)")
 HEAD = """# SPDX-License-Identifier: MIT
-# The first words of each clause, by its id: make trace fails where a clause has another number than here.
-# make trace ACCEPT=1 adds new clauses and takes other words; a clause keeps its number.
+# The first words of each clause, and of each of its sentences, by their ids: make trace fails where one has another id than here.
+# make trace ACCEPT=1 adds new ones and takes other words; each keeps its id. ", prose" is a sentence that demands nothing,
+# ", open" one that no test has a tag of yet. A new sentence has a test, or you write ", prose".
 """
 CODE = ("lib", "boards", "firmware", "tools/fixel", "host_tests/judges")
 JUDGED = "accuracy"     # the page that says what the judges do: their code is code of this page alone
@@ -38,17 +44,23 @@ C_SUFFIXES = (".c", ".h", ".S")
 C_TAG = re.compile(r"^[ \t]*/\*[ \t]*(\w+ \d+\.\d[\d., ;\w]*?)[ \t]*\*/[ \t]*$", re.MULTILINE)
 PY_TAG = re.compile(r"^[ \t]*#[ \t]*(\w+ \d+\.\d[\d., ;\w]*?)[ \t]*$", re.MULTILINE)
 C_TEST = re.compile(r"^void (test_\w+)\(void\)")
-WORD = re.compile(r"\b[A-Za-z_0-9]+ \d+(?:\.\d+)+(?:[,;] (?:[A-Za-z_0-9]+ )?\d+(?:\.\d+)+)*")
+WORD = re.compile(rf"\b[A-Za-z_0-9]+ {NUMBERS}\b(?:[,;] (?:[A-Za-z_0-9]+ )?{NUMBERS}\b)*")
 
 
 @dataclasses.dataclass(frozen=True)
 class Clause:
-    """A clause, where it stands, and its first words."""
+    """A clause, where it stands, and its first words. sentences: what it demands, one by one; none of an informative one."""
     id: str
     file: str
     line: int
     words: str
     normative: bool
+    sentences: tuple = ()
+
+
+def clause_of(id_):
+    """The id of the clause of a sentence's id; of a clause its own."""
+    return id_.rstrip(string.ascii_lowercase)
 
 
 def place(id_):
@@ -61,22 +73,28 @@ def _plain(text):
     return MARKUP.sub(lambda match: match[1] or " " * bool(match[2]), text)
 
 
-def _words(title, text, after):
-    """The first words, without what Markdown adds; of the lines after, if the clause's own line has too few."""
-    found = _plain(f"{title or ''} {text}").split()
-    for line in after:
-        if len(found) >= WORDS or not line.strip() or BEGIN.match(line):
-            break
-        found += _plain(line).split()
-    return " ".join(found[:WORDS])
+def _words(text):
+    """The first words, without what Markdown adds."""
+    return " ".join(_plain(text).split()[:WORDS])
 
 
 def of_text(file, text):
-    """The clauses of a page."""
+    """The clauses of a page. The bold words behind a number are the clause's title, and no sentence, if they end as one."""
     lines, page = text.splitlines(), pathlib.PurePath(file).stem
-    matches = [(number, BEGIN.match(line)) for number, line in enumerate(lines, 1)]
-    return [Clause(f"{page} {match[1]}", file, number, _words(match[2], match[4], lines[number:number + 3]), match[3] is None)
-            for number, match in matches if match]
+    ends = [number for number, line in enumerate(lines) if BEGIN.match(line) or line.startswith("#")] + [len(lines)]
+    found = []
+    for number, line in enumerate(lines):
+        match = BEGIN.match(line)
+        if not match:
+            continue
+        title = match[2] or ""
+        begin = match[4] if title.endswith((".", ":")) else f"{title} {match[4]}"
+        body = [begin, *lines[number + 1:min(end for end in ends if end > number)]]
+        after = itertools.takewhile(str.strip, body[1:])
+        said = sentences.of_lines(list(enumerate(body, number + 1)), _words) if match[3] is None else ()
+        found.append(Clause(f"{page} {match[1]}", file, number + 1, _words(" ".join([title, match[4], *after])), match[3] is None,
+                            tuple(said)))
+    return found
 
 
 def read(root):
@@ -106,15 +124,31 @@ def ids_of(text, pages):
 # --- the record --------------------------------------------------------------------
 
 def recorded(root):
-    """{id: first words} of the record."""
+    """({id: first words}, {id of a clause: [(letter, state, first words) of a sentence]}) of the record."""
     try:
         lines = (pathlib.Path(root) / RECORD).read_text(encoding="utf-8").splitlines()
     except OSError as error:
         raise ToolError(f"{RECORD}: cannot be read: {error.strerror}; make trace ACCEPT=1 writes it") from error
-    pairs = [line.split(": ", 1) for line in lines if line and not line.startswith("#")]
-    if any(len(pair) != 2 for pair in pairs):
-        raise ToolError(f"{RECORD}: a line is not 'id: first words'; make trace ACCEPT=1 writes it anew")
-    return {id_: words for id_, words in pairs}
+    found, said = {}, {}
+    for line in (line for line in lines if line and not line.startswith("#")):
+        match = ENTRY.fullmatch(line)
+        if not match:
+            raise ToolError(f"{RECORD}: '{line}' is not 'id: first words'; make trace ACCEPT=1 writes it anew")
+        id_, state, words = match.groups(default="")
+        clause = clause_of(id_)
+        if id_ == clause:
+            found[id_] = words
+        else:
+            said.setdefault(clause, []).append((id_.removeprefix(clause), state, words))
+    return found, said
+
+
+def match_sentences(found, said):
+    """Gives each sentence the letter that the record has for it. Returns the ids there of which there is none any more."""
+    gone = [id_ + letter for id_ in said if id_ not in found for letter, _, _ in said[id_]]
+    for clause in found.values():
+        gone += [clause.id + letter for letter in sentences.match(clause.sentences, said.get(clause.id, []))]
+    return gone
 
 
 def renumbered(found, record):
@@ -127,8 +161,8 @@ def renumbered(found, record):
             for clause in found.values() if clause.words in ids and clause.id not in ids[clause.words]]
 
 
-def differences(found, record):
-    """Sentences on clauses that are renumbered, new, gone, or begin with other words."""
+def differences(found, record, gone):
+    """Sentences on clauses that are renumbered, new, gone, or begin with other words, and on sentences likewise."""
     wrong = renumbered(found, record)
     moved = {":".join(words.split(":")[:2]) for words in wrong}
     for clause in found.values():
@@ -140,14 +174,28 @@ def differences(found, record):
         elif clause.words != record[clause.id]:
             wrong.append(f"{at}: {clause.id} begins with other words than in {RECORD}: if it says the same, "
                          "run make trace ACCEPT=1; if it is another clause, give it a number that was never used")
+        else:
+            wrong += [f"{clause.file}:{each.line}: '{each.words}' of {clause.id} is not in {RECORD}: run make trace ACCEPT=1"
+                      for each in clause.sentences if each.words != each.recorded]
     wrong += [f"{RECORD}: {id_} is there no more: put the clause back, or take its line out of the record and do not use "
               "its number again" for id_ in record if id_ not in found]
-    return wrong
+    return wrong + [f"{RECORD}: there is no sentence {id_} any more: put it back, or run make trace ACCEPT=1" for id_ in gone]
 
 
 def record_text(found):
-    """The record's text."""
-    return HEAD + "".join(f"{clause.id}: {clause.words}\n" for clause in found.values())
+    """The record's text. Each sentence has a letter."""
+    lines = []
+    for clause in found.values():
+        lines.append(f"{clause.id}: {clause.words}\n")
+        lines += [f"{clause.id}{each.letter}{', ' * bool(each.state)}{each.state}: {each.words}\n" for each in clause.sentences]
+    return HEAD + "".join(lines)
+
+
+def accept(root, found, said):
+    """Takes the record from the pages: new sentences have letters that none has, and no state."""
+    for clause in found.values():
+        sentences.name_new(clause.sentences, said.get(clause.id, []))
+    output.write_file(pathlib.Path(root) / RECORD, record_text(found))
 
 
 @dataclasses.dataclass(frozen=True)

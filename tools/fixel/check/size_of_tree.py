@@ -3,8 +3,8 @@
 
     fixel size-of-tree [--reason TEXT] [--json FILE]
 
-Files that git tracks, lines of code by folder and language, public headers and functions, the files with the tag of each recipe, and
-the steps in which make builds the programs of make run and of make test from nothing. A count may be up to 2 % above its record, for
+Files that git tracks, lines of code by folder and language, public headers and functions, the files with the tag of each recipe,
+sentences of clauses without a test, and the steps in which make builds the programs of make run and of make test from nothing. A count may be up to 2 % above its record, for
 a branch at work; the record is no older commit, so many small steps do not pass. --reason renews the record, and is kept in it.
 Exit: 0 no count is above its record, 1 one is.
 """
@@ -20,7 +20,7 @@ import re
 from fixel.base import children, output, scratch
 from fixel.base.errors import ToolError
 from fixel.base.table import coloured, table
-from fixel.check import places
+from fixel.check import clauses, places, sentences
 from fixel.package import repository
 from fixel.prove import rows
 
@@ -86,6 +86,12 @@ def count_places(root=ROOT):
     return {f"places of {recipe.title}": len({tag.file for tag in tags if tag.word == word}) for word, recipe in known.items()}
 
 
+def count_open(root=ROOT):
+    """How many sentences of clauses have no test yet."""
+    _, said = clauses.recorded(root)
+    return {"sentences without a test": sum(state == sentences.OPEN for entries in said.values() for _, state, _ in entries)}
+
+
 def count_steps(root=ROOT):
     """In how many steps make would build what two commands need, where nothing is built yet."""
     found = {}
@@ -103,7 +109,8 @@ def count_steps(root=ROOT):
 def count(root=ROOT):
     """{what is counted: how many}."""
     files = [name for name in places.listed("ls-files", folder=root) if (root / name).is_file()]
-    return {"files": len(files), **count_lines(files, root), **count_interface(files, root), **count_places(root), **count_steps(root)}
+    return {"files": len(files), **count_lines(files, root), **count_interface(files, root), **count_places(root), **count_open(root),
+            **count_steps(root)}
 
 
 def most(recorded):

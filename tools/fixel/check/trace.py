@@ -4,9 +4,10 @@
     fixel trace [--only WORD] [--json FILE] [--accept]
     fixel trace --break [--only WORD | --sample N] --units DIR --cc COMMAND [--build DIR] [--fresh]
 
-Fails where a normative clause has no code or no test, where a tag or a seeded bug names a clause that there is not, and
-where a clause has another number than on record. --only prints a line for each clause with that word in its id.
---accept takes new clauses and changed first words into the record. --break breaks each clause, by its seeded bugs or by
+Fails where a normative clause has no code or no test, where a sentence of it has no test and the record does not say that it
+is prose or open, where a tag or a seeded bug names a clause or sentence that there is not, and where one has another id than on
+record. --only prints a line for each clause with that word in its id, and for each of its sentences.
+--accept takes new clauses and sentences and changed first words into the record. --break breaks each clause, by its seeded bugs or by
 mutants of the tagged lines, and runs only the tests tagged with it (trace_break.py).
 Writes all as JSON. Exit: 0 all is well, 1 something is missing or no test sees a clause broken, 2 could not run.
 """
@@ -21,7 +22,9 @@ from fixel.base import output, sampling, spent
 from fixel.base.errors import ToolError
 from fixel.base.table import table
 from fixel.campaign import runner
-from fixel.check import clauses, planting
+from fixel.check import clauses, planting, sentences
+from fixel.prove import rows as proofs
+from fixel.report import report_claims
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 FOLDER = pathlib.Path("host_tests/build/trace")
@@ -34,18 +37,25 @@ SAID = 20       # sentences on what is wrong, at most
 # --- the join ----------------------------------------------------------------------
 
 def join(found, code, tests, seeded):
-    """{id: row} of all clauses; what has a tag but no clause is left out."""
+    """{id: row} of all clauses; what has a tag but no clause is left out. A tag of a sentence is one of its clause too."""
     rows = {id_: {"id": id_, "clause": clause, "code": [], "tests": [], "bugs": []} for id_, clause in found.items()}
     pages = pages_of(found)
     for name, tagged in (("code", code), ("tests", tests)):
         for tag in tagged:
-            if tag.id in rows:
-                rows[tag.id][name].append(tag)
+            row = rows.get(clauses.clause_of(tag.id))
+            if row:
+                row[name].append(tag)
     for bug in seeded:
         for id_ in clauses.ids_of(bug.clause, pages) or [] if bug.clause else []:
-            if id_ in rows:
-                rows[id_]["bugs"].append(bug)
+            if clauses.clause_of(id_) in rows:
+                rows[clauses.clause_of(id_)]["bugs"].append(bug)
     return rows
+
+
+def tests_of(row, sentence):
+    """The tests with the tag of a sentence; where its clause has no other one, those with that of the clause."""
+    return [tag for tag in row["tests"] if tag.id == row["id"] + (sentence.letter or "?") or
+            (tag.id == row["id"] and len(row["clause"].sentences) == 1)]
 
 
 def pages_of(found):
@@ -59,18 +69,34 @@ def lacks(row):
 
 
 def unknown(found, code, tests, seeded):
-    """Sentences on tags and seeded bugs whose clause is not there."""
+    """Sentences on tags and seeded bugs whose clause or sentence is not there."""
     files = {id_.split(" ")[0]: clause.file for id_, clause in found.items()}
+    ids = {*found, *(id_ + each.letter for id_, clause in found.items() for each in clause.sentences if each.letter)}
     wrong = []
     for tag in (*code, *tests):
-        if tag.id not in found:
+        if tag.id not in ids:
             page = files[tag.id.split(" ")[0]]
-            wrong.append(f"{tag.file}:{tag.line}: the tag '{tag.id}' names no clause: look up the number in {page}")
+            wrong.append(f"{tag.file}:{tag.line}: the tag '{tag.id}' names no clause: look up the number in {page}"
+                         f"{f', and the letter in {clauses.RECORD}' if clauses.clause_of(tag.id) != tag.id else ''}")
     for bug in seeded:
-        ids = clauses.ids_of(bug.clause, files) if bug.clause else []
-        if ids is None or any(id_ not in found for id_ in ids):
+        named = clauses.ids_of(bug.clause, files) if bug.clause else []
+        if named is None or not ids.issuperset(named):
             wrong.append(f"{bug.ledger}: {bug}: clause = '{bug.clause}' names no clause such as 'SPEC 4.5': look up "
                          "the number")
+    return wrong
+
+
+def without_test(rows):
+    """Sentences on sentences that have no test and no word for that in the record, or both."""
+    wrong = []
+    for id_, row in rows.items():
+        for each in (each for each in row["clause"].sentences if each.letter):
+            at, tests = f"{row['clause'].file}:{each.line}: {id_}{each.letter} ('{each.words}')", tests_of(row, each)
+            if not tests and not each.state:
+                wrong.append(f"{at} has no test: put its id into the tag of the test that fails when it is broken; if it demands "
+                             f"nothing, write ', {sentences.PROSE}' behind its id in {clauses.RECORD}")
+            elif tests and each.state:
+                wrong.append(f"{at} has a test, {tests[0].file}:{tests[0].line}: take ', {each.state}' out of {clauses.RECORD}")
     return wrong
 
 
@@ -102,38 +128,49 @@ def as_json(row):
     return {"clause": row["id"], "file": clause.file, "line": clause.line, "words": clause.words, "normative": clause.normative,
             "code": [f"{tag.file}:{tag.line}-{tag.last}" for tag in row["code"]],
             "tests": [f"{tag.file}:{tag.test.split('::')[-1]}" for tag in row["tests"]],
-            "bugs": [bug.id for bug in row["bugs"]]}
+            "bugs": [bug.id for bug in row["bugs"]],
+            "sentences": [{"id": f"{row['id']}{each.letter or '?'}", "line": each.line, "words": each.words, "state": each.state,
+                           "tests": [f"{tag.file}:{tag.test.split('::')[-1]}" for tag in tests_of(row, each)]}
+                          for each in clause.sentences]}
 
 
 def by_page(rows):
     """Rows of the table of pages."""
     pages = {}
     for id_, row in rows.items():
-        counts = pages.setdefault(id_.split(" ")[0], [0, 0, 0, 0, 0])
-        normative = row["clause"].normative
-        for number, counted in enumerate((True, normative, normative and row["code"], normative and row["tests"],
-                                          normative and row["bugs"])):
-            counts[number] += bool(counted)
-    every = [sum(counts[number] for counts in pages.values()) for number in range(5)]
-    return [[page, *counts] for page, counts in pages.items()] + [["all", *every]]
+        normative, said = row["clause"].normative, row["clause"].sentences
+        counts = [1, normative, *(normative and bool(row[kind]) for kind in ("code", "tests", "bugs")), len(said),
+                  sum(bool(tests_of(row, each)) for each in said),
+                  *(sum(each.state == state for each in said) for state in sentences.STATES[1:])]
+        page = id_.split(" ")[0]
+        pages[page] = [sum(pair) for pair in zip(pages.get(page, [0] * len(counts)), counts)]
+    return [[page, *counts] for page, counts in pages.items()] + [["all", *map(sum, zip(*pages.values()))]]
 
 
 def by_clause(rows):
-    """Rows of the table of clauses."""
+    """Rows of the table of clauses and their sentences."""
     def short(names):
         return f"{names[0]}{f' + {len(names) - 1}' if len(names) > 1 else ''}" if names else "-"
-    return [[id_, "" if row["clause"].normative else "informative",
-             short([f"{tag.file}:{tag.line}" for tag in row["code"]]),
-             short([f"{pathlib.PurePath(tag.file).name}: {tag.test.split('::')[-1]}" for tag in row["tests"]]),
-             len(row["bugs"])] for id_, row in rows.items()]
+
+    def test(tags):
+        return short([tag.test if tag.test.startswith("make ") else f"{pathlib.PurePath(tag.file).name}: {tag.test.split('::')[-1]}"
+                      for tag in tags])
+    found = []
+    for id_, row in rows.items():
+        found.append([id_, "" if row["clause"].normative else "informative",
+                      short([f"{tag.file}:{tag.line}" for tag in row["code"]]), test(row["tests"]), len(row["bugs"])])
+        found += [[f"{id_}{each.letter or '?'}", each.state, each.words, test(tests_of(row, each)), ""]
+                  for each in row["clause"].sentences]
+    return found
 
 
 def print_rows(rows, only):
     """For people."""
     if only:
-        print(table(by_clause(rows), ["clause", "", "code", "test", "bugs"]))
+        print(table(by_clause(rows), ["clause", "", "code, or a sentence's words", "test", "bugs"]))
     else:
-        print(table(by_page(rows), ["page", "clauses", "normative", "with code", "with a test", "with a seeded bug"]))
+        print(table(by_page(rows), ["page", "clauses", "normative", "with code", "with a test", "with a seeded bug",
+                                    "sentences", "with a test", *sentences.STATES[1:]]))
     normative = [row for row in rows.values() if row["clause"].normative]
     whole = sum(not lacks(row) for row in normative)
     print(f"{whole} of {len(normative)} normative clauses have code and a test")
@@ -171,7 +208,7 @@ def parser():
     made.add_argument("--root", default=str(CHECKOUT), help="the checkout to read")
     made.add_argument("--build", default="build", help="the build folder")
     made.add_argument("--json", help="the JSON file (BUILD/trace.json)")
-    made.add_argument("--only", default="", help="only clauses with this in their id, a line for each: 'SPEC 4', 'beams 2.2'")
+    made.add_argument("--only", default="", help="only clauses with this in their id, a line for each and for its sentences: 'SPEC 4', 'beams 2.2'")
     made.add_argument("--accept", action="store_true", help="take new clauses and other first words into the record")
     made.add_argument("--break", action="store_true", dest="breaks", help="break clauses, and see whether their tests fail")
     made.add_argument("--sample", type=int, default=0, help="break so many clauses (all)")
@@ -181,12 +218,26 @@ def parser():
     return made
 
 
+def shown_elsewhere(root, pages):
+    """The tags of rows of make prove and of claims of make report: their key "clause"."""
+    named = [(row.clause, row.place.relative_to(root).as_posix(), f"make prove: {row.id}") for row in proofs.read(root)]
+    named += [(claim.clause, "tools/fixel/report/report_claims.py", f"make report: {claim.id}") for claim in report_claims.CLAIMS]
+    found = []
+    for text, file, name in named:
+        ids = clauses.ids_of(text, pages) if text else []
+        if ids is None:
+            raise ToolError(f"{file}: {name}: clause = '{text}' is no list of clauses such as 'SPEC 4.5, 4.6b, beams 2.2'")
+        found += [clauses.Tag(id_, file, 1, 1, name) for id_ in ids]
+    return found
+
+
 def read(root):
     """(clauses, tags of code, tags of tests, seeded bugs)."""
-    found = clauses.read(root)
+    found, root = clauses.read(root), pathlib.Path(root)
     if not found:
         raise ToolError(f"{root}: none of {', '.join(clauses.PAGES)} has a clause")
-    return found, *clauses.read_tags(root, pages_of(found)), planting.entries(root)
+    code, tests = clauses.read_tags(root, pages_of(found))
+    return found, code, tests + shown_elsewhere(root, pages_of(found)), planting.entries(root)
 
 
 def before(options):
@@ -202,13 +253,17 @@ def main(argv):
     found, code, tests, seeded = read(options.root)
     rows = join(found, code, tests, seeded)
     if options.accept:
-        moved = clauses.renumbered(found, clauses.recorded(options.root)) if (pathlib.Path(options.root) / clauses.RECORD).exists() else []
+        record, said = clauses.recorded(options.root) if (pathlib.Path(options.root) / clauses.RECORD).exists() else ({}, {})
+        moved = clauses.renumbered(found, record)
         if moved:
             raise ToolError(f"{clauses.RECORD}: not changed: {len(moved)} clauses have other numbers", 1, words="\n".join(moved))
-        output.write_file(pathlib.Path(options.root) / clauses.RECORD, clauses.record_text(found))
+        clauses.match_sentences(found, said)
+        clauses.accept(options.root, found, said)
+    record, said = clauses.recorded(options.root)
+    gone = clauses.match_sentences(found, said)
     reasons, unreasoned = unbroken(options.root, rows)
-    wrong = [*clauses.differences(found, clauses.recorded(options.root)), *unknown(found, code, tests, seeded),
-             *missing(rows), *unreasoned]
+    wrong = [*clauses.differences(found, record, gone), *unknown(found, code, tests, seeded), *missing(rows), *without_test(rows),
+             *unreasoned]
     before(options)
     here = {id_: row for id_, row in rows.items() if options.only in id_}
     print_rows(here, options.only)

@@ -27,11 +27,12 @@ SAMPLES_PER = 50
 
 @dataclasses.dataclass(frozen=True)
 class Claim:
-    """A claim: its bound in its unit, and its text."""
+    """A claim: its bound in its unit, its text, and the sentences of clauses that it measures, as a tag has them."""
     id: str
     bound: float
     unit: str
     words: str
+    clause: str = ""
 
 
 # place claim: bound and words
