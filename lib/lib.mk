@@ -11,11 +11,19 @@ LIB_HEADERS := $(wildcard lib/include/*.h lib/include/fixel/*.h lib/include/fixe
 LIB_SOURCES := $(sort $(wildcard lib/*/*.c lib/*/*.S))
 LIB_NAMES := $(basename $(LIB_SOURCES:lib/%=%))
 
-# Those that have no contents for a core: the compiler says which, once in a make. $(1): a name of the core's library, under
-# which the answer is kept, $(2): the compiler and its flags, $(3): flags of C alone. Without an answer all are compiled.
+# Those that have no contents for a core: the compiler says which, once for a state of the sources. $(1): a name of the core's
+# library, under which the answer is kept behind the question, $(2): the compiler and its flags, $(3): flags of C alone. Without
+# a whole answer, which has the names of both files, all are compiled. A copy of the project in which a header was changed on
+# purpose leaves the conditions as they are, and asks anew.
 LIB_CONDITIONS := $(BUILD)/lib_conditions
-LIB_EMPTY = $(if $(LIB_EMPTY.$(1)),,$(eval LIB_EMPTY.$(1) := none $$(call LIB_EMPTY_OF,$(call LIB_READ,$(2) $(3),.c) $(call LIB_READ,$(2),.S))))$(LIB_EMPTY.$(1))
-LIB_EMPTY_OF = $(if $(filter 2,$(words $(filter $(notdir $(LIB_CONDITIONS)).%,$(1)))),$(filter-out $(1),$(LIB_CONDITIONAL)))
+LIB_EMPTY = $(if $(LIB_EMPTY.$(1)),,$(call LIB_FIND_EMPTY,$(1),$(strip $(2)),$(strip $(3)),$(LIB_CONDITIONS)-$(subst /,-,$(1))))$(LIB_EMPTY.$(1))
+LIB_FIND_EMPTY = $(eval LIB_ANSWER := $(if $(LIB_CHANGED),,$(and $(wildcard $(4)),$(file <$(4)))))\
+    $(if $(and $(findstring |$(2) $(3)|,$(LIB_ANSWER)),$(call LIB_IS_WHOLE,$(LIB_ANSWER))),,\
+    $(eval LIB_ANSWER := |$(2) $(3)| $(call LIB_READ,$(2) $(3),.c) $(call LIB_READ,$(2),.S))\
+    $(if $(LIB_CHANGED),,$(if $(call LIB_IS_WHOLE,$(LIB_ANSWER)),$(file >$(4),$(LIB_ANSWER)))))\
+    $(eval LIB_EMPTY.$(1) := none $(if $(call LIB_IS_WHOLE,$(LIB_ANSWER)),$(filter-out $(LIB_ANSWER),$(LIB_CONDITIONAL))))
+LIB_CHANGED = $(eval LIB_CHANGED := $$(shell find lib -name '*.h' -newer $(LIB_CONDITIONS).mk -print -quit 2>/dev/null))$(LIB_CHANGED)
+LIB_IS_WHOLE = $(filter 2,$(words $(filter $(notdir $(LIB_CONDITIONS)).%,$(1))))
 LIB_READ = $(if $(wildcard $(LIB_CONDITIONS)$(2)),$(shell $(filter-out -MMD -MP,$(1)) -w -I. -Ilib/include -E -P $(LIB_CONDITIONS)$(2) 2>/dev/null | sed -n 's/^fxl_text_of //p'))
 LIB_NAMES_FOR = $(filter-out $(LIB_EMPTY),$(LIB_NAMES))
 
@@ -27,8 +35,9 @@ LIB_USERS := $(wildcard boards/*/*.c firmware/*/*.c examples/*/*.c bench/firmwar
 $(BUILD)/lib_needs.mk: lib/needs.py $(LIB_SOURCES) $(wildcard lib/*/*.h) $(LIB_HEADERS) $(LIB_USERS)
 	$(MAKE_FOLDER)
 	@python3 $< $(LIB_SOURCES) -- $(LIB_USERS) > $@.$$$$ && mv $@.$$$$ $@
-$(LIB_CONDITIONS).mk: lib/needs.py $(LIB_SOURCES) $(wildcard lib/*/*.h)
+$(LIB_CONDITIONS).mk: lib/needs.py $(LIB_SOURCES) $(wildcard lib/*/*.h) $(LIB_HEADERS)
 	$(MAKE_FOLDER)
+	@rm -f $(LIB_CONDITIONS)-*
 	@python3 $< --conditions $(@:.mk=) $(LIB_SOURCES)
 ifneq ($(filter-out help $(COMMANDS),$(MAKECMDGOALS)),)
 include $(LIB_CONDITIONS).mk

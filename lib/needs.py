@@ -36,6 +36,7 @@ FOR_CPP = re.compile(r'extern\s+"C"\s*\{')
 NAME = re.compile(r"\bfxl_\w+")
 FUNCTION = re.compile(r"\b(fxl_\w+)\s*\([^;{}]*\)\s*\{")
 RECORD = re.compile(r"\b(fxl_\w+)\s*(?:\[[^\]]*\]\s*)*=")
+CALL = re.compile(r"(?<!define )\b(\w+)\((\w+)\)")
 NAMED_BY_MACRO = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]+(fxl_\w+)[ \t]*$", re.MULTILINE)
 PASTES = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)\((\w+)\)[ \t]+\(&\2##(\w+)\)", re.MULTILINE)     # FXL_SURFACES_OF
 IN_PLACE = re.compile(r"\bFXL_IN_PLACE(?:_LARGE)?\b[^;{}()]*\b(fxl_\w+)\s*\(")      # lib/math/arith.h
@@ -110,16 +111,34 @@ def parts_of(header):
     return found
 
 
+@functools.cache
+def calls_of(text):
+    """(what is called as a macro with one name, the name) of all such in a text, but for the definitions of macros."""
+    return frozenset(CALL.findall(text))
+
+
+@functools.cache
+def pastes_of(text):
+    """The macros of a text that make a name of another."""
+    return PASTES.findall(text)
+
+
+@functools.cache
+def names_of(text):
+    """The names of the library in a text."""
+    return frozenset(NAME.findall(text))
+
+
 def pasted_names(file):
     """The names that the code of a source, and what it includes, makes of another, as FXL_SURFACES_OF(fxl_palette) does.
     Where a macro passes on an argument of its own, that may be any name in the file."""
     texts = [text_of(each) for each in included(file)]
-    pastes = {macro: end for text in texts for macro, _, end in PASTES.findall(text)}
+    pastes = {macro: end for text in texts for macro, _, end in pastes_of(text)}
     found = set()
     for text in texts:
-        for macro, end in pastes.items():
-            for argument in re.findall(rf"(?<!define )\b{macro}\((\w+)\)", text):
-                found |= {name + end for name in ([argument] if NAME.fullmatch(argument) else NAME.findall(text))}
+        for macro, argument in calls_of(text):
+            if macro in pastes:
+                found |= {name + pastes[macro] for name in ([argument] if NAME.fullmatch(argument) else names_of(text))}
     return found
 
 
@@ -128,14 +147,17 @@ def names_in(file):
     """All names that the code of a source may use. A header has more than who includes it uses: of its macros, and of the functions
     that each source has for itself, those count that are named."""
     parts = [parts_of(header) for header in included(file) - {file}]
-    words = set(words_of(text_of(file))).union(*(each[None] for each in parts))
-    waiting = list(words)
+    meant = {}
+    for each in parts:
+        for word, words in each.items():
+            meant.setdefault(word, []).append(words)
+    words = set(words_of(text_of(file))).union(*meant.pop(None, ()))
+    waiting = list(words & meant.keys())
     while waiting:
-        word = waiting.pop()
-        more = set().union(*(each[word] for each in parts if word in each)) - words
+        more = set().union(*meant[waiting.pop()]) - words
         words |= more
-        waiting += more
-    return {word for word in words if NAME.fullmatch(word)} | pasted_names(file)
+        waiting += more & meant.keys()
+    return {word for word in words if word.startswith("fxl_")} | pasted_names(file)
 
 
 def definitions(sources):
@@ -157,14 +179,19 @@ def definitions(sources):
     return where, records
 
 
-def closure(names, where):
-    """The library's sources that define these names, and those that they need."""
-    needed, waiting = set(), list(names)
+def closure(names, where, needs):
+    """The library's sources that define these names, and those that they need. needs: {source: what it needs}, which is filled in."""
+    needed, waiting = set(), sources_of(names, where)
     while waiting:
-        for source in where.get(waiting.pop(), set()) - needed:
-            needed.add(source)
-            waiting += names_in(source)
+        needed |= waiting
+        for source in waiting - needs.keys():
+            needs[source] = sources_of(names_in(source), where)
+        waiting = set().union(*map(needs.get, waiting)) - needed
     return sorted(_name(source) for source in needed)
+
+
+def sources_of(names, where):
+    return set().union(*(where[name] for name in names if name in where))
 
 
 @functools.cache
@@ -233,15 +260,15 @@ def main(argv):
         write_conditions(argv[1], argv[2:])
         return
     division = argv.index("--")
-    where, records = definitions(argv[:division])
+    (where, records), needs = definitions(argv[:division]), {}
     for source in argv[division + 1:]:
         program = with_helpers(source) if os.path.dirname(source) == UNIT_TESTS else [source]
-        print(f"LIB_NEEDS.{source} := {' '.join(closure(set().union(*map(names_in, program)), where))}")
+        print(f"LIB_NEEDS.{source} := {' '.join(closure(set().union(*map(names_in, program)), where, needs))}")
         if len(program) > 1:
             helpers = (os.path.splitext(os.path.basename(each))[0] for each in program if each != source)
             print(f"UNIT_HELPERS.{source} := {' '.join(helpers)}")
     for record in sorted(records):
-        print(f"LIB_NEEDS.{record} := {' '.join(closure([record], where))}")
+        print(f"LIB_NEEDS.{record} := {' '.join(closure([record], where, needs))}")
 
 
 if __name__ == "__main__":

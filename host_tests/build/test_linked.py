@@ -194,12 +194,33 @@ def test_a_record_is_chosen_by_its_name(tmp_path):
     assert found == {"main.c": set(), "fxl_one": {"a/one", "a/two"}}
 
 
-def test_a_walk_is_built_without_what_it_never_calls(tmp_path):
-    done = subprocess.run(["make", "-n", "V=1", f"BUILD={tmp_path}", f"{tmp_path}/boards/mps2-an385/walk.elf"], cwd=CHECKOUT,
+def build_of_the_walk(folder, *words):
+    """What make would do."""
+    done = subprocess.run(["make", "-n", "V=1", *words, f"BUILD={folder}", f"{folder}/boards/mps2-an385/walk.elf"], cwd=CHECKOUT,
                           capture_output=True, text=True, check=True)
-    assert "/render.c" in done.stdout and "/offsets.c" in done.stdout and "/fill_rows_armv7m.S" in done.stdout
+    return done.stdout
+
+
+def test_a_walk_is_built_without_what_it_never_calls(tmp_path):
+    said = build_of_the_walk(tmp_path)
+    assert "/render.c" in said and "/offsets.c" in said and "/fill_rows_armv7m.S" in said
     for name in ("slide.c", "clip_once.c", "pages.c", "world_change.c", "fill_rows_armv6m.S", "fill_compact_armv7m.S", "depth_runs.c"):
-        assert f"/{name}" not in done.stdout
+        assert f"/{name}" not in said
+
+
+def test_a_compiler_is_asked_once_which_sources_have_no_text(tmp_path):
+    """An answer that is kept is believed, though it be wrong: but no part of one, none of other flags, and none once a header is newer."""
+    build_of_the_walk(tmp_path)
+    kept, = tmp_path.glob("lib_conditions-cpu-cortex-m3_*unaligned-access")
+    told = kept.read_text(encoding="ascii")
+    wrong = told.replace("raster/fill_rows_armv7m ", "")
+    for text, is_believed in ((wrong, True), (wrong.replace("-O2", "-O1"), False), (wrong[:-5], False)):
+        kept.write_text(text, encoding="ascii")
+        assert ("/fill_rows_armv7m.S" not in build_of_the_walk(tmp_path)) == is_believed
+        assert kept.read_text(encoding="ascii") == (text if is_believed else told)
+    kept.write_text(wrong, encoding="ascii")
+    os.utime(tmp_path / "lib_conditions.mk", (0, 0))
+    assert "/fill_rows_armv7m.S" in build_of_the_walk(tmp_path, "-o", tmp_path / "lib_conditions.mk")
 
 
 # A core of each kind of kernels; the last one has vectors.
