@@ -103,7 +103,8 @@ def test_two_clauses_of_one_number_are_refused(root):
 
 @pytest.mark.parametrize("text, ids", [
     ("SPEC 1.1", ["SPEC 1.1"]), ("SPEC 1.1, 1.2", ["SPEC 1.1", "SPEC 1.2"]), ("SPEC 1.1; beams 2.1.3", ["SPEC 1.1", "beams 2.1.3"]),
-    ("SPEK 1.1", None), ("SPEC 1", None), ("SPEC 1.1 and 1.2", None), ("1.1", None)])
+    ("SPEC 1.1b", ["SPEC 1.1b"]), ("SPEC 1.1y-ab, beams 2.1", ["SPEC 1.1y", "SPEC 1.1z", "SPEC 1.1aa", "SPEC 1.1ab", "beams 2.1"]),
+    ("SPEC 1.1-b", None), ("SPEC 1.1b-a", None), ("SPEK 1.1", None), ("SPEC 1", None), ("SPEC 1.1 and 1.2", None), ("1.1", None)])
 def test_the_ids_of_a_tag(text, ids):
     assert clauses.ids_of(text, PAGES) == ids
 

@@ -9,7 +9,7 @@ The record, host_tests/build/trace/clauses.txt, has the first words of each clau
 A clause whose words stand at another id there was renumbered, and what cites the id would speak of another clause.
 
 Tags say which clauses a function, a block or a test is about. In C and assembly a tag is a comment of ids alone on a line:
-/* SPEC 4.5 */ or /* SPEC 4.5, 4.6b, beams 2.2 */. It stands above a function or a block, and is about the lines from there to the
+/* SPEC 4.5 */ or /* SPEC 4.5, 4.6b-d, beams 2.2 */. It stands above a function or a block, and is about the lines from there to the
 next tag, at most to the end of the function. Above a test of host_tests/ it is about that test. In Python it is a comment
 (# formats 1.2) above a function or block; a test has it in its docstring: formats 1.2.
 """
@@ -31,6 +31,7 @@ BEGIN = re.compile(r"^(?:[*-] )?\*\*(\d+(?:\.\d+)+)( [^*]*)?\*\*[ .,]*(\(informa
 MARKUP = re.compile(r"\[([^\]]*)\]\([^)]*\)|[*`]|(\|)")
 WORDS = 8       # of a clause in the record
 NUMBERS = r"\d+(?:\.\d+)+[a-z]*"
+RANGE = rf"{NUMBERS}(?:-[a-z]+)?"       # of a clause's sentences: "4.3b-d"
 ENTRY = re.compile(rf"(\w+ {NUMBERS})(?:, ({'|'.join(sentences.STATES[1:])}))?: (.*)")
 HEAD = """# SPDX-License-Identifier: MIT
 # The first words of each clause, and of each of its sentences, by their ids: make trace fails where one has another id than here.
@@ -41,10 +42,10 @@ CODE = ("lib", "boards", "firmware", "tools/fixel", "host_tests/judges")
 JUDGED = "accuracy"     # the page that says what the judges do: their code is code of this page alone
 TESTS = "host_tests"
 C_SUFFIXES = (".c", ".h", ".S")
-C_TAG = re.compile(r"^[ \t]*/\*[ \t]*(\w+ \d+\.\d[\d., ;\w]*?)[ \t]*\*/[ \t]*$", re.MULTILINE)
-PY_TAG = re.compile(r"^[ \t]*#[ \t]*(\w+ \d+\.\d[\d., ;\w]*?)[ \t]*$", re.MULTILINE)
+C_TAG = re.compile(r"^[ \t]*/\*[ \t]*(\w+ \d+\.\d[\d., ;\w-]*?)[ \t]*\*/[ \t]*$", re.MULTILINE)
+PY_TAG = re.compile(r"^[ \t]*#[ \t]*(\w+ \d+\.\d[\d., ;\w-]*?)[ \t]*$", re.MULTILINE)
 C_TEST = re.compile(r"^void (test_\w+)\(void\)")
-WORD = re.compile(rf"\b[A-Za-z_0-9]+ {NUMBERS}\b(?:[,;] (?:[A-Za-z_0-9]+ )?{NUMBERS}\b)*")
+WORD = re.compile(rf"\b[A-Za-z_0-9]+ {RANGE}\b(?:[,;] (?:[A-Za-z_0-9]+ )?{RANGE}\b)*")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -110,14 +111,18 @@ def read(root):
 
 
 def ids_of(text, pages):
-    """The ids of a tag's text: "SPEC 4.5, 4.6, beams 2.2". None if the text is anything else."""
+    """The ids of a tag's text: "SPEC 4.5, 4.6b-d, beams 2.2". None if the text is anything else."""
     found, page = [], None
     for part in re.split(r"[,;] ?| (?=[A-Za-z])", text.strip()):
-        match = re.fullmatch(rf"(?:([A-Za-z_0-9]+) )?({NUMBERS})", part) if part else None
+        match = re.fullmatch(rf"(?:([A-Za-z_0-9]+) )?({NUMBERS})(?:-([a-z]+))?", part) if part else None
         page = (match[1] or page) if match else None
         if page not in pages:
             return None
-        found.append(f"{page} {match[2]}")
+        first, last = f"{page} {match[2]}", match[3]
+        letters = sentences.between(first.removeprefix(clause_of(first)), last) if last else [""]
+        if not letters:
+            return None
+        found += [(clause_of(first) if last else first) + letter for letter in letters]
     return found
 
 

@@ -21,6 +21,7 @@ STATES = ("", PROSE, OPEN)
 BLOCK = re.compile(r"^(?:[*-]|\d+\.) +")
 RULE = re.compile(r"^\|[ :|-]+\|$")
 END = re.compile(r"(?<=[.!?:;])[)\"*_]*\s+(?=[(\"*_`|⌊√\[]*[A-Z0-9`⌊√|])")
+MOST = 26 + 26 * 26     # letters of a clause
 SHORT = ("e.g.", "i.e.", "vs.", "Fig.", "no.")
 
 
@@ -85,6 +86,12 @@ def letters():
     """a, b, .. z, aa, ab, .."""
     for length in itertools.count(1):
         yield from map("".join, itertools.product(string.ascii_lowercase, repeat=length))
+
+
+def between(first, last):
+    """The letters from one to another; none if the last one does not come behind the first."""
+    every = list(itertools.islice(letters(), MOST))
+    return every[every.index(first):every.index(last) + 1] if first in every and last in every else []
 
 
 def match(found, record):
