@@ -8,7 +8,7 @@ static double true_sine(fxl_angle angle)
     return sin((double)angle * (3.14159265358979323846 / 2147483648.0)) * 1073741824.0;
 }
 
-/* SPEC 1.2, 2.1 */
+/* SPEC 1.2a, 2.1c */
 void test_quarters_are_exact(void)
 {
     TEST_ASSERT_EQUAL_INT32(0, fxl_sin(0));
@@ -20,7 +20,7 @@ void test_quarters_are_exact(void)
     TEST_ASSERT_EQUAL_INT32(-FXL_Q2_30_ONE, fxl_cos(2u * FXL_ANGLE_QUARTER));
 }
 
-/* SPEC 1.2, 2.1 */
+/* SPEC 1.2a, 2.1f */
 void test_sine_is_within_one_unit(void)
 {
     for (int i = 0; i < 10 * UNIT_REPEAT; i++) {
@@ -49,7 +49,7 @@ void test_sine_is_odd_and_cosine_even(void)
     }
 }
 
-/* SPEC 1.2 */
+/* SPEC 1.2b */
 void test_cosine_is_the_sine_a_quarter_later(void)
 {
     for (int i = 0; i < UNIT_REPEAT; i++) {

@@ -61,7 +61,7 @@ static void draw_in_bands(void)
 }
 
 /* The property that bands and lists stand on. */
-/* SPEC 4.10 */
+/* SPEC 4.10c, 4.11j, 7.3b */
 void test_any_bands_and_any_list_give_the_same_frame(void)
 {
     const uint32_t rounds = UNIT_REPEAT / 20;
@@ -89,7 +89,7 @@ void test_any_bands_and_any_list_give_the_same_frame(void)
 }
 
 /* Word by word more: what is in the list and what spills add up. */
-/* SPEC 4.11, 7.3 */
+/* SPEC 4.11i, 7.3c */
 void test_what_does_not_fit_is_counted(void)
 {
     fxl_pose pose = {{Q16(2), Q16(2), Q16(-3)}, DEGREES(-20), DEGREES(-20), 0};
@@ -124,7 +124,7 @@ static fxl_clip_result counting_clipper(const fxl_model_view *model_view, const 
 static const fxl_clipper counting = {.clip = counting_clipper};
 
 /* With a list that holds the frame, no band looks at the scene again. */
-/* SPEC 7.5 */
+/* SPEC 7.5b */
 void test_a_band_does_not_walk_the_scene_again(void)
 {
     fxl_pose pose = {{Q16(2), Q16(2), Q16(-3)}, DEGREES(-20), DEGREES(-20), 0};
@@ -160,7 +160,7 @@ void test_a_refused_frame_keeps_the_list(void)
 }
 
 /* A polygon between two rows of centres takes no place, but is counted as drawn. */
-/* SPEC 7.2 */
+/* SPEC 7.2b-c */
 void test_a_polygon_on_no_row_takes_no_record(void)
 {
     start(WORDS, &fxl_clipper_view);
@@ -323,7 +323,7 @@ void test_rows_that_only_touch_do_not_meet(void)
     }
 }
 
-/* SPEC 7.2 */
+/* SPEC 7.2a */
 void test_the_last_word_is_used_and_none_behind_it(void)
 {
     for (uint8_t count = 3; count <= FXL_POLYGON_CAPACITY; count++) {
@@ -344,7 +344,7 @@ void test_the_last_word_is_used_and_none_behind_it(void)
     }
 }
 
-/* SPEC 7.5 */
+/* SPEC 7.5a */
 void test_a_list_without_memory_is_full_and_empty(void)
 {
     fxl_display_list list = {NULL, 0, 0};

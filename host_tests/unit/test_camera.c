@@ -34,7 +34,7 @@ void test_unturned_it_looks_along_z(void)
                                    camera.axes.forward.y);
 }
 
-/* SPEC 1.3 */
+/* SPEC 1.3a */
 void test_yaw_turns_from_z_towards_x(void)
 {
     fxl_camera camera = camera_at(origin, FXL_ANGLE_QUARTER, 0, 0);
@@ -43,7 +43,7 @@ void test_yaw_turns_from_z_towards_x(void)
     expect_row("up", 0, 1, 0, camera.axes.up);
 }
 
-/* SPEC 1.3 */
+/* SPEC 1.3b */
 void test_pitch_raises_the_view(void)
 {
     fxl_camera camera = camera_at(origin, 0, FXL_ANGLE_QUARTER, 0);
@@ -51,7 +51,7 @@ void test_pitch_raises_the_view(void)
     expect_row("up", 0, 0, -1, camera.axes.up);
 }
 
-/* SPEC 1.3 */
+/* SPEC 1.3c */
 void test_roll_turns_the_right_side_up(void)
 {
     fxl_camera camera = camera_at(origin, 0, 0, FXL_ANGLE_QUARTER);
@@ -62,7 +62,7 @@ void test_roll_turns_the_right_side_up(void)
 
 /* A view raised by a half right angle looks up wherever yaw has turned it;
  * pitch before yaw would look to the side. */
-/* SPEC 1.3 */
+/* SPEC 1.3d */
 void test_yaw_comes_before_pitch(void)
 {
     double half = sqrt(0.5);
@@ -71,7 +71,7 @@ void test_yaw_comes_before_pitch(void)
 }
 
 /* Rolling does not change where the view looks. */
-/* SPEC 1.3 */
+/* SPEC 1.3d */
 void test_pitch_comes_before_roll(void)
 {
     double half = sqrt(0.5);
@@ -80,7 +80,7 @@ void test_pitch_comes_before_roll(void)
     expect_row("right", 0, half, -half, camera.axes.right);
 }
 
-/* SPEC 4.2, accuracy 1.1 */
+/* SPEC 1.3e-h, 3.1e, 4.2a, accuracy 1.1 */
 void test_every_entry_is_within_two_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT; i++) {
@@ -159,7 +159,7 @@ static fxl_status try_lens(uint16_t width, uint16_t height, fxl_angle fov, fxl_q
     return status;
 }
 
-/* SPEC 2.1 */
+/* SPEC 2.1b */
 void test_ninety_degrees_is_half_the_width(void)
 {
     unit_restart();
@@ -172,7 +172,7 @@ void test_ninety_degrees_is_half_the_width(void)
     TEST_ASSERT_EQUAL_INT32(4, lens.inset);
 }
 
-/* SPEC 4.2, accuracy 1.1 */
+/* accuracy 1.1, SPEC 4.2b */
 void test_focal_is_within_its_bound(void)
 {
     const fxl_angle ends[] = {FXL_FOV_MIN, FXL_FOV_MAX, FXL_FOV_MIN + 1, FXL_FOV_MAX - 1};
@@ -190,18 +190,31 @@ void test_focal_is_within_its_bound(void)
     }
 }
 
-/* SPEC 3.1 */
+/* SPEC 3.1h */
+void test_the_least_and_the_largest_focal_length(void)
+{
+    fxl_lens lens;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_from_fov(1, 1, FXL_FOV_MAX, Q16(1), Q16(2), 0, &lens));
+    TEST_ASSERT_EQUAL_INT32(8780, lens.focal);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_from_fov(FXL_SCREEN_MAX, 1, FXL_FOV_MIN, Q16(1), Q16(2), 0,
+                                                &lens));
+    TEST_ASSERT_NEAR(lens.focal, 5852.2 * 65536, 0.05 * 65536);
+}
+
+/* SPEC 3.1f-g, 3.1i-k */
 void test_the_ends_of_every_range_are_taken(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, try_lens(1, 1, FXL_FOV_MIN, FXL_NEAR_MIN, FXL_FAR_MAX, 0));
     TEST_ASSERT_EQUAL(FXL_OK, try_lens(FXL_SCREEN_MAX, FXL_SCREEN_MAX, FXL_FOV_MAX, FXL_NEAR_MIN,
                                        FXL_FAR_MAX, FXL_INSET_MAX));
     TEST_ASSERT_EQUAL(FXL_OK, try_lens(1, 1, FXL_FOV_MIN, 1000, 1021, 10));
+    TEST_ASSERT_EQUAL_HEX32(119304647, FXL_FOV_MIN);
+    TEST_ASSERT_EQUAL_HEX32(1789569707, FXL_FOV_MAX);
     TEST_ASSERT_EQUAL_HEX32(FXL_DEGREES(10), FXL_FOV_MIN);
     TEST_ASSERT_EQUAL_HEX32(FXL_DEGREES(150), FXL_FOV_MAX);
 }
 
-/* SPEC 3.1 */
+/* SPEC 3.1f-g, 3.1i-k */
 void test_what_is_out_of_range_is_refused(void)
 {
     const fxl_angle fov = FXL_ANGLE_QUARTER;

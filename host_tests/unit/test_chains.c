@@ -86,7 +86,7 @@ void test_a_quotient_is_the_next_above(void)
     }
 }
 
-/* SPEC 5.3 */
+/* SPEC 5.3a */
 void test_an_edge_is_exact_while_it_is_good(void)
 {
     for (int i = 0; i < UNIT_REPEAT; i++) {
@@ -116,7 +116,7 @@ static int64_t floor_of(int64_t numerator, int64_t denominator)
 /* On every row that an edge crosses, set there or stepped from its first row: the first pixel by
  * its definition, ceil(x - 1/2). Heights and widths are often whole pixels, so that a carry leaves
  * nothing over. */
-/* SPEC 5.3 */
+/* SPEC 5.3a */
 void test_an_edge_is_set_and_steps_to_where_it_is(void)
 {
     for (int i = 0; i < UNIT_REPEAT; i++) {
@@ -379,7 +379,7 @@ void test_an_edge_that_just_misses_a_centre(void)
 }
 
 /* What is not within the sides, or goes up and down, takes the other way. */
-/* SPEC 5.3 */
+/* SPEC 5.3c */
 void test_any_polygon(void)
 {
     fxl_screen_polygon polygon;

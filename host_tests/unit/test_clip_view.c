@@ -81,7 +81,7 @@ static void expect_same(const char *name, const fxl_view_polygon *expected,
 }
 
 /* The same outcome at each of the six walls. What is not cut writes nothing. */
-/* SPEC 4.7 */
+/* SPEC 4.7a, 4.7h, 4.7l-m */
 void test_cases_of_one_plane(void)
 {
     for (int i = 0; i < PLANE_CASES * FXL_PLANE_COUNT; i++) {
@@ -103,7 +103,7 @@ void test_cases_of_one_plane(void)
 }
 
 /* 1/4 of the way from the inside end, whichever way the edge is walked. */
-/* SPEC 4.7 */
+/* SPEC 4.7i */
 void test_a_crossing_is_at_its_fraction_of_the_edge(void)
 {
     for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
@@ -141,7 +141,7 @@ void test_one_unit_outside_is_cut_off(void)
 }
 
 /* Teeth that stand out of the wall: each adds two vertices and takes one. */
-/* SPEC 4.7 */
+/* SPEC 4.7n, 3.1q */
 void test_more_than_the_capacity_is_refused(void)
 {
     memset(workspace.guard, 0x5A, sizeof workspace.guard);
@@ -185,7 +185,7 @@ static fxl_view_polygon across(int left, int bottom, int right, int top, int dep
     return polygon_of(numbers, 4);
 }
 
-/* SPEC 4.7 */
+/* SPEC 4.7e */
 void test_frustum_inside_returns_the_input(void)
 {
     fxl_view_polygon polygon = across(-5, -5, 5, 5, 10);
@@ -194,7 +194,7 @@ void test_frustum_inside_returns_the_input(void)
     TEST_ASSERT_EQUAL_PTR(&polygon, result);
 }
 
-/* SPEC 4.7 */
+/* SPEC 4.7d */
 void test_frustum_outside_returns_null(void)
 {
     /* Left, bottom, right, top, depth. */
@@ -247,7 +247,7 @@ static void expect_clipped(const int *numbers, size_t corners, int count)
     expect_within_frustum(result, count);
 }
 
-/* SPEC 4.7 */
+/* SPEC 4.7f */
 void test_corners_of_planes(void)
 {
     const int two[] = {0, 0, 10, 0, 50, 10, 50, 50, 10, 50, 0, 10};
@@ -288,7 +288,7 @@ static const fxl_view_polygon *cut_one_by_one(const fxl_view_polygon *polygon, b
 }
 
 /* The order shows in the last bits of a vertex that two planes make. */
-/* SPEC 4.7 */
+/* SPEC 4.7f */
 void test_planes_cut_in_the_order_of_their_numbers(void)
 {
     uint32_t others = 0;

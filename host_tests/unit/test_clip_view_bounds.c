@@ -166,7 +166,7 @@ static fxl_view_polygon random_triangle(unsigned bits)
     return polygon;
 }
 
-/* SPEC 4.7 */
+/* SPEC 4.7i */
 void test_a_new_vertex_is_within_its_bounds(void)
 {
     int crossings = 0;

@@ -135,7 +135,7 @@ static fxl_clip_result clip_to_all(const fxl_view *view, const fxl_polygon *poly
 
 /* A plane that no vertex is outside of has nothing to cut, but for the last bit
  * of a vertex that another plane made. */
-/* SPEC 4.7 */
+/* SPEC 4.7g */
 void test_planes_that_are_not_needed_change_nothing(void)
 {
     static fxl_clipper_work work;
@@ -215,7 +215,7 @@ static bool has_one_row(const fxl_screen_polygon *screen)
     return one;
 }
 
-/* SPEC 7.2 */
+/* SPEC 7.2b, 7.2d */
 void test_a_face_between_centres_has_no_pixels(void)
 {
     static fxl_clipper_work work;
@@ -362,7 +362,7 @@ void test_both_clippers_draw_the_same_frames(void)
 }
 
 /* Two renderers at once, with caches of any size, none included. */
-/* SPEC 4.10 */
+/* SPEC 4.10c */
 void test_the_cache_changes_no_pixel(void)
 {
     enum {

@@ -30,7 +30,7 @@ static bool in_cone(const fxl_cluster *cluster, const fxl_point *eye, double mar
 
 /* By the definition in double: the test says true of no eye outside the cone, and of every eye a
  * world unit from the apex that is well inside. */
-/* SPEC 4.4 */
+/* SPEC 4.4k */
 void test_the_cone_is_the_definition(void)
 {
     uint32_t inside = 0, outside = 0;
@@ -144,7 +144,7 @@ static void take_clusters_out(tiny_scene *tiny)
 }
 
 /* The same pixels as without clusters, and the counters that SPEC.md, section 4.11, defines. */
-/* SPEC 4.4, 4.11 */
+/* SPEC 4.4i-j, 4.4m, 4.11d */
 void test_frames_with_clusters(void)
 {
     uint32_t left_out = 0, drawn = 0;
@@ -185,7 +185,7 @@ void test_frames_with_clusters(void)
 }
 
 /* An eye in the cones of clusters 0 and 1: of the cube's faces only +y and -z show. */
-/* SPEC 4.11 */
+/* SPEC 4.11c */
 void test_clusters_turned_away_count_as_backfacing(void)
 {
     cluster_scene *made = cluster_make();

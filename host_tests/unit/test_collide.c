@@ -292,7 +292,7 @@ void test_a_segment_hits_the_first_of_equals(void)
 }
 
 /* Into a closed cube, through its edges and corners exactly: there is no gap. */
-/* collide 2.1 */
+/* collide 2.1, SPEC 2.1d */
 void test_no_segment_passes_between_faces(void)
 {
     tiny_scene *tiny = tiny_make();

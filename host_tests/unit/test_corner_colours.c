@@ -141,7 +141,7 @@ static void draw_random_faces(bool is_triangle, uint8_t division, double toleran
     TEST_ASSERT_GREATER_THAN(50 * ROUNDS, compared);
 }
 
-/* SPEC 9.8 */
+/* SPEC 9.8b-c, 9.8f */
 void test_channels_divided_at_each_pixel(void)
 {
     draw_random_faces(false, FXL_DIVIDE_1, 1.0 / 256);
@@ -150,7 +150,7 @@ void test_channels_divided_at_each_pixel(void)
 
 /* Between two divisions a channel is 0.3 of a level off at most, and rounded down by less than
  * 1/32. */
-/* SPEC 9.8, surfaces 1.4 */
+/* surfaces 1.4, SPEC 9.8g-h, 9.1.1q */
 void test_channels_of_triangles(void)
 {
     draw_random_faces(true, FXL_DIVIDE_16, 0.34);
@@ -216,7 +216,7 @@ void test_channels_of_triangles_of_few_pixels(void)
 
 /* Triangles that face the eye, up to the whole width of a wide screen, of which single rows are
  * drawn: their channels are linear on the screen, and a run begins anew every 64 columns. */
-/* SPEC 9.8 */
+/* SPEC 9.8g */
 void test_channels_of_wide_triangles(void)
 {
     enum {
@@ -292,7 +292,7 @@ void test_one_colour_at_all_corners(void)
 
 /* place light: definition: light of colours at corners */
 /* Light from a direction: it is multiplied at the corners, whose products are linear. */
-/* SPEC 9.8 */
+/* SPEC 9.8d */
 void test_light_at_the_corners(void)
 {
     for (uint32_t i = 0; i < ROUNDS; i++) {

@@ -41,7 +41,7 @@ static void check_bounds(const fxl_gradient *gradient)
     }
 }
 
-/* SPEC 9.1.1 */
+/* SPEC 9.1.1a-e */
 void test_small_is_what_its_conditions_say(void)
 {
     uint32_t small = 0, thin = 0, apart = 0, steep = 0;
@@ -96,7 +96,7 @@ void test_small_is_what_its_conditions_say(void)
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, steep);
 }
 
-/* SPEC 9.1.1 */
+/* SPEC 9.1.1b */
 void test_the_box_counts_that_of_all_vertices(void)
 {
     const fxl_screen_corners small = {{{0, 0}, {65536, 0}, {0, 65536}},
@@ -202,7 +202,7 @@ static void check_attributes(int first, uint32_t count, bool is_affine, attribut
     }
 }
 
-/* SPEC 9.1.1, accuracy 5.1.1 */
+/* accuracy 5.1.1, SPEC 9.1.1f-h */
 void test_attributes_are_those_of_the_corners(void)
 {
     uint32_t checked = 0;
@@ -233,7 +233,7 @@ void test_attributes_are_those_of_the_corners(void)
 
 /* Rows of the box, and 16 columns about it: where the weights suffice, an attribute on the line
  * between both ends of a segment is within a third of its unit of the divided one. */
-/* SPEC 9.1.1 */
+/* SPEC 9.1.1f */
 void test_segments_are_within_a_third_where_the_least_weight_suffices(void)
 {
     uint32_t wide = 0, narrow = 0, refused = 0;
@@ -283,7 +283,7 @@ void test_segments_are_within_a_third_where_the_least_weight_suffices(void)
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 500, refused);
 }
 
-/* SPEC 9.8 */
+/* SPEC 9.8, 9.1.1j */
 void test_colours_take_longer_sides_and_thin_triangles(void)
 {
     const fxl_q18_46 depth = (fxl_q18_46)1 << 46;

@@ -100,7 +100,7 @@ static void check_words(double spread, bool is_even, word_counts *counts)
     counts->bent += last != o;
 }
 
-/* SPEC 9.1.1 */
+/* SPEC 9.1.1s-t */
 void test_words_are_codes_and_light(void)
 {
     word_counts counts = {0, 0, 0, 0, 0, 0};
@@ -169,7 +169,7 @@ static bool check_texels(texel_counts *counts)
     return true;
 }
 
-/* SPEC 9.1.1 */
+/* SPEC 9.1.1u */
 void test_words_are_texels(void)
 {
     texel_counts counts = {0, 0, 0, 0};
@@ -214,7 +214,7 @@ void test_what_has_no_words(void)
 }
 
 /* Near at any depth, so that an octave ends at any, and far away, so that codes have few bits. */
-/* SPEC 9.1.1 */
+/* SPEC 9.1.1s */
 void test_words_of_other_lenses(void)
 {
     word_counts counts = {0, 0, 0, 0, 0, 0};

@@ -26,7 +26,7 @@ void test_three_faces_of_a_cube_are_seen(void)
 }
 
 /* On the face's plane it is edge-on, and not drawn; a unit further, it is. */
-/* SPEC 4.5 */
+/* SPEC 4.5a */
 void test_edge_on_is_not_seen(void)
 {
     tiny_scene *tiny = tiny_make();
@@ -45,7 +45,7 @@ void test_edge_on_is_not_seen(void)
 }
 
 /* The least sum that there is, 1 unit of 2^-46, decides. */
-/* SPEC 4.5 */
+/* SPEC 4.5b */
 void test_the_least_bit_decides(void)
 {
     tiny_scene *tiny = tiny_make();
@@ -81,7 +81,7 @@ void test_an_eye_in_the_plane_of_a_face(void)
     }
 }
 
-/* SPEC 4.5 */
+/* SPEC 4.5b */
 void test_facing_is_exact_everywhere(void)
 {
     tiny_scene *tiny = tiny_make();

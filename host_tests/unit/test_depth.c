@@ -96,14 +96,14 @@ static void check_frame(double resolution)
     }
 }
 
-/* SPEC 10.1, 10.2 */
+/* SPEC 10.1b, 10.2a-b, 10.6a-b */
 void test_the_nearest_of_faces_that_intersect_is_seen(void)
 {
     depth_scene_start_with(made, &fxl_palette_depth_16);
     check_frame(33.0 / 32 / 4096); /* far is 1024 near: 11 octaves, 12 bits */
 }
 
-/* SPEC 10.3, 10.6 */
+/* SPEC 10.3f, 10.6b */
 void test_32_bits_are_finer(void)
 {
     depth_scene_start_with(made, &fxl_palette_depth_32);
@@ -143,7 +143,7 @@ void test_every_clipper_gives_the_same_depths(void)
 }
 
 /* The lens of a part of the screen is off-centre: its picture is a part of the whole one. */
-/* SPEC 10.1 */
+/* SPEC 10.1a-b */
 void test_an_off_centre_lens_shows_the_same_depths(void)
 {
     enum {
@@ -182,7 +182,7 @@ void test_an_off_centre_lens_shows_the_same_depths(void)
 
 /* The same faces as instances of one that turns, by the default clipper and by one that takes
  * points of the world: then the shader gets pieces. */
-/* SPEC 10.1 */
+/* SPEC 10.1a */
 void test_turned_instances_have_depth(void)
 {
     static const fxl_placement placements[DEPTH_SCENE_QUADS] = {
@@ -232,7 +232,7 @@ void test_pieces_of_light_beams_have_depth(void)
 }
 
 /* Two walls in one plane, front to back, and far to near as with glass: the order decides. */
-/* SPEC 10.4 */
+/* SPEC 10.4c */
 void test_of_faces_in_one_plane_that_is_seen_which_is_drawn_later(void)
 {
     static const fxl_face walls[] = {{{0, 0, -FXL_Q2_30_ONE}, 4, 10, FXL_INDICES_AT(0, 0)},
@@ -303,7 +303,7 @@ static void draw_wide(const fxl_target *target)
 
 /* The two faces share a corner, so that their codes are equal. Sorted by distance the nearer one is
  * seen; by number the other one hides it: at once, by a list, in bands, turned, at each target. */
-/* SPEC 6.3, 6.4, 10.4 */
+/* SPEC 6.3d, 6.4b, 10.4c */
 void test_of_equal_codes_of_a_sorted_model_that_of_the_greater_number_is_seen(void)
 {
     static const fxl_point corners[] = {{-131072, -131072, 262144}, {-131072, 131072, 262144},

@@ -31,7 +31,7 @@ static void make_cells(uint32_t code, uint32_t step, bool visible, uint32_t ends
     }
 }
 
-/* SPEC 10.4 */
+/* SPEC 10.4b */
 void test_runs_end_where_the_definition_says(void)
 {
     uint32_t equals = 0;
@@ -57,7 +57,7 @@ void test_runs_end_where_the_definition_says(void)
 }
 
 /* Which of two at the same nearness is visible: the first, or with or_equal the second. */
-/* SPEC 10.4, 10.5 */
+/* SPEC 10.4b, 10.5a */
 void test_ties(void)
 {
     static const uint16_t narrow[] = {7, 8, 9};
@@ -99,7 +99,7 @@ void test_runs_of_wide_cells(void)
 
 /* The fewest octaves that reach from 257/256 of the far plane to the near one, and as many bits of
  * mantissa, 15 at most, as let every code be below 2^16. */
-/* SPEC 10.3, 10.6 */
+/* SPEC 10.6, 10.3a */
 void test_the_scale_of_a_lens(void)
 {
     uint32_t equals = 0;
@@ -138,7 +138,7 @@ void test_a_number_shifted_either_way(void)
 }
 
 /* An octave holds the values whose codes it gives: from a power of two to the next. */
-/* SPEC 10.3 */
+/* SPEC 10.3c-d */
 void test_octaves(void)
 {
     static const fxl_depth_scale scale = {.octaves = 11, .mantissa = 12};

@@ -26,7 +26,7 @@ static void expect_memory(const char *text)
     TEST_ASSERT_EQUAL_STRING_LEN(text, (const char *)memory, sizeof memory);
 }
 
-/* SPEC 4.9 */
+/* SPEC 4.9a */
 void test_a_span_sets_its_pixels_only(void)
 {
     fxl_band band = band_of_memory();
@@ -52,7 +52,7 @@ void test_a_span_may_take_the_whole_row(void)
                   "..........");
 }
 
-/* SPEC 4.9 */
+/* SPEC 4.9a */
 void test_a_band_stays_within_its_stride(void)
 {
     fxl_band band = band_of_memory();
@@ -66,7 +66,7 @@ void test_a_band_stays_within_its_stride(void)
 }
 
 /* Every start and length: fills by words must not touch neighbours. */
-/* SPEC 4.9 */
+/* SPEC 4.9a */
 void test_every_start_and_length(void)
 {
     static uint8_t row[40];

@@ -163,7 +163,7 @@ void test_how_the_block_is_divided(void)
     }
 }
 
-/* SPEC 4.1 */
+/* SPEC 4.1b */
 void test_a_frame_is_the_same_whatever_the_block(void)
 {
     fxl_config config = fxl_config_default(WIDTH, HEIGHT);

@@ -13,7 +13,7 @@ static void make(const fxl_pose *pose, const fxl_lens *lens, fxl_camera *camera,
     fxl_frustum_from_sides(camera, lens, &sides, frustum);
 }
 
-/* SPEC 4.3 */
+/* SPEC 4.3a, 4.3c */
 void test_four_sides_of_an_unturned_view(void)
 {
     fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
@@ -23,9 +23,8 @@ void test_four_sides_of_an_unturned_view(void)
     make(&pose, &lens, &camera, &frustum);
     fxl_point middle = {0, 0, Q16(10)};
     const fxl_point outside[FXL_PLANE_COUNT] = {
-        [FXL_PLANE_LEFT] = {Q16(-11), 0, Q16(10)},   [FXL_PLANE_RIGHT] = {Q16(11), 0, Q16(10)},
-        [FXL_PLANE_BOTTOM] = {0, Q16(-11), Q16(10)}, [FXL_PLANE_TOP] = {0, Q16(11), Q16(10)},
-        [FXL_PLANE_NEAR] = {0, 0, Q16(0.05)},        [FXL_PLANE_FAR] = {0, 0, Q16(1001)}};
+        {0, 0, Q16(0.05)},      {0, 0, Q16(1001)},       {Q16(-11), 0, Q16(10)},
+        {Q16(11), 0, Q16(10)},  {0, Q16(-11), Q16(10)},  {0, Q16(11), Q16(10)}};
     for (int outer = 0; outer < FXL_PLANE_COUNT; outer++) {
         for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
             const fxl_plane *side = &frustum.planes[plane];
@@ -54,7 +53,7 @@ static void expect_normal(const fxl_camera *camera, double x, double y, double z
                      4.0);
 }
 
-/* SPEC 4.3, accuracy 1.1 */
+/* accuracy 1.1, SPEC 4.3e-h, 4.3m */
 void test_normals_are_within_four_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
@@ -81,7 +80,7 @@ static void expect_within(int64_t bound, int64_t expected, int64_t actual)
 /* The eye lies outside each plane by as much as the plane was moved. near and
  * far may be off by their depth times the error of the normal's length, whose
  * components are off by up to 4 units of 2^-30 each. */
-/* SPEC 4.3 */
+/* SPEC 4.3b, 4.3e-i */
 void test_distances_from_the_eye(void)
 {
     const int64_t unit = (int64_t)1 << 30;
@@ -112,7 +111,7 @@ static void expect_unit_vector(double side, double depth, fxl_q2_30 unit_side, f
     TEST_ASSERT_NEAR(unit_depth, depth / length * FXL_Q2_30_ONE, 1.0);
 }
 
-/* SPEC 4.3, accuracy 1.1 */
+/* accuracy 1.1, SPEC 4.3b, 4.3k */
 void test_the_view_frustum_is_that_of_the_lens(void)
 {
     const int64_t unit = (int64_t)1 << 30;
@@ -236,7 +235,7 @@ void test_each_plane_has_its_bit(void)
     }
 }
 
-/* SPEC 4.7 */
+/* SPEC 4.7b-c */
 void test_any_point(void)
 {
     unsigned seen = 0;

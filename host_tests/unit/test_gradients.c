@@ -109,7 +109,7 @@ void setUp(void)
     view = clip_random_view((uint16_t)width, (uint16_t)height);
 }
 
-/* SPEC 9.1, accuracy 5.1 */
+/* accuracy 5.1, SPEC 9.1b, 9.1d */
 void test_attributes_are_those_of_the_point_that_is_seen(void)
 {
     uint32_t checked = 0, tight = 0;
@@ -161,7 +161,7 @@ void test_the_volume_is_exact_but_for_rounding(void)
 }
 
 /* Scaled so that the largest value on the screen has 62 bits; all else is exact. */
-/* SPEC 9.1 */
+/* SPEC 9.1d */
 void test_the_gradient_of_a_plane(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 30; i++) {
@@ -312,7 +312,7 @@ static void look(void)
     view = clip_random_view(WIDTH, HEIGHT);
 }
 
-/* SPEC 9.3 */
+/* SPEC 9.3a */
 void test_a_corner_beyond_any_side_leaves_all_as_they_are(void)
 {
     for (int i = 0; i < 50; i++) {
@@ -333,7 +333,7 @@ void test_a_corner_beyond_any_side_leaves_all_as_they_are(void)
     }
 }
 
-/* SPEC 9.3 */
+/* SPEC 9.3a */
 void test_a_corner_that_has_no_place_on_the_screen_leaves_all_as_they_are(void)
 {
     look();
@@ -344,7 +344,7 @@ void test_a_corner_that_has_no_place_on_the_screen_leaves_all_as_they_are(void)
     TEST_ASSERT_FALSE(becomes_affine(affine));
 }
 
-/* SPEC 9.3 */
+/* SPEC 9.3b */
 void test_corners_on_one_line_stay(void)
 {
     look();
@@ -354,7 +354,7 @@ void test_corners_on_one_line_stay(void)
 }
 
 /* Right angles, with a side along either axis, at any corner: not on one line. */
-/* SPEC 9.3 */
+/* SPEC 9.3b */
 void test_corners_with_sides_along_the_axes(void)
 {
     static const uint8_t at[4][2] = {{10, 8}, {25, 8}, {25, 20}, {10, 20}};

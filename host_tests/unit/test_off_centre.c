@@ -56,7 +56,7 @@ static fxl_status try_centre(const fxl_lens *lens, int64_t x, int64_t y)
     return status;
 }
 
-/* SPEC 3.1 */
+/* SPEC 3.1l */
 void test_a_centre_is_taken_within_its_range(void)
 {
     const fxl_lens lens = centred_lens(320, 240); /* focal 160: four of them are 640 pixels */
@@ -72,7 +72,7 @@ void test_a_centre_is_taken_within_its_range(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_lens_set_centre(NULL, 0, 0));
 }
 
-/* SPEC 3.1 */
+/* SPEC 3.1l */
 void test_a_centre_is_at_most_four_focal_lengths_away(void)
 {
     fxl_lens lens;
@@ -271,7 +271,7 @@ static void look(const fxl_lens *lens)
 /* The place on the screen is centre + focal X / Z. The rows are within 3.4 units of 2^-30 of the
  * exact ones, of the camera that they are made from, so a coordinate is within that times the sum
  * of the point's coordinates. */
-/* SPEC 4.2 */
+/* SPEC 4.2e, 4.2j-k */
 void test_points_lie_where_the_moved_centre_says(void)
 {
     int measured = 0;
@@ -304,7 +304,7 @@ void test_points_lie_where_the_moved_centre_says(void)
 }
 
 /* All that the stages require of a camera and a frustum. */
-/* SPEC 4.2 */
+/* SPEC 4.2n, 4.3l */
 void test_no_row_and_no_normal_is_longer_than_one(void)
 {
     const double one = 1073741824.0 * 1073741824.0 * (1 + 0x1p-28);
@@ -332,7 +332,7 @@ void test_no_row_and_no_normal_is_longer_than_one(void)
 
 /* Which planes a point is outside of is told by its place on the screen, where that is farther than
  * an eighth of a pixel from a border. */
-/* SPEC 4.3 */
+/* SPEC 4.3e-f */
 void test_planes_stand_on_the_borders_of_the_screen(void)
 {
     int outside = 0, inside = 0;
@@ -411,7 +411,7 @@ void test_a_centred_view_has_the_lens_as_it_is(void)
     TEST_ASSERT_EQUAL_INT32(lens.focal, fxl_view_drawn_focal(&view));
 }
 
-/* SPEC 4.2 */
+/* SPEC 4.2l */
 void test_a_moved_view_is_drawn_with_a_centred_lens(void)
 {
     const fxl_lens lens = any_off_centre_lens();
@@ -424,7 +424,7 @@ void test_a_moved_view_is_drawn_with_a_centred_lens(void)
 }
 
 /* F = l + l / 2^25 + 2, where l is the whole number nearest to the root. */
-/* SPEC 4.2 */
+/* SPEC 4.2h */
 void test_the_focal_length_that_a_moved_view_is_drawn_with(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 10; i++) {

@@ -39,7 +39,7 @@ static void expect_sorted(uint32_t count)
 
 /* Few different keys, so that ties abound; an entry's key is a function of its
  * index, so that keys cannot change places. */
-/* SPEC 6.1 */
+/* SPEC 6.1a-d */
 void test_sorting_is_by_layer_distance_and_index(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 500 + 10; round++) {
@@ -110,7 +110,7 @@ static void sort_faces(uint32_t count)
     }
 }
 
-/* SPEC 6.3 */
+/* SPEC 6.3a, 6.3c */
 void test_sorting_faces_is_by_distance_and_index(void)
 {
     for (uint32_t round = 0; round < UNIT_REPEAT / 500 + 10; round++) {
@@ -203,12 +203,13 @@ void test_nothing_and_one_entry(void)
     TEST_ASSERT_EQUAL_UINT32(3, entries[0].instance.layer);
 }
 
-/* SPEC 6.1 */
+/* SPEC 3.3e, 6.1c */
 void test_distance_is_exact_at_the_ends(void)
 {
     const fxl_q16_16 end = FXL_COORDINATE_MAX;
     fxl_point low = {-end, -end, -end}, high = {end, end, end};
     const uint64_t side = 2 * (uint64_t)FXL_COORDINATE_MAX;
+    TEST_ASSERT_TRUE(3 * side * side < (uint64_t)1 << 62);
     TEST_ASSERT_EQUAL_UINT64(3 * side * side, fxl_distance_squared(&low, &high));
     TEST_ASSERT_EQUAL_UINT64(3 * side * side, fxl_distance_squared(&high, &low));
     TEST_ASSERT_EQUAL_UINT64(0, fxl_distance_squared(&high, &high));
@@ -222,7 +223,7 @@ static uint64_t add_square(uint64_t sum, int64_t value)
     return sum + size * size;
 }
 
-/* SPEC 6.1 */
+/* SPEC 6.1c */
 void test_distance_is_the_sum_of_squares(void)
 {
     for (int i = 0; i < UNIT_REPEAT; i++) {
@@ -268,7 +269,7 @@ static uint64_t distance_by_box(const fxl_scene *scene, const fxl_instance *inst
     return fxl_box_distance(box.x, box.y, box.z, &relative);
 }
 
-/* SPEC 6.3 */
+/* SPEC 6.3b */
 void test_face_distance_is_that_of_its_box(void)
 {
     tiny_scene *tiny = tiny_make();
@@ -313,7 +314,7 @@ static uint32_t order_from(tiny_scene *tiny, const fxl_pose *pose, uint32_t *lef
 
 static const fxl_pose before_all = {{0, 0, Q16(-5)}, 0, 0, 0};
 
-/* SPEC 6.1 */
+/* SPEC 6.1b-c */
 void test_objects_by_layer_then_far_to_near(void)
 {
     tiny_scene *tiny = tiny_make();
@@ -341,7 +342,7 @@ void test_objects_by_layer_then_far_to_near(void)
     TEST_ASSERT_EQUAL_UINT32(255, entries[2].instance.layer);
 }
 
-/* SPEC 6.1 */
+/* SPEC 6.1d */
 void test_equally_far_objects_by_number(void)
 {
     tiny_scene *tiny = tiny_make();
@@ -387,7 +388,7 @@ static uint32_t order_faces(const fxl_scene *scene, const fxl_instance *instance
 
 /* Seen from a corner: three faces, the nearest last. Indices are those of the
  * model's faces or of the scene's; which, the order of colours tells. */
-/* SPEC 4.5, 6.3 */
+/* SPEC 4.5a, 6.3a-b */
 void test_faces_that_face_the_eye_far_to_near(void)
 {
     tiny_scene *tiny = tiny_make();
@@ -441,7 +442,7 @@ void test_keys_change_nothing(void)
     }
 }
 
-/* SPEC 4.5 */
+/* SPEC 4.5a */
 void test_every_face_is_seen_from_somewhere(void)
 {
     tiny_scene *tiny = tiny_make();

@@ -69,7 +69,7 @@ static void choose_texture(uint8_t flags)
 
 /* Opaque texels, which are painted in a loop of their own, and the same with a key that no texel
  * has. */
-/* SPEC 9.7 */
+/* SPEC 9.6j, 9.7a */
 void test_even_light_of_a_texture_without_segments(void)
 {
     uint32_t differing = 0;
@@ -106,7 +106,7 @@ void test_segments_of_even_light(void)
 
 /* From three levels below the ramp to three above it: the dark colour, what is between, and the
  * bright one. */
-/* SPEC 9.7 */
+/* SPEC 9.7, 9.6g */
 void test_light_that_leaves_the_ramp_is_held(void)
 {
     uint32_t dark = 0, between = 0, bright = 0;

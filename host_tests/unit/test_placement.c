@@ -41,7 +41,7 @@ static fxl_status check(const fxl_placement *placement)
     return fxl_placement_check(placement, &centre, Q16(1));
 }
 
-/* SPEC 8.1 */
+/* SPEC 8.1h */
 void test_rotations_are_accepted(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, check(&none));
@@ -69,7 +69,7 @@ void test_a_row_just_too_long_is_refused(void)
 
 /* All six products of two rows, to within 2^-28: then the rows are accepted. A row that is moved
  * by more than 2^-26 is not. */
-/* SPEC 8.1 */
+/* SPEC 8.1g */
 void test_rows_near_and_far_from_a_rotation(void)
 {
     const int64_t one = (int64_t)1 << 60, tolerance = (int64_t)1 << 32;
@@ -99,7 +99,7 @@ void test_rows_near_and_far_from_a_rotation(void)
     TEST_ASSERT_TRUE(near > UNIT_REPEAT / 20);
 }
 
-/* SPEC 8.1 */
+/* SPEC 8.1i */
 void test_what_is_no_rotation(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
@@ -170,7 +170,7 @@ void test_the_places_of_a_scene(void)
     TEST_ASSERT_TRUE(in_range > UNIT_REPEAT / 10 && in_range < UNIT_REPEAT);
 }
 
-/* SPEC 8.1 */
+/* SPEC 3.1n, 8.1e-f */
 void test_ranges_of_a_placement(void)
 {
     fxl_point centre = {0, 0, 0};
@@ -206,7 +206,7 @@ void test_ranges_of_a_placement(void)
 }
 
 /* The reach: |centre| + scale * radius, rounded upward, and the slack. */
-/* SPEC 8.1 */
+/* SPEC 8.1f, 8.1j */
 void test_the_reach_of_a_placement(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
@@ -230,7 +230,7 @@ void test_the_reach_of_a_placement(void)
 
 /* --- matrix, points, eye --------------------------------------------------------------------- */
 
-/* SPEC 8.2, accuracy 1.1 */
+/* accuracy 1.1, SPEC 8.2d-f */
 void test_each_entry_of_the_matrix_is_rounded_once(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
@@ -273,7 +273,7 @@ void test_no_placement_leaves_the_view(void)
     }
 }
 
-/* SPEC 8.5, accuracy 1.1 */
+/* accuracy 1.1, SPEC 8.5a, 8.5g */
 void test_points_and_directions_are_rounded_once(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
@@ -333,7 +333,7 @@ static bool fits(const sight *of, const fxl_point *eye, unsigned shift)
     return true;
 }
 
-/* SPEC 8.4 */
+/* SPEC 8.4b */
 void test_the_eye_in_the_space_of_the_model(void)
 {
     uint32_t shifted = 0;
@@ -364,7 +364,7 @@ void test_the_eye_in_the_space_of_the_model(void)
 }
 
 /* The last place where an eye keeps its unit, along each axis, and the first where it does not. */
-/* SPEC 8.4 */
+/* SPEC 8.4b */
 void test_the_limit_of_an_eye(void)
 {
     for (int i = 0; i < 6; i++) {
@@ -423,7 +423,7 @@ static fxl_q18_46 height_at_eye(const sight *of, const fxl_direction *normal)
     return height;
 }
 
-/* SPEC 8.3 */
+/* SPEC 8.3b */
 void test_facing_is_exact(void)
 {
     int exactly = 0;

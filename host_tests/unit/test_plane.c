@@ -43,12 +43,14 @@ void test_distance_is_exact(void)
     }
 }
 
-/* SPEC 3.3 */
+/* SPEC 3.3a-c */
 void test_the_farthest_corners_do_not_overflow(void)
 {
     const fxl_q16_16 end = FXL_COORDINATE_MAX;
     fxl_direction normal = {619925131, 619925131, 619925132}; /* 1/sqrt 3, rounded */
     fxl_point low = {-end, -end, -end}, high = {end, end, end};
+    TEST_ASSERT_TRUE(2 * (int64_t)end < (int64_t)1 << 30);
+    TEST_ASSERT_TRUE(2 * dot(normal, high) < (int64_t)1 << 61);
     fxl_plane plane = fxl_plane_from_point(&low, &normal, 0);
     TEST_ASSERT_EQUAL_INT64(2 * dot(normal, high), fxl_plane_distance(&plane, &high));
     plane = fxl_plane_from_point(&high, &normal, FXL_INSET_MAX);

@@ -28,7 +28,7 @@ void test_straight_ahead_is_the_middle(void)
     TEST_ASSERT_EQUAL_INT32(Q16(0.5), screen.y);
 }
 
-/* SPEC 1.1, 4.8 */
+/* SPEC 1.1b, 4.8a */
 void test_right_is_right_and_up_is_up(void)
 {
     fxl_lens lens = unit_lens(320, 240);
@@ -81,7 +81,7 @@ static int64_t random_side(int bits)
     return unit_wide((unsigned)(side < 1 ? 1 : side > 61 ? 61 : side));
 }
 
-/* SPEC 4.8, accuracy 1.1 */
+/* accuracy 1.1, SPEC 4.8a */
 void test_rounding_is_to_nearest(void)
 {
     int projected = 0;
@@ -206,7 +206,7 @@ static void expect_ends_at_4095(const fxl_lens *lens, int64_t one)
     expect_refused(lens, 0, 4255 * one + more, one);
 }
 
-/* SPEC 4.8 */
+/* SPEC 3.1s, 4.8b */
 void test_the_range_ends_at_4095(void)
 {
     fxl_lens lens = unit_lens(320, 320);

@@ -99,7 +99,7 @@ void test_a_cube_ahead_is_a_square(void)
 
 /* The farther cubes' front sides are at z = 9 and 11. Looking along +x from
  * the left, the sides -x appear. */
-/* SPEC 1.1 */
+/* SPEC 1.1a, 1.1d */
 void test_right_appears_right_and_up_appears_up(void)
 {
     tiny_scene *tiny = start(0);
@@ -114,7 +114,7 @@ void test_right_appears_right_and_up_appears_up(void)
     TEST_ASSERT_EQUAL(BACKGROUND, whole[4 * WIDTH + 8]);
 }
 
-/* SPEC 4.9 */
+/* SPEC 4.9b */
 void test_nearer_hides_farther_and_layers_come_first(void)
 {
     tiny_scene *tiny = start(0);
@@ -126,7 +126,7 @@ void test_nearer_hides_farther_and_layers_come_first(void)
     TEST_ASSERT_EQUAL(15, whole[16 * WIDTH + 24]);
 }
 
-/* SPEC 4.10 */
+/* SPEC 4.10a, 4.10c */
 void test_bands_of_any_height_give_the_same_pixels(void)
 {
     start(0);
@@ -148,7 +148,7 @@ void test_bands_of_any_height_give_the_same_pixels(void)
 }
 
 /* What the list holds is counted by begin, the rest by the first band. */
-/* SPEC 7.5 */
+/* SPEC 7.5b */
 void test_bands_in_any_order_count_once(void)
 {
     start(0);
@@ -188,7 +188,7 @@ void test_a_wider_stride_gives_the_same_pixels(void)
     }
 }
 
-/* SPEC 4.11 */
+/* SPEC 4.11a-b */
 void test_every_polygon_is_accounted_for(void)
 {
     uint32_t drawn = 0, clipped = 0, outside = 0, backfacing = 0;
@@ -208,7 +208,7 @@ void test_every_polygon_is_accounted_for(void)
     TEST_ASSERT_TRUE(drawn > 50 && clipped > 10 && outside > 50 && backfacing > 50);
 }
 
-/* SPEC 4.11 */
+/* SPEC 4.11b-c, 4.11g-h */
 void test_counters_of_a_view_worked_out_by_hand(void)
 {
     start(0);
@@ -250,7 +250,7 @@ static void expect_untouched(const uint8_t *frame, uint8_t value)
     }
 }
 
-/* SPEC 4.1 */
+/* SPEC 4.1a, 4.11k */
 void test_drawing_before_a_frame_has_begun_is_refused(void)
 {
     start(0);
@@ -282,7 +282,7 @@ void test_a_bare_renderer_wants_a_clipper_and_a_method(void)
     TEST_ASSERT_EQUAL_UINT32(18, renderer->workspace.counters.in);
 }
 
-/* SPEC 3.2 */
+/* SPEC 3.2, 3.1d */
 void test_a_pose_out_of_range_leaves_the_frame_before(void)
 {
     start(0);
@@ -425,7 +425,7 @@ void test_more_objects_than_the_order_has_room_for_are_refused(void)
 /* Frozen: every core and every compiler draws these frames, bit for bit. If a
  * change to the law makes them differ, look at the pictures before writing
  * down a new number. */
-/* SPEC 4.1 */
+/* SPEC 4.1a */
 void test_frozen_frames(void)
 {
     uint32_t crcs[16];

@@ -2,7 +2,7 @@
 /* The fill rule, as pictures and against its definition. */
 #include "picture.h"
 
-/* SPEC 1.1 */
+/* SPEC 1.1c */
 void test_whole_pixels(void)
 {
     CHECK_PICTURE(POINTS(1, 1, 5, 1, 5, 4, 1, 4),
@@ -48,7 +48,7 @@ void test_a_triangle_down(void)
 }
 
 /* Two triangles of a square: each pixel once, the diagonal to the lower right. */
-/* SPEC 5.3 */
+/* SPEC 5.3b */
 void test_a_shared_diagonal(void)
 {
     picture canvas;
@@ -97,7 +97,7 @@ void test_a_dent_is_left_out(void)
                   ROWS("#......#", "###..###", "########", "########", "########"));
 }
 
-/* SPEC 5.1 */
+/* SPEC 5.1a */
 void test_two_prongs_are_two_spans(void)
 {
     CHECK_PICTURE(POINTS(0, 0, 2, 0, 2, 3, 6, 3, 6, 0, 8, 0, 8, 5, 0, 5),
@@ -105,7 +105,7 @@ void test_two_prongs_are_two_spans(void)
 }
 
 /* Both halves of a bow are in, though they go round opposite ways. */
-/* SPEC 5.1 */
+/* SPEC 5.1a */
 void test_a_bow(void)
 {
     CHECK_PICTURE(POINTS(0, 0, 7, 7, 7, 0, 0, 7), ROWS("......#", "#....##", "##..###", "#######",
@@ -113,7 +113,7 @@ void test_a_bow(void)
 }
 
 /* A square gone round twice winds twice about its inside, which is in as well. */
-/* SPEC 5.1 */
+/* SPEC 5.1a */
 void test_overlap_is_filled_once(void)
 {
     CHECK_PICTURE(
@@ -171,7 +171,7 @@ static void random_polygon(fxl_screen_polygon *polygon, int32_t pixels)
 }
 
 /* Any polygon, also crossing itself, has exactly the definition's pixels. */
-/* SPEC 5.1 */
+/* SPEC 5.1a-e */
 void test_coverage_is_the_definition(void)
 {
     picture canvas;
@@ -234,7 +234,7 @@ static void least_miss(int32_t side, int32_t column)
     TEST_ASSERT_EQUAL('#', canvas.pixels[0][column - 1]);
 }
 
-/* SPEC 5.3 */
+/* SPEC 5.3c */
 void test_edges_that_just_miss_a_centre(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
@@ -320,7 +320,7 @@ static void expect_rows(const fxl_screen_polygon *polygon, uint16_t height, fxl_
     }
 }
 
-/* SPEC 7.1 */
+/* SPEC 7.1a */
 void test_the_rows_of_a_polygon(void)
 {
     fxl_screen_polygon polygon;

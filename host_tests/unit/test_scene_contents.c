@@ -2,7 +2,7 @@
 /* What a scene's tables hold: faces, models, objects, vertices, path. */
 #include "expect_scene.h"
 
-/* formats 1.5 */
+/* formats 1.5, SPEC 3.1r */
 void test_face_contents(void)
 {
     expect_entry_byte(FXL_E_COUNT, AT_FACES, 5, FACE, 12, 2);
@@ -44,6 +44,7 @@ void test_model_contents(void)
     expect_entry_word(FXL_E_COUNT, AT_MODELS, 1, MODEL, 12, 65536);
 }
 
+/* SPEC 3.1d */
 void test_object_contents(void)
 {
     tiny_image *image = tiny_image_make(false);
@@ -70,7 +71,7 @@ void test_vertices_far_out_do_not_wrap(void)
 
 /* Vertex 0 of model 1 at (-1, -1, -1): the square of the radius against the sum
  * of three squares, to the unit. */
-/* formats 1.5 */
+/* formats 1.5, SPEC 3.1o, 4.4a */
 void test_radius(void)
 {
     expect_entry_word(FXL_E_RANGE, AT_MODELS, 1, MODEL, 20, 0xFFFFFFFFu);
@@ -85,7 +86,7 @@ void test_radius(void)
 
 /* Vertices that lie exactly on the sphere, and one unit off it; also where the
  * squares have 62 bits. */
-/* formats 1.5 */
+/* formats 1.5, SPEC 4.4a */
 void test_vertices_on_the_sphere(void)
 {
     const int32_t far = 2 * FXL_COORDINATE_MAX; /* of a model placed nowhere */
@@ -149,7 +150,7 @@ void test_no_keys(void)
     expect_opening(FXL_E_RESERVED, image);
 }
 
-/* SPEC 3.4 */
+/* SPEC 3.4b */
 void test_normals(void)
 {
     expect_entry_word(FXL_E_NORMAL, AT_FACES, 1, FACE, 0, 0);
@@ -164,7 +165,7 @@ void test_normals(void)
 }
 
 /* Vertex 5 of model 0 belongs to a face +x: off its plane by 4 units at most. */
-/* SPEC 3.4 */
+/* SPEC 3.4a */
 void test_planarity(void)
 {
     uint32_t x = (uint32_t)Q16(1);
@@ -175,7 +176,7 @@ void test_planarity(void)
 }
 
 /* Any vertex of a cube, off the plane of one of its three faces and along those of the others. */
-/* SPEC 3.4 */
+/* SPEC 3.4a */
 void test_planarity_of_every_vertex(void)
 {
     for (uint32_t vertex = 0; vertex < 8; vertex++) {

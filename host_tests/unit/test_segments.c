@@ -25,7 +25,7 @@ static void check_coordinate(uint32_t i, uint32_t log_width, uint32_t log_height
     }
 }
 
-/* SPEC 9.2 */
+/* SPEC 9.2c */
 void test_texels_are_on_the_line_between_both_ends(void)
 {
     for (uint32_t log_width = 4; log_width <= 8; log_width++) {
@@ -132,7 +132,7 @@ void test_every_weight_reads_texels_of_the_texture_alone(void)
 
 /* A row has the segments that the weights at the ends of each 16 columns allow: the pixels of 16
  * columns are those that a face with such segments alone has there. */
-/* SPEC 9.2, surfaces 2.1 */
+/* surfaces 2.1, SPEC 9.2a-b, 9.2f-g */
 void test_each_16_columns_have_segments_of_their_own(void)
 {
     uint32_t times[5] = {0};
@@ -187,7 +187,7 @@ void test_divided_pixels_are_as_without_a_kernel(void)
 
 /* A chord is off by at most 0.3 of a unit from the exact value, and by 0.075 with
  * FXL_DIVIDE_8, whatever the face. */
-/* SPEC 9.2, accuracy 5.2, surfaces 2.1 */
+/* accuracy 5.2, surfaces 2.1, SPEC 9.2f-g */
 void test_the_rule_bounds_the_error_of_a_chord(void)
 {
     static const int32_t sizes[] = {16, 8, 4};

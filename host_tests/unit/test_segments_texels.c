@@ -139,7 +139,7 @@ static void check_kind(const uint8_t *plain, int32_t x0, const uint8_t *colours)
 }
 
 /* Texels that are keyed, stippled or of 4 bits are those that are plain, at every pixel. */
-/* SPEC 9.5, surfaces 1.1, 1.3 */
+/* SPEC 9.5, 9.6d-e, surfaces 1.1, 1.3 */
 void test_other_kinds_of_texels_are_at_the_places_of_plain_ones(void)
 {
     static uint8_t packed[SEGMENT_TEXELS / 2];
@@ -210,7 +210,7 @@ void test_clamped_texels_are_held_within_the_texture(void)
 
 /* place stipple: definition: the numbers of the pattern */
 /* Of 16 pixels an opacity draws so many, those whose number in the pattern is below it. */
-/* SPEC 9.6 */
+/* SPEC 9.6b-c */
 void test_which_pixels_an_opacity_draws(void)
 {
     static const uint32_t numbers[4][4] = {

@@ -186,7 +186,7 @@ static double exact_code(int x, int y)
 }
 
 /* Depths from 3.8 to 4.4 units: 4 is the end of an octave, as near is 1/4. */
-/* SPEC 10.2, 10.3 */
+/* SPEC 10.2b-c, 10.3b */
 void test_codes_of_a_face_that_crosses_the_end_of_an_octave(void)
 {
     static const fxl_point across[] = {

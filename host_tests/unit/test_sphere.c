@@ -71,7 +71,7 @@ static void expect_planes(uint32_t planes, const fxl_point *centre, fxl_q16_16 r
 }
 
 /* Straight ahead, 90 degrees wide: side planes at |x| = z and |y| = 2/3 z. */
-/* SPEC 4.4 */
+/* SPEC 4.4d-e */
 void test_spheres_about_a_known_frustum(void)
 {
     const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
@@ -147,7 +147,7 @@ static fxl_point any_centre(const fxl_pose *pose)
     return centre;
 }
 
-/* SPEC 4.4 */
+/* SPEC 4.4b-e */
 void test_planes_against_exact_distances(void)
 {
     uint32_t outside = 0, inside = 0, crossing = 0;
@@ -203,7 +203,7 @@ static void expect_vertex(uint32_t planes, const fxl_point *vertex, bool *seen)
     }
 }
 
-/* SPEC 4.4 */
+/* SPEC 4.4e, 4.4g */
 void test_vertices_of_what_is_left_out(void)
 {
     uint32_t outside = 0, inside = 0;

@@ -70,7 +70,7 @@ static void check_levels(const quad_scene *quad, bool of_4_bits, int level)
 }
 
 /* The level is that of the definition, and so is each texel of it. */
-/* SPEC 9.4, surfaces 3.1, 3.2 */
+/* surfaces 3.1, 3.2, SPEC 9.4a, 9.4c, 9.4e */
 void test_a_face_takes_the_level_of_its_nearest_vertex(void)
 {
     for (uint32_t i = 0; i < ROUNDS; i++) {
@@ -191,7 +191,7 @@ void test_lists_and_bands_give_the_same_pixels(void)
 
 /* Where its corners are on the screen, a face of FXL_AFFINE is linear there; else it is exact to
  * half a texel. */
-/* SPEC 9.3 */
+/* SPEC 9.3b, 9.2i */
 void test_an_affine_face_is_linear_on_the_screen(void)
 {
     static uint8_t wide[64];
@@ -253,7 +253,7 @@ void test_an_affine_face_beyond_the_screen_is_divided(void)
 /* --- blending ------------------------------------------------------------------------------ */
 
 /* Three colours from QUAD_COLOUR on are blended; the one of the face is the first. */
-/* SPEC 9.5, 9.6, surfaces 1.1, 4.3 */
+/* SPEC 9.5, 9.6d, 9.6i, surfaces 1.1, 4.3 */
 void test_colours_are_blended_with_those_beneath(void)
 {
     static uint8_t table[FXL_BLEND_TABLE_BYTES(3)], plain[16];

@@ -103,7 +103,7 @@ static void draw_random_faces(bool turned, uint8_t division, double tolerance)
 }
 
 /* At each pixel the level is the exact one, but for a 1/256 of a level. */
-/* SPEC 9.7, surfaces 5.2, 5.3 */
+/* surfaces 5.2, 5.3, SPEC 9.7a-b */
 void test_levels_divided_at_each_pixel(void)
 {
     draw_random_faces(false, FXL_DIVIDE_1, 1.0 / 256);
@@ -118,14 +118,14 @@ void test_levels_divided_every_16_pixels(void)
 }
 
 /* Corners and normals of an instance that has a placement; its corners are rounded in the world. */
-/* SPEC 9.7, surfaces 5.1 */
+/* surfaces 5.1, SPEC 9.7b-c */
 void test_levels_of_turned_faces(void)
 {
     draw_random_faces(true, FXL_DIVIDE_1, 1.0 / 128);
 }
 
 /* The texel and the level of one pixel, at once: the ramp's colours have both. */
-/* SPEC 9.6 */
+/* SPEC 9.6f */
 void test_light_goes_over_textures(void)
 {
     static uint8_t texels[64];

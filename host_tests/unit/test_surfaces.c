@@ -74,7 +74,7 @@ static fxl_status attach(void)
     return fxl_attach_surfaces(&renderer, &surfaces, &quad.set, FXL_SURFACES_OF(fxl_palette));
 }
 
-/* SPEC 9.5, surfaces 1.1 */
+/* SPEC 9.5, 9.2e, 9.2h, surfaces 1.1 */
 void test_a_floor_divided_at_each_pixel(void)
 {
     quad.surface.division = FXL_DIVIDE_1;

@@ -177,7 +177,7 @@ void test_frames_with_turned_clusters(void)
 }
 
 /* With the mark of a scale that is shifted, where there is a plane. */
-/* SPEC 8.4 */
+/* SPEC 8.4d-e */
 void test_the_planes_of_a_turned_cluster(void)
 {
     static const fxl_planes given[] = {0, FXL_PLANES_ALL, 1, 2, 0x30};

@@ -69,7 +69,7 @@ static fxl_counters counters_but_spilled(void)
 
 /* Without a placement the bits are those of an instance that has none: the same pixels and
  * counters, but for the count of the rounded. */
-/* SPEC 8.2 */
+/* SPEC 8.2i */
 void test_placements_that_turn_nothing(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {

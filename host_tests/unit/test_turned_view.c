@@ -107,7 +107,7 @@ static fxl_view_point position_of(uint32_t number)
     return (fxl_view_point){at[0], at[1], at[2]};
 }
 
-/* SPEC 8.2 */
+/* SPEC 8.2a-c */
 void test_vertices_in_the_view(void)
 {
     uint32_t scaled = 0, outside = 0;
@@ -142,7 +142,7 @@ static bool is_front(uint32_t number)
 }
 
 /* The estimate never decides what the exact sign does not. */
-/* SPEC 8.3 */
+/* SPEC 8.3a */
 void test_facing(void)
 {
     int fronts = 0, undecided = 0;
@@ -174,7 +174,7 @@ static uint64_t distance_of(uint32_t number, const fxl_point *eye, unsigned shif
            square((int64_t)(box->box_z >> shift) - 2 * (int64_t)eye->z);
 }
 
-/* SPEC 8.4 */
+/* SPEC 8.4c */
 void test_the_order_of_faces(void)
 {
     int shifted = 0;

@@ -145,7 +145,7 @@ static fxl_pose any_pose(void)
     return pose;
 }
 
-/* SPEC 8.5 */
+/* SPEC 8.5a, 8.5c-e, 8.5l */
 void test_rounded_instances_are_those_of_a_baked_model(void)
 {
     uint32_t rounded = 0, exact = 0, drawn = 0, spilled = 0;
@@ -273,7 +273,7 @@ static void expect_refused_and_ended(const fxl_placement *bad, fxl_q16_16 centre
 }
 
 /* Lists that hold none, some and all polygons of the frame. */
-/* SPEC 8.1 */
+/* SPEC 8.1a, 8.1d */
 void test_a_bad_placement_ends_the_frame_before(void)
 {
     static const fxl_q16_16 scales[] = {0,

@@ -113,7 +113,7 @@ void test_each_pixel_is_written_once(void)
 }
 
 /* The list of one method is the other's, backwards. */
-/* SPEC 6.4 */
+/* SPEC 6.4a-c */
 void test_front_to_back_is_the_exact_reverse(void)
 {
     enum {
