@@ -266,10 +266,12 @@ def test_a_new_sentence_needs_a_test_or_is_prose(two, capsys):
         change(two, str(clauses.RECORD), "SPEC 1.1b:", f"SPEC 1.1b{state}:")
         assert traced(two, capsys)[0] == 0
         assert traced(two, capsys, "--accept")[0] == 0      # which keeps it
+        assert f"SPEC 1.1b{state}: " in (two / clauses.RECORD).read_text()
         change(two, "host_tests/unit/test_a.c", "SPEC 1.1a", "SPEC 1.1a, 1.1b")
         code, _, wrong = traced(two, capsys)
         assert code == 1 and len(wrong) == 1 and "has a test, host_tests/unit/test_a.c:1: take" in wrong[0]
-        change(two, str(clauses.RECORD), f"SPEC 1.1b{state}:", "SPEC 1.1b:")
+        assert (traced(two, capsys, "--accept")[0] == 0) == (state == ", open")
+        change(two, str(clauses.RECORD), "SPEC 1.1b:" if state == ", open" else f"SPEC 1.1b{state}:", "SPEC 1.1b:")
         assert traced(two, capsys)[0] == 0
         change(two, "host_tests/unit/test_a.c", "SPEC 1.1a, 1.1b", "SPEC 1.1a")
 

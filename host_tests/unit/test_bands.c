@@ -61,7 +61,7 @@ static void draw_in_bands(void)
 }
 
 /* The property that bands and lists stand on. */
-/* SPEC 4.10c, 4.11j, 7.3b */
+/* SPEC 4.10c, 4.11j, 7.3b, accuracy 1.1s */
 void test_any_bands_and_any_list_give_the_same_frame(void)
 {
     const uint32_t rounds = UNIT_REPEAT / 20;

@@ -80,7 +80,7 @@ void test_pitch_comes_before_roll(void)
     expect_row("right", 0, half, -half, camera.axes.right);
 }
 
-/* SPEC 1.3e-h, 3.1e, 4.2a, accuracy 1.1 */
+/* SPEC 1.3e-h, 3.1e, 4.2a, accuracy 1.1c */
 void test_every_entry_is_within_two_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT; i++) {
@@ -172,7 +172,7 @@ void test_ninety_degrees_is_half_the_width(void)
     TEST_ASSERT_EQUAL_INT32(4, lens.inset);
 }
 
-/* accuracy 1.1, SPEC 4.2b */
+/* SPEC 4.2b, accuracy 1.1h */
 void test_focal_is_within_its_bound(void)
 {
     const fxl_angle ends[] = {FXL_FOV_MIN, FXL_FOV_MAX, FXL_FOV_MIN + 1, FXL_FOV_MAX - 1};

@@ -166,7 +166,7 @@ static fxl_view_polygon random_triangle(unsigned bits)
     return polygon;
 }
 
-/* SPEC 4.7i */
+/* SPEC 4.7i, accuracy 1.1q */
 void test_a_new_vertex_is_within_its_bounds(void)
 {
     int crossings = 0;

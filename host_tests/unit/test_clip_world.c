@@ -167,7 +167,7 @@ static void narrow(double from, double to, double at, double *low, double *high)
 
 /* docs/accuracy.md, section 1. Doubles have 53 bits: fractions of an edge of 2^30 units
  * come out to 2^-23 unit, and the plane's distance of 2^61 to 2^-22 unit. */
-/* accuracy 1.2 */
+/* accuracy 1.2b */
 void test_a_new_vertex_is_within_its_bounds(void)
 {
     for (int i = 0; i < UNIT_REPEAT; i++) {

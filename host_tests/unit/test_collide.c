@@ -230,7 +230,7 @@ static void expect_like_double(const tiny_scene *tiny, const fxl_point *from, co
     *hits += hit->instance != FXL_HIT_NONE;
 }
 
-/* collide 2.1, accuracy 1.2 */
+/* collide 2.1, accuracy 1.2o-p */
 void test_a_segment_hits_what_double_says(void)
 {
     uint32_t hits = 0;
@@ -253,7 +253,7 @@ void test_a_segment_hits_what_double_says(void)
 
 /* Through two cubes that stand one behind the other: the nearer one is hit, whichever comes first
  * in the scene. */
-/* collide 2.2, accuracy 1.2 */
+/* collide 2.2, accuracy 1.2o */
 void test_a_segment_hits_the_nearest(void)
 {
     uint32_t hits[2] = {0, 0};

@@ -81,7 +81,7 @@ void test_an_eye_in_the_plane_of_a_face(void)
     }
 }
 
-/* SPEC 4.5b */
+/* SPEC 4.5b, accuracy 1.1n */
 void test_facing_is_exact_everywhere(void)
 {
     tiny_scene *tiny = tiny_make();

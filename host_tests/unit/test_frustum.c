@@ -53,7 +53,7 @@ static void expect_normal(const fxl_camera *camera, double x, double y, double z
                      4.0);
 }
 
-/* accuracy 1.1, SPEC 4.3e-h, 4.3m */
+/* SPEC 4.3e-h, 4.3m, accuracy 1.1i */
 void test_normals_are_within_four_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
@@ -111,7 +111,7 @@ static void expect_unit_vector(double side, double depth, fxl_q2_30 unit_side, f
     TEST_ASSERT_NEAR(unit_depth, depth / length * FXL_Q2_30_ONE, 1.0);
 }
 
-/* accuracy 1.1, SPEC 4.3b, 4.3k */
+/* SPEC 4.3b, 4.3k, accuracy 1.1j */
 void test_the_view_frustum_is_that_of_the_lens(void)
 {
     const int64_t unit = (int64_t)1 << 30;
@@ -235,7 +235,7 @@ void test_each_plane_has_its_bit(void)
     }
 }
 
-/* SPEC 4.7b-c */
+/* SPEC 4.7b-c, accuracy 1.1k */
 void test_any_point(void)
 {
     unsigned seen = 0;

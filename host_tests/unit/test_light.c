@@ -59,7 +59,7 @@ static double exact_of(const fxl_light_settings *of, const fxl_camera *camera,
                             exact_direction(&place->normal));
 }
 
-/* light 2.2, 2.3, 2.4, 2.5, accuracy 1.2 */
+/* light 2.2, 2.3, 2.4, 2.5, accuracy 1.2f */
 void test_brightness_is_that_of_the_definition(void)
 {
     uint32_t between = 0;

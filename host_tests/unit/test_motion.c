@@ -85,7 +85,7 @@ static int32_t rounded_between(int32_t a, int32_t b, uint32_t part, uint32_t who
 }
 
 /* A straight line from key to key, with halves upward; the last key holds. */
-/* motion 2.1, accuracy 1.2 */
+/* motion 2.1, accuracy 1.2j */
 void test_places_go_straight_from_key_to_key(void)
 {
     fxl_motion_set set = make_track(3);
@@ -178,7 +178,7 @@ void test_angles_take_the_short_way(void)
     TEST_ASSERT_NEAR(exact_distance(&wanted, &placements[1].orientation), 0, 8);
 }
 
-/* motion 2.3, accuracy 1.2 */
+/* motion 2.3, accuracy 1.2j */
 void test_a_circle_is_round(void)
 {
     fxl_motion_set set = make_track(1);

@@ -271,7 +271,7 @@ static void look(const fxl_lens *lens)
 /* The place on the screen is centre + focal X / Z. The rows are within 3.4 units of 2^-30 of the
  * exact ones, of the camera that they are made from, so a coordinate is within that times the sum
  * of the point's coordinates. */
-/* SPEC 4.2e, 4.2j-k */
+/* SPEC 4.2e, 4.2j-k, accuracy 1.1d */
 void test_points_lie_where_the_moved_centre_says(void)
 {
     int measured = 0;

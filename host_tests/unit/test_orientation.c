@@ -90,7 +90,7 @@ void test_quarter_turns_are_exact(void)
     }
 }
 
-/* accuracy 1.2, orientation 1.1 */
+/* orientation 1.1, accuracy 1.2i */
 void test_angles_are_within_four_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 3; i++) {
@@ -117,7 +117,7 @@ void test_an_axis_turns_as_the_angles_do(void)
     expect_near(&roll, &o, 4);
 }
 
-/* orientation 1.2, accuracy 1.2 */
+/* orientation 1.2, accuracy 1.2i */
 void test_an_axis_is_within_four_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 3; i++) {
@@ -152,7 +152,7 @@ void test_looking_along_z_turns_nothing(void)
 }
 
 /* Also where direction and up are nearly parallel. */
-/* orientation 1.3, accuracy 1.2 */
+/* orientation 1.3, accuracy 1.2i */
 void test_look_at_is_within_four_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 3; i++) {
@@ -196,7 +196,7 @@ void test_directions_without_a_turn_are_refused(void)
     TEST_ASSERT_EQUAL_MEMORY(&before, &o, sizeof o);
 }
 
-/* accuracy 1.2, orientation 1.4 */
+/* orientation 1.4, accuracy 1.2i */
 void test_a_product_is_the_nearest_rotation(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 10; i++) {

@@ -230,7 +230,7 @@ void test_the_reach_of_a_placement(void)
 
 /* --- matrix, points, eye --------------------------------------------------------------------- */
 
-/* accuracy 1.1, SPEC 8.2d-f */
+/* SPEC 8.2d-f, accuracy 1.1e */
 void test_each_entry_of_the_matrix_is_rounded_once(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
@@ -273,7 +273,7 @@ void test_no_placement_leaves_the_view(void)
     }
 }
 
-/* accuracy 1.1, SPEC 8.5a, 8.5g */
+/* SPEC 8.5a, 8.5g, accuracy 1.1g */
 void test_points_and_directions_are_rounded_once(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
@@ -333,7 +333,7 @@ static bool fits(const sight *of, const fxl_point *eye, unsigned shift)
     return true;
 }
 
-/* SPEC 8.4b */
+/* SPEC 8.4b, accuracy 1.1f */
 void test_the_eye_in_the_space_of_the_model(void)
 {
     uint32_t shifted = 0;

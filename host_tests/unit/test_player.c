@@ -138,7 +138,7 @@ void test_clamped_may_be_null(void)
 
 /* fxl_cos and the rows of the camera are measured elsewhere; here the move is
  * taken from the angles themselves. */
-/* accuracy 1.2 */
+/* accuracy 1.2k */
 void test_a_step_is_within_its_bound(void)
 {
     const double turn = 3.14159265358979323846 / 2147483648.0;
@@ -204,7 +204,7 @@ void test_null_is_refused(void)
 
 /* --- flying, factors, looking at ---------------------------------------------------------- */
 
-/* accuracy 1.2 */
+/* accuracy 1.2k */
 void test_a_flight_goes_where_the_view_goes(void)
 {
     const double turn = 3.14159265358979323846 / 2147483648.0;
@@ -261,7 +261,7 @@ static double apart(fxl_angle angle, double turns)
     return fabs(difference - 4294967296.0 * floor(difference / 4294967296.0 + 0.5));
 }
 
-/* accuracy 1.2 */
+/* accuracy 1.2l */
 void test_a_pose_looks_at_a_point(void)
 {
     const double turn = 2 * 3.14159265358979323846;

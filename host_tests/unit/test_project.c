@@ -81,7 +81,7 @@ static int64_t random_side(int bits)
     return unit_wide((unsigned)(side < 1 ? 1 : side > 61 ? 61 : side));
 }
 
-/* accuracy 1.1, SPEC 4.8a */
+/* SPEC 4.8a, accuracy 1.1r */
 void test_rounding_is_to_nearest(void)
 {
     int projected = 0;
@@ -143,7 +143,7 @@ void test_halves_go_upward_beside_the_screen(void)
 }
 
 /* The whole side counts: its last bit moves the outcome. */
-/* accuracy 1.1 */
+/* accuracy 1.1r */
 void test_no_bit_of_the_side_is_lost(void)
 {
     fxl_lens lens = unit_lens(2, 2);

@@ -171,7 +171,7 @@ static void random_polygon(fxl_screen_polygon *polygon, int32_t pixels)
 }
 
 /* Any polygon, also crossing itself, has exactly the definition's pixels. */
-/* SPEC 5.1a-e */
+/* SPEC 5.1a-e, accuracy 1.1t */
 void test_coverage_is_the_definition(void)
 {
     picture canvas;

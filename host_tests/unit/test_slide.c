@@ -95,7 +95,7 @@ void test_a_sphere_stops_at_a_face_and_slides_along_it(void)
 }
 
 /* What a push leaves, at faces, edges and corners of a cube, from every side. */
-/* collide 3.4, accuracy 1.2 */
+/* collide 3.4, accuracy 1.2q */
 void test_a_push_leaves_a_gap(void)
 {
     uint32_t pushed = 0;

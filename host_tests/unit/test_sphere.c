@@ -147,7 +147,7 @@ static fxl_point any_centre(const fxl_pose *pose)
     return centre;
 }
 
-/* SPEC 4.4b-e */
+/* SPEC 4.4b-e, accuracy 1.1l */
 void test_planes_against_exact_distances(void)
 {
     uint32_t outside = 0, inside = 0, crossing = 0;

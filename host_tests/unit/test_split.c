@@ -89,7 +89,7 @@ static double unit_of(int64_t distance)
     return (double)distance * 0x1p-30;
 }
 
-/* clippers 9.2, accuracy 1.2 */
+/* clippers 9.2, accuracy 1.2d */
 void test_a_crossing_lies_on_the_edge_and_on_the_plane(void)
 {
     int asked = 0;

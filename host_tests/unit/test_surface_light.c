@@ -245,7 +245,7 @@ void test_light_is_taken_and_left(void)
     TEST_ASSERT_EQUAL(0, quad->renderer.workspace.counters.refused_calls);
 }
 
-/* surfaces 5.3, accuracy 1.2 */
+/* surfaces 5.3, accuracy 1.2g */
 void test_the_light_of_a_corner_is_rounded_once(void)
 {
     double largest = 0;

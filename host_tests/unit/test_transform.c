@@ -93,7 +93,7 @@ void test_an_unturned_view_is_the_difference(void)
 }
 
 /* 2^59 - 1 needs every bit of a sum. */
-/* SPEC 4.6b */
+/* SPEC 4.6b, accuracy 1.1o */
 void test_no_bit_is_rounded_away(void)
 {
     const fxl_direction slanted = {FXL_Q2_30_ONE - 1, 1, 0}, none = {0, 0, 0};

@@ -7,7 +7,7 @@
 Fails where a normative clause has no code or no test, where a sentence of it has no test and the record does not say that it
 is prose or open, where a tag or a seeded bug names a clause or sentence that there is not, and where one has another id than on
 record. --only prints a line for each clause with that word in its id, and for each of its sentences.
---accept takes new clauses and sentences and changed first words into the record. --break breaks each clause, by its seeded bugs or by
+--accept takes new clauses and sentences and changed first words into the record, and "open" away where there is a test now. --break breaks each clause, by its seeded bugs or by
 mutants of the tagged lines, and runs only the tests tagged with it (trace_break.py).
 Writes all as JSON. Exit: 0 all is well, 1 something is missing or no test sees a clause broken, 2 could not run.
 """
@@ -258,6 +258,9 @@ def main(argv):
         if moved:
             raise ToolError(f"{clauses.RECORD}: not changed: {len(moved)} clauses have other numbers", 1, words="\n".join(moved))
         clauses.match_sentences(found, said)
+        for row in rows.values():
+            for each in row["clause"].sentences:
+                each.state = "" if each.state == sentences.OPEN and tests_of(row, each) else each.state
         clauses.accept(options.root, found, said)
     record, said = clauses.recorded(options.root)
     gone = clauses.match_sentences(found, said)

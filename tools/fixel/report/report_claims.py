@@ -38,49 +38,49 @@ class Claim:
 # place claim: bound and words
 CLAIMS = (
     Claim("matrix_entry", 2, "2^-30", "An entry of the camera's matrix, against the exact value "
-          "for the stated angles."),
+          "for the stated angles.", "accuracy 3.1b"),
     Claim("matrix_entry_instance", 5, "2^-30", "An entry of the matrix of a turned and scaled instance "
           "in the view, divided by the power of two not below the scale, against the exact value for the "
-          "camera's and the instance's angles."),
-    Claim("orientation_angles", 4, "2^-30", "An entry of an orientation made of three angles, against the exact value."),
+          "camera's and the instance's angles.", "accuracy 3.1c"),
+    Claim("orientation_angles", 4, "2^-30", "An entry of an orientation made of three angles, against the exact value.", "accuracy 3.1d"),
     Claim("orientation_axis", 4, "2^-30", "An entry of an orientation made of an axis and an angle, against the exact "
-          "value."),
+          "value.", "accuracy 3.1d"),
     Claim("orientation_look_at", 4, "2^-30", "An entry of an orientation that looks along a direction, against the "
-          "exact value."),
+          "exact value.", "accuracy 3.1d"),
     Claim("orientation_product", 0.501, "2^-30", "An entry of a product of two orientations, against the rotation "
-          "that is nearest to the exact product."),
+          "that is nearest to the exact product.", "accuracy 3.1e"),
     Claim("orientation_parents", 1, "of its bound", "The centre, the scale and the orientation of an instance with up "
-          "to eight parents, against the exact ones, by the bounds for its depth."),
-    Claim("sine_cosine", 0.51, "2^-30", "A sine or cosine, against the exact one."),
+          "to eight parents, against the exact ones, by the bounds for its depth.", "accuracy 3.1f"),
+    Claim("sine_cosine", 0.51, "2^-30", "A sine or cosine, against the exact one.", "accuracy 3.1g, accuracy 1.1b"),
     Claim("vertex_unclipped", 0.55, "1/65536 pixel", "The place of an unclipped vertex on the screen, "
-          "against the exact place, given its coordinates, the camera's position and matrix."),
+          "against the exact place, given its coordinates, the camera's position and matrix.", "accuracy 3.1h"),
     Claim("vertex_turned", 1, "of its bound", "A vertex of a turned and scaled instance in the view, against the exact "
           "product of the camera's rows, the orientation and the scale as given, by the bound of the matrix's rounding. "
-          "Half of the orientations have rows at a corner of the tolerance."),
+          "Half of the orientations have rows at a corner of the tolerance.", "accuracy 3.1i"),
     Claim("outline_clipped", 1.25, "1/65536 pixel", "The outline of a polygon clipped to all six planes: "
-          "distance to the exact outline, and back. Except polygons nearly parallel to a plane."),
+          "distance to the exact outline, and back. Except polygons nearly parallel to a plane.", "accuracy 3.1j, accuracy 1.1q"),
     Claim("coverage", 0, "pixels", "Pixels that are covered wrongly, or wrongly not covered, given the "
-          "vertices on the screen."),
+          "vertices on the screen.", "accuracy 3.1k, accuracy 1.1t"),
     Claim("watertight", 0, "pixels", "Gaps between two polygons that share an edge, and pixels that "
           "both draw, clipped or not. Except pieces thinner than 1/65536 pixel that rounding "
-          "turned over."),
+          "turned over.", "accuracy 3.1l"),
     Claim("texel_divided", 1 / 256, "texel", "The texel that a pixel shows, divided at each pixel: how far it is "
-          "from the exact texture coordinates, given corners and matrix."),
-    Claim("texel_every_16", 0.33, "texel", "The same, divided every 16 columns or more often."),
-    Claim("texel_every_8", 0.1, "texel", "The same, divided every 8 columns or more often."),
+          "from the exact texture coordinates, given corners and matrix.", "accuracy 3.1m"),
+    Claim("texel_every_16", 0.33, "texel", "The same, divided every 16 columns or more often.", "accuracy 3.1n"),
+    Claim("texel_every_8", 0.1, "texel", "The same, divided every 8 columns or more often.", "accuracy 3.1o"),
     Claim("texel_affine", 0.04, "texel", "The texel that a pixel shows without perspective: how far it is from the exact "
-          "affine function of the three corners' points on the screen."),
+          "affine function of the three corners' points on the screen.", "accuracy 3.1p"),
     Claim("light_level", 1 / 256, "level", "The level of light that a pixel of a lit surface shows: how far it is from "
-          "the exact light, given the lights, the corners and their normals."),
+          "the exact light, given the lights, the corners and their normals.", "accuracy 3.1q"),
     Claim("corner_colour", 0.34, "level", "The red, green and blue that a pixel of 16 bits shows of a face with colours at its "
-          "corners, divided every 16 columns or more often: how far they are from the exact ones."),
+          "corners, divided every 16 columns or more often: how far they are from the exact ones.", "accuracy 3.1r"),
     Claim("depth_16", 1, "of its bound", "The face that a pixel shows with a depth buffer of 16 bits, of two that cover it: "
-          "how much farther it is than the other, by the resolution of SPEC.md, section 10.6."),
-    Claim("depth_32", 1, "of its bound", "The same with 32 bits."),
+          "how much farther it is than the other, by the resolution of SPEC.md, section 10.6.", "accuracy 3.1s, SPEC 10.6b"),
+    Claim("depth_32", 1, "of its bound", "The same with 32 bits.", "accuracy 3.1s, SPEC 10.6b"),
     Claim("frame", 1, "in 100,000 pixels", "Pixels of whole frames that differ from the reference "
-          "renderer in double. Each must lie within 1/8192 pixel of an edge."),
+          "renderer in double. Each must lie within 1/8192 pixel of an edge.", "accuracy 3.1t"),
     Claim("scale", 1, "in 100,000 pixels", "Pixels that change when W1 is scaled by 4, 16 or 64, with "
-          "its camera. Instructions must stay within 10 %."),
+          "its camera. Instructions must stay within 10 %.", "accuracy 3.1u"),
 )
 # Samples that a claim is about; on fewer samples it does not hold (docs/accuracy.md, section 3).
 FEWEST = {**{kind.what: kind.samples(report_shards.SAMPLES) for kind in report_shards.CLAIMS},
