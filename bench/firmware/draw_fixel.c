@@ -8,7 +8,7 @@
 #include "plan.h"
 #include "program.h"
 
-#define ORDER_ENTRIES 9216u /* a terrain of 8,192 faces in one model takes 8,193 */
+#define ORDER_ENTRIES 16384u /* a ground of 16,200 faces in one model takes 16,201 */
 #define CACHE_ENTRIES 256u  /* at most */
 #define LOOKS_BYTES   (4096u + FXL_DEPTH_BYTES(DRAW_PIXELS_MAX, 1, 16))
 

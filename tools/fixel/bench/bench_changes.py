@@ -4,6 +4,8 @@ triangles, an egg whose lower half is narrower; the same scene with turned insta
 faces as wanted, seen from above, so that all of them are in sight."""
 
 import dataclasses
+import functools
+import itertools
 import math
 import pathlib
 import random
@@ -12,7 +14,7 @@ from fixel.image.image import Face, Model, Object, POSES, SORTED
 from fixel.image.image_placement import Key, Motion, Placement
 from fixel.model import mesh
 from fixel.model.quantity import TURN as WHOLE_TURN
-from fixel.scene import toml_scene, toml_table
+from fixel.scene import keys, toml_scene, toml_table
 
 # The plaza's textures, and what shows them: the first word or words of an object's name. What has no texture has its colour.
 TEXTURES = [{"name": name, "pattern": name, "size": [32, 32], "levels": 4} for name in ("bricks", "stones", "planks", "crate")]
@@ -109,29 +111,63 @@ CHANGES = {"textured": _textured, "lit": _lit, "depth": _of_view(visibility="dep
            "plain": _plain, "smooth": _of_objects(smooth=True), **{name: _points(places) for name, places in POINTS.items()}}
 
 
-def has_textures(path):
-    """Whether a scene file has any."""
-    return "textures" in toml_table.read(path)
+def _read(workload):
+    """The tables of a workload's scene. A file of several scenes has what they share, and for each a table of its name."""
+    data = toml_table.read(workload["scene"])
+    own = data.get(workload.get("name"))
+    if own is None:
+        return data
+    data = {**{key: value for key, value in data.items() if key in keys.TOP}, **own}
+    data["path"] = {"keys": _walk(**data.pop("walk"))}
+    for thing in data["objects"]:
+        if "scattered" in thing:
+            thing["positions"] = _scattered(*thing.pop("scattered"))
+    return data
 
 
-def is_rgb565(path):
-    """Whether a scene file asks for pixels of RGB565, and so is drawn to nothing else."""
-    return toml_table.read(path)["view"].get("pixels") == "rgb565"
+def _walk(frames, radius, height, yaw, pitch):
+    """The keys of a circle about the middle, one a frame."""
+    radius, height, yaw, pitch = map(float, (radius, height, yaw, pitch))
+    angles = [math.tau * frame / frames for frame in range(frames)]
+    return [{"position": [round(radius * math.sin(angle), 4), height, round(radius * math.cos(angle), 4)],
+             "yaw": yaw + math.degrees(angle), "pitch": pitch} for angle in angles]
 
 
-def compile_file(path, names, folder):
-    """The scene of a file, changed. folder: for the models that are generated."""
-    data = toml_table.read(path)
+def has_textures(workload):
+    """Whether the scene of a workload has any."""
+    return "textures" in _read(workload)
+
+
+def is_rgb565(workload):
+    """Whether the scene of a workload asks for pixels of RGB565, and so is drawn to nothing else."""
+    return _read(workload)["view"].get("pixels") == "rgb565"
+
+
+def compile_file(workload, names, folder):
+    """The scene of a workload, changed. folder: for the models that are generated."""
+    path, data = workload["scene"], _read(workload)
     for name in names:
         CHANGES.get(name, lambda _: None)(data)
     here = pathlib.Path(path).parent
-    for model, write in ((HEAD, write_head), (SPHERE, write_sphere)):
-        if any(row.get("obj") == model for row in data["objects"]):
-            here = pathlib.Path(folder)
-            write(here)
+    for model in {row.get("obj") for row in data["objects"]} & MODELS.keys():
+        here = pathlib.Path(folder)
+        MODELS[model](here)
     screen = next((SCREENS[name] for name in names if name in SCREENS), None)
     compiled, _ = toml_scene.compile_data(data, pathlib.Path(path).name, str(here), screen=screen)
     return compiled
+
+
+def _scattered(count, low, high):
+    """So many places between two corners."""
+    chance = random.Random(1)
+    return [[round(chance.uniform(*map(float, each)), 3) for each in zip(low, high)] for _ in range(count)]
+
+
+def _write(folder, name, points, faces):
+    """Writes a model of triangles into a folder. faces: numbers of points, from 1."""
+    lines = ["v " + " ".join(f"{value:.4f}" for value in point) for point in points]
+    lines += [f"f {a} {b} {c}" for a, b, c in faces]
+    (pathlib.Path(folder) / name).write_text("\n".join(lines) + "\n", encoding="ascii")
 
 
 # --- a head -----------------------------------------------------------------------
@@ -163,9 +199,7 @@ def _faces_of_head():
 def write_head(folder):
     """Writes the model into a folder."""
     points = [_corner_of_head(0, 0), *[_corner_of_head(ring, side) for ring in range(1, RINGS) for side in range(SIDES)], _corner_of_head(RINGS, 0)]
-    lines = ["v " + " ".join(f"{value / 10000:.4f}" for value in point) for point in points]
-    lines += [f"f {a} {b} {c}" for a, b, c in _faces_of_head()]
-    (pathlib.Path(folder) / HEAD).write_text("\n".join(lines) + "\n", encoding="ascii")
+    _write(folder, HEAD, [[value / 10000 for value in point] for point in points], _faces_of_head())
 
 
 # --- a sphere with a colour at each vertex ------------------------------------------
@@ -190,10 +224,48 @@ def _faces_of_sphere():
 
 def write_sphere(folder):
     """Writes the model into a folder."""
-    lines = ["v " + " ".join(f"{value:.4f}" for value in _vertex_of_sphere(ring, side))
-             for ring in range(SPHERE_RINGS + 1) for side in range(SPHERE_SIDES)]
-    lines += [f"f {a} {b} {c}" for a, b, c in _faces_of_sphere()]
-    (pathlib.Path(folder) / SPHERE).write_text("\n".join(lines) + "\n", encoding="ascii")
+    _write(folder, SPHERE, [_vertex_of_sphere(ring, side) for ring in range(SPHERE_RINGS + 1) for side in range(SPHERE_SIDES)], _faces_of_sphere())
+
+
+# --- a ball, and grounds ------------------------------------------------------------------
+
+def _divided(faces):
+    """Triangles on the sphere of radius 1, each divided into four."""
+    def between(a, b):
+        middle = [x + y for x, y in zip(a, b)]
+        return tuple(round(each / math.hypot(*middle), 9) for each in middle)
+    for a, b, c in faces:
+        ab, bc, ca = between(a, b), between(b, c), between(c, a)
+        yield from ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))
+
+
+def write_ball(folder):
+    """Writes a ball of 20 x 4^4 triangles into a folder: an icosahedron whose faces are divided four times."""
+    golden = (1 + math.sqrt(5)) / 2
+    long = math.hypot(1, golden)
+    corners = [tuple((place[-turn:] + place[:-turn])) for turn in range(3) for a in (-1, 1) for b in (-golden, golden)
+               for place in [(0, a / long, b / long)]]
+    faces = [(a, b, c) if _determinant(a, b, c) > 0 else (a, c, b) for a, b, c in itertools.combinations(corners, 3)
+             if max(math.dist(a, b), math.dist(b, c), math.dist(c, a)) < 2.01 / long]
+    for _ in range(4):
+        faces = list(_divided(faces))
+    numbers = {}
+    faces = [[numbers.setdefault(corner, 1 + len(numbers)) for corner in face] for face in faces]
+    _write(folder, "ball.obj", numbers, faces)
+
+
+def _determinant(a, b, c):
+    return sum(a[i] * (b[i - 2] * c[i - 1] - b[i - 1] * c[i - 2]) for i in range(3))
+
+
+def write_ground(folder, name, cells, size, height):
+    """Writes a ground about the middle, of cells x cells squares of two triangles each, into a folder. height: of x, z and a number
+    of chance from -1 to 1."""
+    chance, row = random.Random(1), cells + 1
+    places = [((line / cells - 0.5) * size[0], (0.5 - column / cells) * size[1]) for line in range(row) for column in range(row)]
+    faces = [(first, *corners) for line in range(cells) for column in range(cells) for first in [1 + line * row + column]
+             for corners in ((first + row, first + row + 1), (first + row + 1, first + 1))]
+    _write(folder, name, [(x, height(x, z, chance.uniform(-1, 1)), z) for x, z in places], faces)
 
 
 # --- triangles of one size -----------------------------------------------------------
@@ -225,6 +297,14 @@ def triangles(scene, keys, radius, folder):
     write_triangles(folder, radius)
     data = {**scene, "objects": [{"name": "triangles", "obj": "triangles.obj", "kind": "sorted", **keys}]}
     return toml_scene.compile_data(data, "triangles", str(folder))[0]
+
+
+# The models that are generated, by the files that scenes name: functions that write them into a folder.
+MODELS = {HEAD: write_head, SPHERE: write_sphere, "triangles.obj": functools.partial(write_triangles, radius=2.2),
+          "ball.obj": write_ball,
+          "rough.obj": functools.partial(write_ground, name="rough.obj", cells=90, size=(16, 12), height=lambda x, z, chance: 0.071 * (1 + chance)),
+          "hills.obj": functools.partial(write_ground, name="hills.obj", cells=64, size=(32, 32), height=lambda x, z, chance:
+                                         0.78 * math.cos(math.tau * x / 16) * math.sin(math.tau * (16 - z) / 14) + 0.075 * chance)}
 
 
 # --- turned instances --------------------------------------------------------------

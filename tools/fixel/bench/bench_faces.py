@@ -23,11 +23,17 @@ def floor_of(kind, radius):
     return floor["face"] + floor["row"] * max(0, HEIGHT * radius - 1) + floor["pixel"] * pixels_of(radius)
 
 
+def scene_of(faces, kind, radius, folder):
+    """The scene of faces of a kind. Light changes every face of one colour, so only kinds that are lit have it."""
+    tables = {**faces["scene"], "light": faces["light"]} if kind.get("lit") else faces["scene"]
+    return bench_changes.triangles(tables, kind["object"], radius, folder)
+
+
 def _draw(plan, kind, radius, cores):
     """The rows of a size of a kind."""
     rows = []
     with scratch.folder("faces") as folder:
-        file = bench_plan.save_scene(bench_changes.triangles(plan.faces["scene"], kind["object"], radius, folder), folder / "faces.fxls")
+        file = bench_plan.save_scene(scene_of(plan.faces, kind, radius, folder), folder / "faces.fxls")
         for core in cores:
             drawn, row = bench_run.draw(plan, core, PROGRAM, file), {"kind": kind["name"], "radius": radius, "core": core}
             other = bench_run.draw(plan, core, WITHOUT, file) if kind.get("tiny") else drawn

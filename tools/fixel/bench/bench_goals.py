@@ -10,6 +10,7 @@ from fixel.base.errors import ToolError
 GOALS = pathlib.Path(__file__).resolve().parents[3] / "bench" / "goals.toml"
 OURS = "fixel"
 SCREEN = 320 * 240   # pixels of each workload
+CORES = {"rv32": "RV32IMC"}  # what is not its name in capitals
 
 
 def _row(result, goal, renderer=OURS, core=None):
@@ -225,11 +226,26 @@ FIGURES = {"frame": _frame, "variant": _variant, "worst variant": _worst_variant
            "helpers": _helpers, "stack": _stack, "ram": _ram, "renderer": _renderer}
 
 
+def _of_frames(entry):
+    """The goals of an entry of [[frames]]: a whole frame, and its cycles on an M4 where the entry has them."""
+    frame = {"figure": "rgb565", "core": bench_rgb565.CORE, "model": "cortex-m4", **entry}
+    core = CORES.get(frame["core"], frame["core"].upper())
+    yield {**frame, "name": f"{frame['workload']} to RGB565, a frame, {core}"}
+    if "cycles" in entry:
+        yield {**frame, "name": f"{frame['workload']} to RGB565, ESTIMATE of cycles, M4", "figure": "rgb565 cycles", "most": entry["cycles"], "beside": None}
+
+
+def read(path=GOALS):
+    """All goals of a file; those of [[frames]] come last."""
+    with open(path, "rb") as file:
+        data = tomllib.load(file)
+    return [*data["goals"], *(goal for entry in data.get("frames", ()) for goal in _of_frames(entry))]
+
+
 def measure(result, path=GOALS):
     """[{goal, most, figure, met, note, beside, account}]: figure and met are None where a goal was not
     measured, say for want of a board."""
-    with open(path, "rb") as file:
-        goals = tomllib.load(file)["goals"]
+    goals = read(path)
     result = {**result, "rgb565_goals": {goal["workload"]: goal["most"] for goal in goals
                                          if goal["figure"] == "rgb565" and goal["core"] == bench_rgb565.CORE}}
     rows = []

@@ -88,7 +88,7 @@ def compile_scene(workload, folder):
     """A workload's scene image in a folder: (file, scene)."""
     file = pathlib.Path(folder) / f"{workload['name']}.fxls"
     if "with" in workload:
-        compiled = bench_changes.compile_file(workload["scene"], workload["with"], folder)
+        compiled = bench_changes.compile_file(workload, workload["with"], folder)
         save_scene(compiled, file)
         return file, compiled
     making.build(workload["scene"], file)

@@ -35,7 +35,7 @@ def pixels_of(variant):
 def _jobs(plan, cores):
     """(core, entry, variant, way) of what is drawn."""
     for entry in plan.rgb565.values():
-        textured, wide = bench_changes.has_textures(entry["scene"]), bench_changes.is_rgb565(entry["scene"])
+        textured, wide = bench_changes.has_textures(entry), bench_changes.is_rgb565(entry)
         variants = [*plan.rgb565_variants["moved"], *(plan.rgb565_variants["textured"] if textured else ())] \
             if plan.kept else ()
         for core in entry.get("cores", [CORE]):
