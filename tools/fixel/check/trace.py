@@ -221,7 +221,9 @@ def parser():
 def shown_elsewhere(root, pages):
     """The tags of rows of make prove and of claims of make report: their key "clause"."""
     named = [(row.clause, row.place.relative_to(root).as_posix(), f"make prove: {row.id}") for row in proofs.read(root)]
-    named += [(claim.clause, "tools/fixel/report/report_claims.py", f"make report: {claim.id}") for claim in report_claims.CLAIMS]
+    file = pathlib.Path(report_claims.__file__).relative_to(CHECKOUT)
+    if (root / file).exists():
+        named += [(claim.clause, file.as_posix(), f"make report: {claim.id}") for claim in report_claims.CLAIMS]
     found = []
     for text, file, name in named:
         ids = clauses.ids_of(text, pages) if text else []
