@@ -109,7 +109,7 @@ def test_a_frame_of_16_bits_a_pixel(tmp_path, patient):
 
 
 def test_a_frame_that_changed_while_it_was_copied_is_none(pair, monkeypatch):
-    """formats 3.3."""
+    """formats 3.3g-h."""
     window, board = pair
     first, second = random_frames(2, HEIGHT, WIDTH)
     board.finish(0, first)

@@ -35,7 +35,7 @@ void test_a_sound_tree(void)
     expect(FXL_OK, NULL, 0);
 }
 
-/* formats 1.7 */
+/* formats 1.7i */
 void test_whose_it_is(void)
 {
     const unit_field fields[] = {
@@ -83,7 +83,7 @@ void test_counts(void)
     expect(FXL_OK, NULL, 0);
 }
 
-/* formats 1.7 */
+/* formats 1.7j */
 void test_planes(void)
 {
     const unit_field fields[] = {
@@ -101,7 +101,7 @@ void test_planes(void)
 }
 
 /* 8 units of 2^-16 off is near enough, the least bit more is not. */
-/* formats 1.7 */
+/* formats 1.7l */
 void test_faces_lie_on_the_plane(void)
 {
     const uint64_t one = (uint64_t)FXL_Q2_30_ONE * 65536u, most = (uint64_t)8 << 30;
@@ -144,7 +144,7 @@ void test_each_vertex_of_a_face_lies_on_the_plane(void)
     }
 }
 
-/* formats 1.7 */
+/* formats 1.7g, 1.7j, 1.7l-m */
 void test_spheres(void)
 {
     const unit_field fields[] = {
@@ -208,7 +208,7 @@ void test_a_sphere_that_lacks_one_corner(void)
     }
 }
 
-/* bsp 1.1, formats 1.7 */
+/* bsp 1.1, formats 1.7e */
 void test_every_face_has_one_node(void)
 {
     const unit_field fields[] = {
@@ -220,7 +220,7 @@ void test_every_face_has_one_node(void)
     unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
 }
 
-/* bsp 1.1, formats 1.7 */
+/* bsp 1.1, formats 1.7c, 1.7k */
 void test_links(void)
 {
     const unit_field fields[] = {
@@ -241,7 +241,7 @@ void test_links(void)
 }
 
 /* A chain of nodes without faces, behind each other: as deep as may be, and one deeper. */
-/* formats 1.7 */
+/* formats 1.7f, 1.7k */
 void test_depth(void)
 {
 #ifndef UNIT_ON_TARGET

@@ -70,7 +70,7 @@ void test_scenes_without_clusters(void)
     TEST_ASSERT_NULL(scene->cluster_code);
 }
 
-/* formats 1.8 */
+/* formats 1.8b-c, 1.8o */
 void test_counts(void)
 {
     made->tiny->scene.clusters = NULL;
@@ -107,7 +107,7 @@ void test_which_models_have_some(void)
 }
 
 /* The sphere of cluster 0 about (-1, 0, 0): its vertices are (-1, +-1, +-1). */
-/* formats 1.8 */
+/* formats 1.8h, 1.8p */
 void test_spheres(void)
 {
     const unit_field fields[] = {
@@ -139,7 +139,7 @@ void test_spheres(void)
     }
 }
 
-/* formats 1.8 */
+/* formats 1.8m, 1.8q-r */
 void test_cones(void)
 {
     const unit_field fields[] = {
@@ -160,7 +160,7 @@ void test_cones(void)
 
 /* The normals of cluster 1 are 45 degrees off its axis. So a cone of 45 degrees is the widest, with
  * a cutoff of 1/2. */
-/* formats 1.8 */
+/* formats 1.8s-u */
 void test_cutoffs(void)
 {
     const unit_field fields[] = {
@@ -198,7 +198,7 @@ void test_no_clusters_with_a_tree(void)
 
 /* Each vertex alone lies outside of its cluster's sphere: one of each corner of the first face, and
  * those that only a later face has. */
-/* formats 1.8 */
+/* formats 1.8g, 1.8p */
 void test_every_vertex_is_in_the_sphere(void)
 {
     for (int i = 0; i < 4; i++) {

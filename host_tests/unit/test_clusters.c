@@ -30,7 +30,7 @@ static bool in_cone(const fxl_cluster *cluster, const fxl_point *eye, double mar
 
 /* By the definition in double: the test says true of no eye outside the cone, and of every eye a
  * world unit from the apex that is well inside. */
-/* SPEC 4.4k, accuracy 1.1m */
+/* SPEC 4.4k, accuracy 1.1m, formats 1.8j-k */
 void test_the_cone_is_the_definition(void)
 {
     uint32_t inside = 0, outside = 0;

@@ -37,7 +37,7 @@ static uint32_t dither(uint32_t x, uint32_t y)
     return sum;
 }
 
-/* formats 4.1 */
+/* formats 4.1a */
 void test_luma(void)
 {
     uint32_t i;
@@ -72,24 +72,25 @@ static void assert_levels(uint32_t highest)
     }
 }
 
-/* formats 4.2 */
+/* formats 4.2a-b */
 void test_every_colour_at_every_place_on_16_greys(void)
 {
     assert_levels(15);
 }
 
-/* formats 4.3 */
+/* formats 4.3a, 4.3c */
 void test_every_colour_at_every_place_on_2_greys(void)
 {
     assert_levels(1);
 }
 
-/* formats 4.2 */
+/* formats 4.2a-b */
 void test_every_colour_at_every_place_on_4_greys(void)
 {
     assert_levels(3);
 }
 
+/* formats 4.3f */
 void test_256_greys_are_not_dithered(void)
 {
     uint32_t colour;
@@ -100,7 +101,7 @@ void test_256_greys_are_not_dithered(void)
     }
 }
 
-/* formats 4.3 */
+/* formats 4.3a, 4.3e */
 void test_the_pattern_of_half_and_of_a_quarter(void)
 {
     static const char *half = "#.#.#.#.\n.#.#.#.#\n#.#.#.#.\n.#.#.#.#\n"

@@ -424,7 +424,7 @@ static void expect_refused(fxl_status status, const fxl_light_settings *of)
     TEST_ASSERT_EQUAL_UINT32(refused + 1, renderer.workspace.counters.refused_calls);
 }
 
-/* formats 1.11 */
+/* formats 1.11b */
 void test_settings_out_of_range_are_refused(void)
 {
     static const fxl_renderer none;

@@ -111,7 +111,7 @@ void test_missing_tables_are_refused(void)
     expect(FXL_E_COUNT, "motion table", 0);
 }
 
-/* formats 1.10 */
+/* formats 1.10b */
 void test_motions_take_the_keys_in_turn(void)
 {
     make();
@@ -124,7 +124,7 @@ void test_motions_take_the_keys_in_turn(void)
     unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
 }
 
-/* formats 1.10 */
+/* formats 1.10f */
 void test_keys_are_in_order(void)
 {
     make();
@@ -137,7 +137,7 @@ void test_keys_are_in_order(void)
     unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
 }
 
-/* formats 1.10 */
+/* formats 1.10d */
 void test_reserved_fields_are_checked(void)
 {
     make();
@@ -168,7 +168,7 @@ void test_a_key_is_within_the_extent(void)
     unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
 }
 
-/* formats 1.10 */
+/* formats 1.10e */
 void test_numbers_of_a_motion_are_in_range(void)
 {
     make();
@@ -268,7 +268,7 @@ void test_the_scales_of_a_chain_are_in_range(void)
 }
 
 /* Eight parents are allowed, nine are not: a scene of ten instances of one model. */
-/* formats 1.10, motion 2.5 */
+/* motion 2.5, formats 1.10d */
 void test_a_chain_has_at_most_eight_parents(void)
 {
     static fxl_instance many[10];

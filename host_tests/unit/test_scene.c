@@ -3,6 +3,7 @@
  * tested in test_scene_contents.c. */
 #include "expect_scene.h"
 
+/* formats 1.1i-k, 1.1o, 1.1r, 1.1t-v, 1.2j-p */
 void test_a_good_image_opens(void)
 {
     tiny_image *image = tiny_image_make(false);
@@ -33,6 +34,7 @@ void test_a_good_image_opens(void)
     TEST_ASSERT_EQUAL_UINT32(TINY_POSES, opened.frame_count);
 }
 
+/* formats 1.1v, 1.2q */
 void test_a_path_of_strides_opens(void)
 {
     tiny_image *image = tiny_image_make(true);
@@ -60,7 +62,7 @@ void test_null_is_refused(void)
     (void)opened;
 }
 
-/* formats 1.5 */
+/* formats 1.5a */
 void test_misaligned_memory_is_refused(void)
 {
     static uint32_t workspace[TINY_WORDS + 1];
@@ -79,7 +81,7 @@ void test_every_truncation_is_refused(void)
     }
 }
 
-/* formats 1.5 */
+/* formats 1.1h, 1.5a */
 void test_every_flipped_bit_is_refused(void)
 {
     tiny_image *image = tiny_image_make(false);
@@ -117,7 +119,7 @@ void test_any_contents_end_in_a_status(void)
     }
 }
 
-/* formats 1.1 */
+/* formats 1.1b-f */
 void test_head(void)
 {
     expect_word(FXL_E_MAGIC, AT_MAGIC, 0x4C584653u);
@@ -136,7 +138,7 @@ void test_head(void)
     expect_half(FXL_E_SIZE, AT_SECTION_COUNT, 0xFFFF);
 }
 
-/* formats 1.1 */
+/* formats 1.1g */
 void test_size_of_the_image(void)
 {
     tiny_image *image = tiny_image_make(false);
@@ -152,13 +154,37 @@ void test_size_of_the_image(void)
     expect_word(FXL_E_OFFSET, AT_SIZE, size - 4);
 }
 
-/* formats 1.5 */
-void test_the_checksum_comes_before_the_contents(void)
+/* An image with every fault: each check hides those behind it, until its fault is mended. */
+/* formats 1.5a */
+void test_checks_come_in_their_order(void)
 {
     tiny_image *image = tiny_image_make(false);
-    tiny_put32(tiny_at(image, AT_NEAR), 0);
-    expect_status(FXL_E_CRC, image->words, image->size);
-    expect_opening(FXL_E_RANGE, image);
+    const struct {
+        uint32_t at, flipped;
+        fxl_status status;
+    } faults[] = {{AT_MAGIC, 1, FXL_E_MAGIC},
+                  {AT_VERSION, 1, FXL_E_VERSION},
+                  {AT_SIZE, 0x80000000u, FXL_E_SIZE},
+                  {AT_CRC, 1, FXL_E_CRC},
+                  {HEADER_SIZE, 0x01000000u, FXL_E_RESERVED},
+                  {HEADER_SIZE + SECTION_BYTES + 4, 4, FXL_E_OFFSET},
+                  {AT_NEAR, tiny_get(image, AT_NEAR), FXL_E_RANGE},
+                  {tiny_get(image, AT_FACES), 0x3FFFFFFF, FXL_E_NORMAL},
+                  {tiny_get(image, AT_KEYS), 1, FXL_E_FACE_BOUNDS}};
+    const size_t count = sizeof faults / sizeof faults[0];
+    for (size_t i = 0; i < count; i++) {
+        tiny_put32(tiny_at(image, faults[i].at),
+                   tiny_get(image, faults[i].at) ^ faults[i].flipped);
+    }
+    for (size_t i = 0; i < count; i++) {
+        expect_status(faults[i].status, image->words, image->size);
+        tiny_put32(tiny_at(image, faults[i].at),
+                   tiny_get(image, faults[i].at) ^ faults[i].flipped);
+        if (faults[i].at >= AT_CRC) {
+            tiny_seal(image);
+        }
+    }
+    expect_status(FXL_OK, image->words, image->size);
 }
 
 void test_reserved_fields_and_kinds(void)
@@ -181,7 +207,7 @@ static tiny_image *image_with_centre(fxl_q16_16 x, fxl_q16_16 y)
     return image;
 }
 
-/* formats 1.1 */
+/* formats 1.1p-q */
 void test_the_target_that_an_image_asks_for(void)
 {
     for (uint32_t wanted = 0; wanted < 256; wanted++) {
@@ -203,6 +229,7 @@ void test_the_target_that_an_image_asks_for(void)
     }
 }
 
+/* formats 1.2an */
 void test_a_lens_with_a_moved_centre(void)
 {
     tiny_image *image = image_with_centre(Q16(-10), Q16(40));
@@ -218,6 +245,7 @@ void test_a_lens_with_a_moved_centre(void)
     TEST_ASSERT_NULL(opened.lens.off_centre);
 }
 
+/* formats 1.2ax */
 void test_a_wrong_centre_is_refused(void)
 {
     expect_opening(FXL_E_RANGE, image_with_centre(Q16(24 + 72) + 1, 0));
@@ -235,6 +263,7 @@ void test_a_wrong_centre_is_refused(void)
     expect_opening(FXL_E_COUNT, image);
 }
 
+/* formats 1.1i-n */
 void test_lens(void)
 {
     expect_half(FXL_E_RANGE, AT_WIDTH, 0);
@@ -247,6 +276,7 @@ void test_lens(void)
     expect_word(FXL_E_RANGE, AT_INSET, 0xFFFFFFFFu);
 }
 
+/* formats 1.1r-u */
 void test_start_and_gait(void)
 {
     for (uint32_t axis = 0; axis < 12; axis += 4) {
@@ -275,7 +305,7 @@ void test_offsets_of_every_table(void)
     }
 }
 
-/* formats 1.2 */
+/* formats 1.2j-p, 1.2r */
 void test_counts_of_every_table(void)
 {
     static const struct {
@@ -298,7 +328,7 @@ void test_counts_of_every_table(void)
 }
 
 /* Face 3 is a part of one whose indices begin at a number; of all others nothing is said. */
-/* formats 1.2, formats 1.5 */
+/* formats 1.2ao, 1.2av, 1.5a */
 void test_whole_faces(void)
 {
     static const struct {
@@ -326,7 +356,7 @@ void test_one_entry_too_many_reaches_outside(void)
 }
 
 /* Of the sections' entries: kinds rise, none comes twice, and each says whether it is needed. */
-/* formats 1.2 */
+/* formats 1.2a-b */
 void test_entries_of_the_table_of_sections(void)
 {
     for (uint32_t i = 0; i < TINY_SECTIONS; i++) {
@@ -342,6 +372,7 @@ void test_entries_of_the_table_of_sections(void)
     }
 }
 
+/* formats 1.2at */
 /* A path is poses or segments, and not both. */
 void test_an_image_has_one_path(void)
 {
@@ -355,6 +386,7 @@ void test_an_image_has_one_path(void)
     expect_opening(FXL_E_COUNT, image);
 }
 
+/* formats 1.1v, 1.4b */
 void test_a_path_has_a_million_frames_at_most(void)
 {
     for (uint32_t more = 0; more < 2; more++) {
@@ -372,7 +404,7 @@ void test_a_path_has_a_million_frames_at_most(void)
 }
 
 /* The bytes that rounding adds behind a section are 0. */
-/* formats 1.2 */
+/* formats 1.2d */
 void test_padding_is_zero(void)
 {
     tiny_image *image = tiny_image_make(false);
@@ -389,7 +421,7 @@ void test_padding_is_zero(void)
 }
 
 /* A section of a later version: passed over if it is not needed, whatever its length. */
-/* formats 1.2 */
+/* formats 1.2e-f, 1.2h */
 void test_a_section_that_is_not_known(void)
 {
     static const uint32_t bytes[3] = {1, 2, 3};

@@ -2,7 +2,7 @@
 /* What a scene's tables hold: faces, models, objects, vertices, path. */
 #include "expect_scene.h"
 
-/* formats 1.5, SPEC 3.1r */
+/* formats 1.2m, 1.2ay, 1.2az, 1.5a-b, SPEC 3.1r */
 void test_face_contents(void)
 {
     expect_entry_byte(FXL_E_COUNT, AT_FACES, 5, FACE, 12, 2);
@@ -29,7 +29,7 @@ void test_corner_contents(void)
     expect_opening(FXL_E_INDEX, image);
 }
 
-/* formats 1.4 */
+/* formats 1.4c-d */
 void test_model_contents(void)
 {
     expect_entry_word(FXL_E_INDEX, AT_MODELS, 1, MODEL, 0, 9);
@@ -62,7 +62,7 @@ void test_object_contents(void)
     }
 }
 
-/* formats 1.5 */
+/* formats 1.5a */
 void test_vertices_far_out_do_not_wrap(void)
 {
     expect_entry_word(FXL_E_RANGE, AT_VERTICES, 3, VERTEX, 4, 0x7FFFFFFFu);
@@ -71,7 +71,7 @@ void test_vertices_far_out_do_not_wrap(void)
 
 /* Vertex 0 of model 1 at (-1, -1, -1): the square of the radius against the sum
  * of three squares, to the unit. */
-/* formats 1.5, SPEC 3.1o, 4.4a */
+/* SPEC 3.1o, 4.4a, formats 1.5a */
 void test_radius(void)
 {
     expect_entry_word(FXL_E_RANGE, AT_MODELS, 1, MODEL, 20, 0xFFFFFFFFu);
@@ -86,7 +86,7 @@ void test_radius(void)
 
 /* Vertices that lie exactly on the sphere, and one unit off it; also where the
  * squares have 62 bits. */
-/* formats 1.5, SPEC 4.4a */
+/* SPEC 4.4a, formats 1.5a */
 void test_vertices_on_the_sphere(void)
 {
     const int32_t far = 2 * FXL_COORDINATE_MAX; /* of a model placed nowhere */
@@ -116,7 +116,7 @@ void test_vertices_on_the_sphere(void)
 }
 
 /* Keys are what the vertices say, to the unit, and belong to sorted models. */
-/* formats 1.6 */
+/* formats 1.2r, 1.6a, 1.6c-d */
 void test_keys(void)
 {
     uint32_t height = (uint32_t)(((uint64_t)Q16(1) << 30) >> 32);
@@ -137,7 +137,7 @@ void test_keys(void)
 }
 
 /* A scene need not have keys; then no model says where they are. */
-/* formats 1.6 */
+/* formats 1.6e */
 void test_no_keys(void)
 {
     tiny_image *image = tiny_image_make(false);
@@ -264,7 +264,7 @@ void test_order_needs_the_objects_and_the_largest_sorted_model(void)
 }
 
 /* Models take the vertices and the faces in turn, none twice, none left out. */
-/* formats 1.4 */
+/* formats 1.4g-h */
 void test_models_share_nothing_and_leave_nothing_out(void)
 {
     expect_entry_word(FXL_E_INDEX, AT_MODELS, 1, MODEL, 0, 0);

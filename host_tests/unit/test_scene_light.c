@@ -42,7 +42,7 @@ static void entry_word(fxl_status status, uint32_t table, uint32_t at, uint32_t 
 
 /* place light: a new setting: the setting out of an image */
 /* The settings are those of the image, to the last member. */
-/* formats 1.11 */
+/* formats 1.2z-ab, 1.11c */
 void test_light_is_used_in_place(void)
 {
     tiny_image *image = make();
@@ -111,7 +111,7 @@ void test_light_and_ramp_go_together(void)
     without(SECTION_RAMP, "ramp");
 }
 
-/* formats 1.11 */
+/* formats 1.11, 1.2z-ab */
 void test_tables_of_light_are_checked(void)
 {
     light_word(FXL_E_COUNT, AT_LIGHT + 4, 0);
@@ -126,7 +126,7 @@ void test_tables_of_light_are_checked(void)
     light_word(FXL_E_OFFSET, AT_RAMP, 0x7FFFFFF0u);
 }
 
-/* formats 1.11 */
+/* formats 1.11b */
 void test_numbers_of_light_are_checked(void)
 {
     entry_word(FXL_E_RANGE, AT_LIGHT, 0, FXL_Q2_30_ONE + 1);

@@ -7,7 +7,7 @@ static fxl_instance many[FXL_SCENE_INSTANCES_MAX];
 
 /* Objects times vertices is what a loader has to look at: 65535 x 61 is within
  * the limit, 65535 x 62 is not. */
-/* formats 1.4 */
+/* formats 1.4e */
 void test_too_many_placed_vertices_are_refused(void)
 {
     static fxl_point vertices[62 + 8];
@@ -27,7 +27,7 @@ void test_too_many_placed_vertices_are_refused(void)
 }
 
 /* 40000 x 100 is the limit itself. */
-/* formats 1.4 */
+/* formats 1.4e */
 void test_as_many_placed_vertices_as_may_be(void)
 {
     static fxl_point vertices[100 + 8];

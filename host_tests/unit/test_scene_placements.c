@@ -39,6 +39,7 @@ static void entry_word(fxl_status status, uint32_t table, uint32_t at, uint32_t 
     expect_image_entry_word(status, make(), table, at, value);
 }
 
+/* formats 1.2w-y */
 void test_placements_are_used_in_place(void)
 {
     tiny_image *image = make();
@@ -58,6 +59,7 @@ void test_placements_are_used_in_place(void)
     TEST_ASSERT_EQUAL_UINT32(0, opened.motion.motion_count);
 }
 
+/* formats 1.9a */
 void test_a_scene_may_have_placements_alone(void)
 {
     tiny_image *image = make();
@@ -86,6 +88,7 @@ void test_every_instance_may_be_turned(void)
     TEST_ASSERT_EQUAL_UINT32(0, opened.scene.first_turned);
 }
 
+/* formats 1.2au */
 void test_motions_their_keys_and_placements_go_together(void)
 {
     static const uint16_t kinds[] = {SECTION_PLACEMENTS, SECTION_MOTIONS, SECTION_KEYS_OF_MOTIONS};
@@ -96,7 +99,7 @@ void test_motions_their_keys_and_placements_go_together(void)
     }
 }
 
-/* formats 1.9 */
+/* formats 1.9, 1.2w-y */
 void test_tables_of_placements_are_checked(void)
 {
     placement_word(FXL_E_COUNT, AT_PLACEMENTS + 4, 0);
@@ -110,6 +113,7 @@ void test_tables_of_placements_are_checked(void)
     placement_word(FXL_E_COUNT, AT_MOTION_KEYS + 4, 1000001);
 }
 
+/* formats 1.2aw */
 void test_there_are_no_more_motions_than_placements(void)
 {
     tiny_image *image = make();
@@ -123,7 +127,7 @@ void test_there_are_no_more_motions_than_placements(void)
     expect_opening(FXL_E_COUNT, image);
 }
 
-/* formats 1.9 */
+/* formats 1.9b */
 void test_entries_are_checked(void)
 {
     entry_word(FXL_E_PLACEMENT, AT_PLACEMENTS, 4, 5);

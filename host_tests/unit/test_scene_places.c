@@ -14,7 +14,7 @@ static fxl_status open(tiny_image *image, fxl_scene_fault *fault)
 }
 
 /* Each section begins where the one before it ends, and the last ends with the image. */
-/* formats 1.2 */
+/* formats 1.2c */
 void test_sections_lie_behind_each_other(void)
 {
     for (uint32_t at = AT_PALETTE; at <= AT_KEYS; at += SECTION_BYTES) {
@@ -120,7 +120,7 @@ void test_faults_name_the_last_element_as_well_as_the_first(void)
     expect_fault(FXL_E_FACE_BOUNDS, "face", 11, &tiny->scene);
 }
 
-/* formats 1.4 */
+/* formats 1.4c-d */
 void test_tables_of_too_few_and_too_many(void)
 {
     static const struct {

@@ -99,7 +99,7 @@ static void texture_byte(fxl_status status, uint32_t number, uint32_t at, uint8_
 }
 
 /* Every member of the set is that of the image. */
-/* formats 1.12 */
+/* formats 1.12, 1.2ac-aj */
 void test_surfaces_are_used_in_place(void)
 {
     tiny_image *image = make();
@@ -233,7 +233,7 @@ void test_sections_of_surfaces_go_together(void)
     }
 }
 
-/* formats 1.12 */
+/* formats 1.12f */
 void test_textures_lie_within_their_texels(void)
 {
     texture_word(FXL_OK, 0, 0, TEXELS - 10);
@@ -253,7 +253,7 @@ void test_textures_lie_within_their_texels(void)
 }
 
 /* Of the rest one case each: fxl_surfaces_check has tests of its own. */
-/* formats 1.12 */
+/* formats 1.12f */
 void test_what_a_texture_says_is_checked(void)
 {
     texture_byte(FXL_E_RANGE, 1, 8, 0);
@@ -286,7 +286,7 @@ static void expect_565(fxl_status status, uint8_t target, uint32_t place, uint8_
 }
 
 /* 4 x 2 and 2 x 1 texels take 20 bytes. */
-/* formats 1.12 */
+/* formats 1.12g */
 void test_an_image_that_asks_for_rgb565_may_have_its_texels(void)
 {
     expect_565(FXL_OK, 4, TEXELS - 20, 0);

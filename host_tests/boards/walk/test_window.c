@@ -97,7 +97,7 @@ static void assert_front(uint32_t number, uint8_t colour)
     TEST_ASSERT_EACH_EQUAL_UINT8(colour, front() + 1, AREA);
 }
 
-/* formats 3.3 */
+/* formats 3.3b, 3.1j */
 void test_without_an_invitation_it_stays_out(void)
 {
     static uint8_t before[sizeof fxl_window];
@@ -111,7 +111,7 @@ void test_without_an_invitation_it_stays_out(void)
     TEST_ASSERT_EQUAL_MEMORY(before, fxl_window, sizeof before);
 }
 
-/* formats 3.1 */
+/* formats 3.1a-e, 3.1g-h, 3.1l */
 void test_the_header_tells_the_format(void)
 {
     header->finished = 77; /* of a run before */
@@ -139,7 +139,7 @@ void test_a_screen_that_does_not_fit_is_refused(void)
                               header->slots[1] + sizeof(window_frame) + 256 * 119);
 }
 
-/* formats 3.2 */
+/* formats 3.2a-d */
 void test_a_frame_and_what_is_told_of_it(void)
 {
     open_window();
@@ -168,7 +168,7 @@ void test_rows_go_where_they_belong(void)
     TEST_ASSERT_EQUAL_MEMORY(pixels, front() + 1, AREA);
 }
 
-/* formats 3.3 */
+/* formats 3.3e-f, 3.1f */
 void test_what_is_in_front_is_never_drawn_on(void)
 {
     uint32_t number;
@@ -216,7 +216,7 @@ void test_it_waits_for_the_first_request(void)
     TEST_ASSERT_EQUAL_MESSAGE(3, signs, "a watchdog would have barked");
 }
 
-/* formats 3.3 */
+/* formats 3.3d, 3.1i */
 void test_it_waits_for_each_request(void)
 {
     header->requested = 1;
@@ -229,7 +229,7 @@ void test_it_waits_for_each_request(void)
     TEST_ASSERT_EQUAL(1, header->finished);
 }
 
-/* formats 3.2 */
+/* formats 3.2f */
 void test_pixels_of_16_bits(void)
 {
     static const uint16_t colours[AREA] = {0x1234, 0xFFFF, 0, 0x8001};
