@@ -26,7 +26,7 @@ static bool holds(const fxl_beam *beam, fxl_point point)
     return true;
 }
 
-/* beams 1.3 */
+/* beams 1.3a */
 void test_a_window_has_a_plane_for_each_side_and_its_own(void)
 {
     fxl_beam beam;
@@ -36,7 +36,7 @@ void test_a_window_has_a_plane_for_each_side_and_its_own(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_check(&beam));
 }
 
-/* beams 1.2 */
+/* beams 1.2b */
 void test_what_the_light_reaches_through_the_window_is_inside(void)
 {
     fxl_beam beam;
@@ -86,7 +86,7 @@ void test_a_sphere_beside_a_beam(void)
 }
 
 /* A sphere that lies behind any one of a beam's planes is not reached. */
-/* beams 1.2 */
+/* beams 1.2b */
 void test_every_plane_of_a_beam_limits_it(void)
 {
     fxl_beam beam = {.kind = FXL_BEAM_DIRECTION, .from = {0, -FXL_Q2_30_ONE, 0}};
@@ -104,7 +104,7 @@ void test_every_plane_of_a_beam_limits_it(void)
 }
 
 /* Light that travels along an axis shines on faces that are turned the other way. */
-/* beams 1.4 */
+/* beams 1.4a */
 void test_what_the_sun_shines_on(void)
 {
     for (int travel = 0; travel < 6; travel++) {
@@ -132,7 +132,7 @@ void test_a_face_that_is_barely_turned_to_a_lamp(void)
 }
 
 /* A face is turned to a lamp that is before its plane: along each axis, to a unit. */
-/* beams 1.4 */
+/* beams 1.4a */
 void test_what_a_lamp_shines_on(void)
 {
     const fxl_beam beam = {.kind = FXL_BEAM_POINT, .from = {Q16(3), Q16(-5), Q16(7)}};
@@ -152,7 +152,7 @@ void test_what_a_lamp_shines_on(void)
 }
 
 /* The least that a face may be turned to the light is one unit of 2^-46. */
-/* beams 1.4 */
+/* beams 1.4b */
 void test_a_face_that_is_barely_turned_to_the_light(void)
 {
     const fxl_direction normal = {FXL_Q2_30_ONE, 1,
@@ -183,7 +183,7 @@ void test_the_margin_of_a_sphere_beside_a_beam(void)
     }
 }
 
-/* beams 1.3 */
+/* beams 1.3a-b */
 void test_a_direction_makes_a_shaft(void)
 {
     const fxl_direction down = {Q30(0.6), Q30(-0.8), 0};
@@ -197,7 +197,7 @@ void test_a_direction_makes_a_shaft(void)
 }
 
 /* The way round of a window does not matter. */
-/* beams 1.3 */
+/* beams 1.3a */
 void test_a_window_may_be_wound_either_way(void)
 {
     fxl_point turned[4];
@@ -214,7 +214,7 @@ void test_a_window_may_be_wound_either_way(void)
 }
 
 /* A plane against the same from the exact cross product, in double. */
-/* beams 1.2 */
+/* beams 1.2a */
 void test_normals_are_right_to_two_units(void)
 {
     int made = 0;
@@ -267,7 +267,7 @@ static void expect_refused(fxl_status status, const fxl_point *light, const fxl_
     TEST_ASSERT_EQUAL_MEMORY(&before, &beam, sizeof before);
 }
 
-/* beams 1.3 */
+/* beams 1.3b */
 void test_what_makes_no_beam_is_refused(void)
 {
     static const fxl_point off = {Q16(8192), 0, 0};
@@ -305,7 +305,7 @@ void test_what_makes_no_beam_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_beam_check(NULL));
 }
 
-/* beams 1.1 */
+/* beams 1.1d */
 void test_a_beam_of_a_table_is_checked(void)
 {
     fxl_beam good, beam;

@@ -86,7 +86,7 @@ static int lit_pixels(const uint8_t *pixels)
 }
 
 /* From above: the lid is lit in its middle, its border is not, and dark is what was there. */
-/* beams 2.1 */
+/* beams 2.1a-c */
 void test_what_lies_in_the_beam_is_lit(void)
 {
     const fxl_pose above = {{0, Q16(4), 0}, 0, DEGREES(-90), 0};
@@ -106,7 +106,7 @@ void test_what_lies_in_the_beam_is_lit(void)
 }
 
 /* Under the lid the beam passes through faces that are turned away from the lamp. */
-/* beams 2.1 */
+/* beams 2.1a, 2.1c */
 void test_what_is_turned_away_stays_dark(void)
 {
     const fxl_pose below = {{0, Q16(-4), 0}, 0, DEGREES(90), 0};
@@ -207,7 +207,7 @@ static void take_pieces(const fxl_pose *pose, bool is_near_first)
 }
 
 /* Near to far, the pieces of a face, and the faces, come in the exact reverse. */
-/* beams 4.1 */
+/* beams 4.1b */
 void test_near_to_far_is_the_reverse(void)
 {
     static uint32_t forward[PIECES];
@@ -232,7 +232,7 @@ void test_near_to_far_is_the_reverse(void)
 }
 
 /* Near to far, the pieces of a face are drawn as far to near. */
-/* beams 4.1 */
+/* beams 4.1b */
 void test_near_to_far_gives_the_same_pixels(void)
 {
     choice reverse = choice_sorted;
@@ -289,7 +289,7 @@ void test_what_makes_no_light_is_refused(void)
 /* A comb whose teeth all cross two sides of the beam: its parts need more corners than there is
  * memory for. The loader does not check that faces are convex. Such a face is drawn whole and
  * dark, and counts as refused. */
-/* beams 4.4 */
+/* beams 4.4a */
 void test_what_has_no_room_is_drawn_dark(void)
 {
     static fxl_point comb[FXL_FACE_VERTICES_MAX - 5];
@@ -345,7 +345,7 @@ void test_a_face_of_too_many_corners_is_refused(void)
 }
 
 /* Beams that leave room for triangles alone: a face of four corners is refused wherever it is. */
-/* beams 4.3 */
+/* beams 4.3a */
 void test_every_face_must_fit_the_beams(void)
 {
     static fxl_beam narrow[2];

@@ -189,7 +189,7 @@ static void check_each_target(bool holes, uint32_t first_colour, uint32_t count)
     }
 }
 
-/* beams 6.1 */
+/* beams 6.1b */
 void test_texels_of_8_bits(void)
 {
     for (uint8_t division = FXL_DIVIDE_16; division <= FXL_AFFINE; division++) {
@@ -198,7 +198,7 @@ void test_texels_of_8_bits(void)
     }
 }
 
-/* beams 6.1, surfaces 1.3 */
+/* surfaces 1.3, beams 6.1a-b */
 void test_texels_of_4_bits(void)
 {
     walls_make_texture(FXL_TEXTURE_4);
@@ -209,7 +209,7 @@ void test_texels_of_4_bits(void)
 }
 
 /* The key is that of the texel, not of what the beam makes of it. */
-/* beams 6.3 */
+/* beams 6.3a-b */
 void test_a_hole_stays_a_hole(void)
 {
     walls.texture.flags = FXL_TEXTURE_KEYED | FXL_TEXTURE_CLAMP;
@@ -219,7 +219,7 @@ void test_a_hole_stays_a_hole(void)
     check_each_target(true, TEXEL, TEXELS);
 }
 
-/* beams 6.3 */
+/* beams 6.3a */
 void test_a_stipple_stays(void)
 {
     walls.surface[0].opacity = 9;
@@ -234,7 +234,7 @@ void test_a_surface_without_a_texture(void)
 }
 
 /* In a palette the colour that light has made is the one that the beam changes. */
-/* beams 6.2 */
+/* beams 6.2b */
 void test_light_comes_before_the_beam(void)
 {
     walls.surface[0].flags = FXL_SURFACE_LIT;
@@ -247,7 +247,7 @@ void test_light_comes_before_the_beam(void)
 
 /* In RGB565 light takes a part of the colour of lit[c]: that of a texture whose texels are lit[c].
  * */
-/* beams 6.2 */
+/* beams 6.2c */
 void test_light_in_rgb565_takes_a_part_of_the_colour_in_the_beam(void)
 {
     static uint16_t in_beam[PIXELS], all_lit[PIXELS], none_lit[PIXELS];
@@ -289,7 +289,7 @@ static void draw_blended(const way *into, uint8_t opaque[PIXELS])
 }
 
 /* What is blended is the colour in the beam, over what is beneath in the beam. */
-/* beams 6.2, 6.4 */
+/* beams 6.4, 6.2b */
 void test_the_beam_comes_before_blending(void)
 {
     static uint8_t opaque[PIXELS];
@@ -311,7 +311,7 @@ void test_the_beam_comes_before_blending(void)
 }
 
 /* A blend table of the dark colours alone: a lit piece is opaque. */
-/* beams 6.4 */
+/* beams 6.4a */
 void test_a_lit_piece_that_the_blend_table_lacks_is_opaque(void)
 {
     walls.surface[0].division = FXL_DIVIDE_1;
@@ -352,7 +352,7 @@ static void expect_refused_in_rgb565(const char *what)
 }
 
 /* A texel of 16 bits has no number that lit[] knows. */
-/* beams 6.5 */
+/* beams 6.5b */
 void test_texels_of_16_bits_are_refused(void)
 {
     walls_make_texture(FXL_TEXTURE_565);

@@ -60,7 +60,7 @@ static fxl_pose shuffle(void)
 
 /* Cubes that pass through each other are cut where a third cube's planes are, but two that move
  * are not cut by each other: those are kept apart. */
-/* bsp 1.2, 2.2, 3.1 */
+/* bsp 1.2a, 2.1b, 2.2a, 2.2c-f, 3.1a, 3.1c */
 void test_what_a_ray_sees_first_is_seen(void)
 {
     const uint32_t rounds = UNIT_REPEAT / 100;
@@ -192,7 +192,7 @@ void test_near_to_far_is_the_reverse_of_far_to_near(void)
 }
 
 /* Cut or not, a pixel of a convex object is drawn once: no gap, and nothing twice. */
-/* bsp 1.2, 3.2, 3.3, 3.4, 3.5 */
+/* bsp 1.2, 3.4, 3.5, 3.2b-c, 3.3b */
 void test_pieces_leave_no_gap_and_do_not_overlap(void)
 {
     choice count_all = choice_tree;
@@ -228,7 +228,7 @@ void test_pieces_leave_no_gap_and_do_not_overlap(void)
 /* --- room -------------------------------------------------------------------- */
 
 /* Byte by byte more: nothing is written behind it, and what has no room is counted and whole. */
-/* bsp 3.7 */
+/* bsp 3.7a, 3.7c */
 void test_any_room_for_pieces(void)
 {
     uint32_t last = 2;
@@ -350,7 +350,7 @@ void test_a_face_whose_second_polygon_is_refused(void)
     TEST_ASSERT_TRUE(pieces_refused > UNIT_REPEAT / 200);
 }
 
-/* bsp 2.1 */
+/* bsp 2.1c */
 void test_without_a_tree_it_is_drawn_by_distance(void)
 {
     fxl_pose pose = shuffle();
@@ -366,7 +366,7 @@ void test_without_a_tree_it_is_drawn_by_distance(void)
 }
 
 /* The tree's object behind the eye, one that moves before it; and layers below and above. */
-/* bsp 2.1 */
+/* bsp 2.1a, 2.1c */
 void test_other_layers_and_a_tree_out_of_sight(void)
 {
     const fxl_pose pose = {{0, 0, Q16(14)}, 0, 0, 0};

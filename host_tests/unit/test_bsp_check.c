@@ -25,7 +25,7 @@ static void expect(fxl_status status, const char *what, uint32_t index)
 #define NODE(number, member, value, status) \
     UNIT_FIELD(made->nodes[number].member, value), status, "BSP node", number
 
-/* bsp 1.1 */
+/* bsp 1.1a */
 void test_a_sound_tree(void)
 {
     expect(FXL_OK, NULL, 0);

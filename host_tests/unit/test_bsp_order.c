@@ -44,7 +44,7 @@ static void draw(uint8_t *frame, const fxl_pose *pose, uint32_t rows)
 
 /* Cubes on layers 0, 1 and 2, the tree's on each of them in turn, each hiding some of the one
  * before. Near to far the layers come in reverse, and the same pixels win. */
-/* bsp 2.1, 2.3 */
+/* bsp 2.3, 2.1a */
 void test_layers_come_in_reverse_near_to_far(void)
 {
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
@@ -318,7 +318,7 @@ void test_nodes_without_faces_change_nothing(void)
 
 /* All spheres of the tree are behind the eye, though that of its object is not. What moves before
  * the eye is drawn all the same: its leaf is below the last node. */
-/* bsp 3.5 */
+/* bsp 3.5a-b */
 void test_what_moves_is_drawn_where_the_tree_is_not(void)
 {
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
@@ -375,7 +375,7 @@ void test_the_workspace_is_large_enough(void)
 }
 
 /* The plane z = 3, whose front is towards -z. */
-/* bsp 1.2 */
+/* bsp 1.2b */
 void test_an_eye_on_a_plane_is_behind_it(void)
 {
     static const fxl_bsp_node node = {.normal = {0, 0, -FXL_Q2_30_ONE},
@@ -391,7 +391,7 @@ void test_an_eye_on_a_plane_is_behind_it(void)
 
 /* Before and behind the cube of the tree, which is about (0, 0, 10), a cube lies in one leaf, and
  * needs no memory for pieces to be drawn as with it. */
-/* bsp 3.7 */
+/* bsp 3.7b */
 void test_what_lies_in_one_leaf_is_drawn_whole_there(void)
 {
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);

@@ -90,7 +90,7 @@ static bsp_scene *make_scene(void)
     return made;
 }
 
-/* bsp 3.3, 3.4 */
+/* bsp 3.3, 3.4a-b */
 void test_pieces_share_every_vertex(void)
 {
     static const fxl_clipper watching = {.clip = take_edges};

@@ -174,7 +174,7 @@ static void expect_as_without_a_tree(bool moving)
 
 /* A face of a node out of sight counts as outside, whichever way it is turned. Without a tree a
  * face that is turned away counts as that. */
-/* bsp 4.1 */
+/* bsp 4.1a */
 void test_a_tree_with_spheres_draws_the_same(void)
 {
     drawn = clipped = unturned = 0;
@@ -317,7 +317,7 @@ void test_a_whole_cube_before_and_behind(void)
 }
 
 /* On whichever layer the tree is, what moves there is cut by it, and nothing else is. */
-/* bsp 4.1 */
+/* bsp 4.1b */
 void test_what_moves_is_cut_on_any_layer(void)
 {
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);

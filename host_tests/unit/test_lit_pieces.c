@@ -120,7 +120,7 @@ static const fxl_point right[] = {{Q16(0), Q16(-1), Q16(3)},
                                   {Q16(2), Q16(1), Q16(3)},
                                   {Q16(0), Q16(1), Q16(3)}};
 
-/* beams 1.2, 2.3, 3.2 */
+/* beams 1.2b, 2.3b, 3.2a-c */
 void test_a_pool_of_light_in_the_middle(void)
 {
     const fxl_point face[] = {at(-4, -4), at(-4, 4), at(4, 4), at(4, -4)};
@@ -131,7 +131,7 @@ void test_a_pool_of_light_in_the_middle(void)
     expect_outline(face, 4);
 }
 
-/* beams 2.3 */
+/* beams 2.3c */
 void test_a_face_that_no_plane_cuts_stays_whole(void)
 {
     const fxl_point window[] = {
@@ -148,7 +148,7 @@ void test_a_face_that_no_plane_cuts_stays_whole(void)
 
 /* The neighbours' common edge lies in a plane of the beam: the one that is behind must get
  * the points where the other planes cut the other. */
-/* beams 3.1, 3.5 */
+/* beams 3.1a, 3.5a */
 void test_an_edge_in_a_plane_is_shared(void)
 {
     const fxl_point behind[] = {at(-4, -4), at(-4, 4), at(0, 4), at(0, -4)};
@@ -170,7 +170,7 @@ void test_an_edge_in_a_plane_is_shared(void)
 }
 
 /* A face that reaches 4/65536 into a beam touches it; one that reaches farther has a lit piece. */
-/* beams 3.1 */
+/* beams 3.1a */
 void test_a_corner_near_a_plane_lies_on_it(void)
 {
     const fxl_beam beam = shaft(right, 4);
@@ -225,14 +225,14 @@ static void any_faces(uint32_t beam_count, int grid)
     TEST_ASSERT_TRUE(split > UNIT_REPEAT / 100);
 }
 
-/* beams 3.2, 3.3, 3.4, 3.5, 3.6 */
+/* beams 3.4, 3.2d, 3.3b-c, 3.5a, 3.6b */
 void test_neighbours_fit_on_a_coarse_grid(void)
 {
     any_faces(1, 65536);
     any_faces(2, 65536);
 }
 
-/* beams 2.3, 3.1, 3.3, 3.4, 3.5, 3.6 */
+/* beams 3.1, 3.4, 3.5, 2.3b, 3.3c, 3.6b */
 void test_neighbours_fit_anywhere(void)
 {
     any_faces(1, 46341);

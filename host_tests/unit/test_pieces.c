@@ -139,7 +139,7 @@ void test_a_clipper_may_give_several_polygons(void)
 }
 
 /* Refused counts once, and before anything else; what has too few corners does not. */
-/* beams 4.2 */
+/* beams 4.2c-f */
 void test_the_worst_of_a_faces_polygons_counts(void)
 {
     static const fxl_clip_result worst[] = {FXL_CLIP_RANGE, FXL_CLIP_CAPACITY, FXL_CLIP_DEGENERATE};
@@ -211,7 +211,7 @@ static bool walk_in_pieces(const fxl_traversal *traversal)
     return true;
 }
 
-/* beams 4.2 */
+/* beams 4.2a */
 void test_a_face_in_pieces_counts_once(void)
 {
     static choice in_pieces;

@@ -214,7 +214,7 @@ static void beam_half(fxl_status status, uint32_t offset, uint16_t value)
     expect_image_half(status, make_beams(), offset, value);
 }
 
-/* beams 1.1 */
+/* beams 1.1c */
 void test_the_sections_of_beams(void)
 {
     beam_word(FXL_E_COUNT, AT_BEAMS + 4, 0);
@@ -242,7 +242,7 @@ void test_beams_and_lit_colours_go_together(void)
     }
 }
 
-/* beams 1.1 */
+/* beams 1.1d */
 void test_what_a_beam_holds(void)
 {
     const uint32_t at = tiny_get(make_beams(), AT_BEAMS);
@@ -259,7 +259,7 @@ void test_what_a_beam_holds(void)
 }
 
 /* Beams that leave room for triangles alone: a face of four corners is refused wherever it is. */
-/* beams 4.3 */
+/* beams 4.3c */
 void test_every_face_must_fit_the_beams(void)
 {
     static const uint8_t lit[256];

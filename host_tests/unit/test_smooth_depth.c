@@ -144,7 +144,7 @@ void test_a_face_divided_at_each_pixel_has_the_same_light(void)
     TEST_ASSERT_EQUAL(0, left_by(&exact));
 }
 
-/* beams 6.1 */
+/* beams 6.1b */
 void test_a_piece_in_a_beam_has_the_light_of_the_whole_face(void)
 {
     static const fxl_surface plain = {.opacity = 16, .flags = FXL_SURFACE_LIT};

@@ -106,7 +106,7 @@ static void move_somewhere(void)
 
 /* A face that is drawn whole for lack of memory is in front of what the billboard is in front of,
  * and behind what that is behind. */
-/* bsp 3.8 */
+/* bsp 3.8a-b */
 void test_a_billboard_is_in_the_leaf_of_its_centre(void)
 {
     uint32_t before = 0, behind = 0;
@@ -132,7 +132,7 @@ void test_a_billboard_is_in_the_leaf_of_its_centre(void)
 
 /* A billboard that stands on its centre is in the leaf of its middle, as if that were its centre;
  * turned instances have a scale. */
-/* bsp 3.8 */
+/* bsp 3.8c */
 void test_the_middle_of_a_billboard_is_above_its_centre(void)
 {
     static fxl_placement scaled[1];
@@ -407,7 +407,7 @@ static void make_polygon(uint32_t count)
 }
 
 /* The plane x = 1 cuts the left corner off, so that what is left has a corner more. */
-/* bsp 3.7 */
+/* bsp 3.7a */
 void test_a_piece_of_too_many_corners_is_not_cut(void)
 {
     for (uint32_t less = 0; less < 2; less++) {
