@@ -6,7 +6,7 @@ Counted is from the pose to the pixels. The clear of the colours is not counted,
 
 from fixel.base import parallel, scratch
 from fixel.bench import bench_changes, bench_plan, bench_run, cycles
-from fixel.bench.machine_code import MachineCode
+from fixel.bench.machine_code import MachineCode, read_once
 
 TEXELS = "16 bits"
 # The program, and what is changed in the scene. Pixels of a palette are converted after they are drawn.
@@ -52,7 +52,7 @@ def _draw(plan, core, entry, variant, way):
     elf = plan.program(core, program + ("-bands" if variant == BANDS else ""))
     with scratch.folder("bench") as folder:
         file, _ = bench_plan.compile_scene({**entry, "with": wanted}, folder)
-        code = MachineCode(elf)
+        code = read_once(MachineCode, elf)
         _, counts = bench_run.count(plan, elf, folder, file, detail=True)
     frames = len(counts.regions)
     return {"workload": named(entry["name"], variant), "core": core, "way": way, "frames": frames,

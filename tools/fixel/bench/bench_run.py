@@ -12,7 +12,7 @@ from fixel.bench import bench_plan, bench_changes, counter, cycles, places
 from fixel.board import dump, emulator, firmware, qemu
 from fixel.bench.debug_lines import DebugLines
 from fixel.base.errors import ToolError
-from fixel.bench.machine_code import MachineCode
+from fixel.bench.machine_code import MachineCode, read_once
 
 TIMEOUT = 300.0     # seconds of CPU time without a new frame; kernels print nothing on the way
 CLEAR_OF_VIEW = 200 * 65536     # 16.16: farther from W1's eye than its far plane
@@ -40,7 +40,7 @@ def count(plan, elf, folder, scene=None, frames=None, detail=False):
     said = pathlib.Path(folder) / "said.txt"
 
     def run():
-        output, _ = counter.run(elf, MachineCode(elf), plan.counter, folder, scene, frames, detail, TIMEOUT)
+        output, _ = counter.run(elf, read_once(MachineCode, elf), plan.counter, folder, scene, frames, detail, TIMEOUT)
         said.write_text(output, encoding="utf-8", newline="")
     files = [said, pathlib.Path(folder) / counter.COUNTS, *([pathlib.Path(folder) / emulator.DUMP_NAME] if scene and not detail else [])]
     store = getattr(plan, "store", None)
@@ -74,10 +74,10 @@ def draw(plan, core, renderer, scene, frames=None):
 def profile(plan, core, renderer, scene, frames=None):
     """(Profile, frames): a scene drawn with every place counted."""
     elf = plan.program(core, renderer)
-    code = MachineCode(elf)
+    code = read_once(MachineCode, elf)
     with scratch.folder("profile") as folder:
         _, counts = count(plan, elf, folder, scene, frames, detail=True)
-    taken = places.Profile(code, counts, DebugLines(elf), cycles.models(core))
+    taken = places.Profile(code, counts, read_once(DebugLines, elf), cycles.models(core))
     # The call of the end marker is the region's last instruction, and nobody's work.
     expected = sum(counts.regions) + counter.MARKER_CALL * len(counts.regions)
     if taken.total.instructions != expected:

@@ -15,7 +15,7 @@ import numpy
 from fixel.base import scratch
 from fixel.base.errors import ToolError
 from fixel.bench import bench_run, clippers_plan, counter, linked_size
-from fixel.bench.machine_code import MachineCode
+from fixel.bench.machine_code import MachineCode, read_once
 from fixel.board import dump, programs, qemu
 from fixel.campaign.shards import Shard
 from fixel.image import image
@@ -130,7 +130,7 @@ def operations(plan, core, clipper, file):
     """{"polygons", "instructions", "multiplications", "divisions"}: how many polygons the clipper cut, and what
     that took, their vertices being known, and projecting what was left, of all of them together."""
     elf = plan.operations_program(core, clipper)
-    code = MachineCode(elf)
+    code = read_once(MachineCode, elf)
     with scratch.folder("clippers") as folder:
         _, counts = counter.run(elf, code, plan.counter, folder, file, detail=True, timeout=bench_run.TIMEOUT,
                                 markers=MARKERS)

@@ -3,9 +3,10 @@
 
 import collections
 import dataclasses
+import functools
 import pathlib
 
-from fixel.bench import thumb
+from fixel.bench import machine_code, thumb
 from fixel.board import emulator, firmware, qemu
 from fixel.board.execute import describe, exit_code, exit_status, last_lines
 from fixel.base.errors import ToolError
@@ -28,6 +29,7 @@ class Counts:
     visits: list = dataclasses.field(default_factory=list)
 
 
+@functools.lru_cache(machine_code.READ_ONCE)
 def map_text(code, markers=(BEGIN, END)):
     """What the plugin wants to know about a program."""
     lines = [f"{word} {code.symbol(name):x}" for word, name in zip(("begin", "end"), markers)]

@@ -28,7 +28,8 @@ class DebugLines:
                 self._read(elf.get_dwarf_info())
         self.rows.sort(key=lambda row: row[0])
         self.addresses = [row[0] for row in self.rows]
-        self.scopes.sort(key=lambda scope: (scope[0], -scope[1]))
+        self.edges = sorted({edge for low, high, *_ in self.scopes for edge in (low, high)})
+        self.around = {}    # between two edges all instructions were inlined alike
 
     def _read(self, dwarf):
         for unit in dwarf.iter_CUs():
@@ -76,8 +77,10 @@ class DebugLines:
 
     def inlined(self, address):
         """The functions that were inlined about an instruction, outermost first."""
-        around = [(depth, name) for low, high, depth, name in self.scopes if low <= address < high]
-        return [name for _, name in sorted(around)]
+        place = bisect.bisect_right(self.edges, address)
+        if place not in self.around:
+            self.around[place] = [name for _, name in sorted((depth, name) for low, high, depth, name in self.scopes if low <= address < high)]
+        return self.around[place]
 
 
 def _relative(name):

@@ -2,6 +2,8 @@
 """A program's functions and instructions, from its ELF file."""
 
 import dataclasses
+import functools
+import os
 import pathlib
 
 from elftools.common.exceptions import ELFError
@@ -12,6 +14,7 @@ from fixel.bench import thumb
 from fixel.base.errors import ToolError
 
 SHF_EXECINSTR = 4
+READ_ONCE = 8       # files of a kind that a command keeps
 
 
 @dataclasses.dataclass(frozen=True)
@@ -88,6 +91,16 @@ class MachineCode:
                     found = self.instruction(address)
                     yield address, found
                     address += found.size
+
+
+@functools.lru_cache(READ_ONCE)
+def _once(read, path, _written):
+    return read(path)
+
+
+def read_once(read, path):
+    """read(path), once for a state of the file: MachineCode or DebugLines of a program that draws many scenes."""
+    return _once(read, path, os.stat(path).st_mtime_ns) if os.path.exists(path) else read(path)
 
 
 # Of RISC-V (The RISC-V Instruction Set Manual, volume I, "Instruction Set Listings"): by the opcode of 32 bits, and by quadrant
