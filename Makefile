@@ -152,8 +152,8 @@ BOARDS := $(filter-out $(filter-out $(BOARD_CHOSEN) $(FIXEL_EXTRA_BOARDS),$(EXTR
 # --- set-up ------------------------------------------------------------------
 
 # Before a command's set-up its variables are looked at: what its tool would refuse is refused before anything is installed or
-# built. The tests that give PY ask what reaches a tool.
-LOOK_AT = $(if $(filter PY,$(GIVEN_BY_TESTS)),,python3 tools/fixel/base/before.py $(1) &&)
+# built. The tests that give PY ask what reaches a tool. A python3 of PATH may first look for the real one.
+LOOK_AT = $(if $(filter PY,$(GIVEN_BY_TESTS)),,$(or $(wildcard $(PY)),python3) -S tools/fixel/base/before.py $(1) &&)
 SET_UP = $(call LOOK_AT,$@) tools/setup.sh
 
 # The commands. Those of one command line run one after the other, so that no two makes build the
