@@ -136,7 +136,7 @@ void test_a_segment_meets_a_sphere_exactly(void)
 }
 
 /* Vectors of any size, and such as lie nearly in one plane. */
-/* collide 2.1 */
+/* collide 2.1d */
 void test_the_sign_of_a_determinant_is_exact(void)
 {
     uint32_t zeros = 0;
@@ -230,7 +230,7 @@ static void expect_like_double(const tiny_scene *tiny, const fxl_point *from, co
     *hits += hit->instance != FXL_HIT_NONE;
 }
 
-/* collide 2.1, accuracy 1.2o-p */
+/* accuracy 1.2o-p, collide 2.1a-b, 2.2a */
 void test_a_segment_hits_what_double_says(void)
 {
     uint32_t hits = 0;
@@ -253,7 +253,7 @@ void test_a_segment_hits_what_double_says(void)
 
 /* Through two cubes that stand one behind the other: the nearer one is hit, whichever comes first
  * in the scene. */
-/* collide 2.2, accuracy 1.2o */
+/* accuracy 1.2o, collide 2.2b */
 void test_a_segment_hits_the_nearest(void)
 {
     uint32_t hits[2] = {0, 0};
@@ -278,7 +278,7 @@ void test_a_segment_hits_the_nearest(void)
 }
 
 /* Of two cubes in one place the first is hit. */
-/* collide 2.2 */
+/* collide 2.2b */
 void test_a_segment_hits_the_first_of_equals(void)
 {
     tiny_scene *tiny = tiny_make();
@@ -292,7 +292,7 @@ void test_a_segment_hits_the_first_of_equals(void)
 }
 
 /* Into a closed cube, through its edges and corners exactly: there is no gap. */
-/* collide 2.1, SPEC 2.1d */
+/* SPEC 2.1d, collide 2.1c-d */
 void test_no_segment_passes_between_faces(void)
 {
     tiny_scene *tiny = tiny_make();
@@ -312,7 +312,7 @@ void test_no_segment_passes_between_faces(void)
     }
 }
 
-/* collide 2.1 */
+/* collide 2.1b */
 void test_ends_and_backs_of_faces(void)
 {
     tiny_scene *tiny = tiny_make();
@@ -360,7 +360,7 @@ static fxl_point quarter(const fxl_point *point, const fxl_point *centre)
 
 /* A segment hits a turned instance as the segment that is turned with it hits the one that stands
  * still. */
-/* collide 2.3 */
+/* collide 2.3a */
 void test_a_segment_hits_what_is_turned(void)
 {
     static const fxl_placement placement = {
@@ -393,7 +393,7 @@ void test_a_segment_hits_what_is_turned(void)
 
 /* Rows that are no rotation, a scale that is out of range, placements without their code: a status,
  * and no hit is written, also where the segment comes nowhere near the instance. */
-/* collide 2.3 */
+/* collide 2.3b */
 void test_a_segment_against_placements_that_are_refused(void)
 {
     const fxl_point from = {Q16(4000), Q16(4000), Q16(4000)},

@@ -62,7 +62,7 @@ static fxl_motion_player begin(const fxl_motion_set *set, fxl_scene *scene)
     return player;
 }
 
-/* motion 1.1, 1.3 */
+/* motion 1.1, 1.3a */
 void test_the_scene_draws_from_the_copies(void)
 {
     fxl_motion_set set = make_track(1);
@@ -85,7 +85,7 @@ static int32_t rounded_between(int32_t a, int32_t b, uint32_t part, uint32_t who
 }
 
 /* A straight line from key to key, with halves upward; the last key holds. */
-/* motion 2.1, accuracy 1.2j */
+/* accuracy 1.2j, motion 2.1c */
 void test_places_go_straight_from_key_to_key(void)
 {
     fxl_motion_set set = make_track(3);
@@ -113,7 +113,7 @@ void test_places_go_straight_from_key_to_key(void)
     }
 }
 
-/* motion 2.2 */
+/* motion 2.2b */
 void test_a_track_repeats(void)
 {
     fxl_motion_set set = make_track(2);
@@ -137,7 +137,7 @@ static void expect_orientation(fxl_angle yaw, const fxl_orientation *orientation
     TEST_ASSERT_EQUAL_MEMORY(&wanted, orientation, sizeof wanted);
 }
 
-/* motion 1.2, 2.2 */
+/* motion 1.2c, 2.2d */
 void test_steps_spins_and_circles_go_on_where_a_track_repeats(void)
 {
     const fxl_angle step = 1u << 26; /* 64 frames a turn */
@@ -164,7 +164,7 @@ void test_steps_spins_and_circles_go_on_where_a_track_repeats(void)
 }
 
 /* From 350 degrees to 20 it is 30 onward, not 330 back. */
-/* motion 2.1 */
+/* motion 2.1d */
 void test_angles_take_the_short_way(void)
 {
     fxl_motion_set set = make_track(2);
@@ -199,7 +199,7 @@ void test_a_circle_is_round(void)
 }
 
 /* The spin turns first, about an axis of the model; then the angles turn. */
-/* motion 2.4 */
+/* motion 2.4a-c */
 void test_it_spins_and_then_turns(void)
 {
     const fxl_point axis = {1, 2, 2};
@@ -226,7 +226,7 @@ void test_it_spins_and_then_turns(void)
 }
 
 /* A wheel on a car that drives a circle: as fxl_placement_attach places it, in that frame. */
-/* motion 2.5 */
+/* motion 2.5a, 2.5c */
 void test_a_child_follows_its_parent(void)
 {
     fxl_motion_set set = make();
@@ -274,7 +274,7 @@ static fxl_motion_set make_lively(void)
     return set;
 }
 
-/* motion 1.2 */
+/* motion 1.2a-b */
 void test_every_board_plays_the_same_frames(void)
 {
     fxl_motion_set set = make_lively();

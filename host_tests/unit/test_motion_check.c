@@ -151,7 +151,7 @@ void test_reserved_fields_are_checked(void)
     unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
 }
 
-/* motion 4.1 */
+/* motion 4.1a-b, formats 1.10g */
 void test_a_key_is_within_the_extent(void)
 {
     make();
@@ -190,7 +190,7 @@ void test_numbers_of_a_motion_are_in_range(void)
 }
 
 /* A motion without a parent reaches its extent, its circle, its sphere and the slack. */
-/* motion 4.2 */
+/* motion 4.2d-f */
 void test_no_frame_leaves_the_world(void)
 {
     const fxl_q16_16 room = FXL_COORDINATE_MAX - 2 * TINY_RADIUS - FXL_PLACEMENT_SLACK;
@@ -205,7 +205,7 @@ void test_no_frame_leaves_the_world(void)
 }
 
 /* A circle adds to x and to z, each by itself, and not to y. */
-/* motion 4.2 */
+/* motion 4.2b */
 void test_the_circle_of_a_motion_reaches_along_x_and_z(void)
 {
     const fxl_q16_16 room = FXL_COORDINATE_MAX - 2 * TINY_RADIUS - FXL_PLACEMENT_SLACK;
@@ -224,7 +224,7 @@ void test_the_circle_of_a_motion_reaches_along_x_and_z(void)
 }
 
 /* With a parent the places add up, times the parent's scale. */
-/* motion 4.2 */
+/* motion 4.2c-e, formats 1.10h */
 void test_a_chain_stays_in_the_world(void)
 {
     make();
@@ -268,7 +268,7 @@ void test_the_scales_of_a_chain_are_in_range(void)
 }
 
 /* Eight parents are allowed, nine are not: a scene of ten instances of one model. */
-/* motion 2.5, formats 1.10d */
+/* formats 1.10d, motion 2.5d */
 void test_a_chain_has_at_most_eight_parents(void)
 {
     static fxl_instance many[10];

@@ -103,7 +103,7 @@ void test_angles_are_within_four_units(void)
 }
 
 /* Yaw is a turn about y, pitch one about -x, roll one about z. */
-/* orientation 1.2 */
+/* orientation 1.2a-b */
 void test_an_axis_turns_as_the_angles_do(void)
 {
     const fxl_angle angle = DEGREES(37);
@@ -117,7 +117,7 @@ void test_an_axis_turns_as_the_angles_do(void)
     expect_near(&roll, &o, 4);
 }
 
-/* orientation 1.2, accuracy 1.2i */
+/* accuracy 1.2i, orientation 1.2a, 1.2c */
 void test_an_axis_is_within_four_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 3; i++) {
@@ -132,7 +132,7 @@ void test_an_axis_is_within_four_units(void)
     }
 }
 
-/* orientation 1.2 */
+/* orientation 1.2a */
 void test_a_half_turn_about_an_axis(void)
 {
     fxl_orientation o = by_axis((fxl_point){0, 0, 5}, 0x80000000u);
@@ -152,7 +152,7 @@ void test_looking_along_z_turns_nothing(void)
 }
 
 /* Also where direction and up are nearly parallel. */
-/* orientation 1.3, accuracy 1.2i */
+/* accuracy 1.2i, orientation 1.3a */
 void test_look_at_is_within_four_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 3; i++) {
@@ -174,7 +174,7 @@ void test_look_at_is_within_four_units(void)
     }
 }
 
-/* orientation 1.3 */
+/* orientation 1.3b */
 void test_directions_without_a_turn_are_refused(void)
 {
     const fxl_point zero = {0, 0, 0}, up = {0, 3, 0}, down = {0, -5, 0}, far = {1 << 30, 0, 0};
@@ -196,7 +196,7 @@ void test_directions_without_a_turn_are_refused(void)
     TEST_ASSERT_EQUAL_MEMORY(&before, &o, sizeof o);
 }
 
-/* orientation 1.4, accuracy 1.2i */
+/* accuracy 1.2i, orientation 1.4b */
 void test_a_product_is_the_nearest_rotation(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 10; i++) {
@@ -211,7 +211,7 @@ void test_a_product_is_the_nearest_rotation(void)
 }
 
 /* b is the first turn: a yawed model that was rolled before. */
-/* orientation 1.4 */
+/* orientation 1.4a */
 void test_the_second_factor_turns_first(void)
 {
     const fxl_orientation yaw = by_angles(DEGREES(40), 0, 0), roll = by_angles(0, 0, DEGREES(70));
@@ -222,7 +222,7 @@ void test_the_second_factor_turns_first(void)
 
 /* Each product is made orthonormal again, so no chain leaves the range. The drift from the exact
  * turn is below 1.5 units a product. */
-/* orientation 1.4 */
+/* orientation 1.4c */
 void test_a_million_products_stay_in_range(void)
 {
     const int count = UNIT_REPEAT * 10;
@@ -306,7 +306,7 @@ static void expect_centre(const exact_place *wanted, const fxl_point *actual, lo
     TEST_ASSERT_NEAR(wanted->centre[2], actual->z, bound);
 }
 
-/* orientation 3.1 */
+/* orientation 3.1a-b */
 void test_a_wheel_goes_with_its_car(void)
 {
     unit_restart();
@@ -325,7 +325,7 @@ void test_a_wheel_goes_with_its_car(void)
 }
 
 /* A centre is exact but for one rounding, with any scale. */
-/* orientation 3.1 */
+/* orientation 3.1c */
 void test_a_centre_is_within_half_a_unit(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 10; i++) {
@@ -346,7 +346,7 @@ void test_a_centre_is_within_half_a_unit(void)
 }
 
 /* docs/extras/orientation.md, section 3: the bound by depth. */
-/* orientation 3.2 */
+/* orientation 3.2b-c, 3.2e-f */
 void test_a_chain_of_eight_is_within_its_bound(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 100; i++) {

@@ -74,7 +74,7 @@ static uint32_t expect_pixel(uint32_t x, uint32_t y)
 
 /* Before, between and after the bands; with a display list that holds some of the faces, or none.
  */
-/* pick 2.1, 2.2, 2.5 */
+/* pick 2.5, 2.1a, 2.2a-d, accuracy 1.2n */
 void test_a_pick_is_the_pixel_that_was_drawn(void)
 {
     static const choice *const methods[] = {&choice_sorted, &choice_box, &choice_spans,
@@ -120,7 +120,7 @@ void test_picks_that_cannot_be_are_refused(void)
 }
 
 /* By the definition, in double. */
-/* pick 1.1, 1.2 */
+/* pick 1.1b, 1.2b, 1.3a */
 void test_points_of_the_world_are_where_double_says(void)
 {
     uint32_t seen = 0;
@@ -172,7 +172,7 @@ void test_points_of_the_world_are_where_double_says(void)
 }
 
 /* The last places on a screen, and the first off it. */
-/* pick 1.3 */
+/* pick 1.3b */
 void test_the_edge_of_the_screen(void)
 {
     const fxl_pose pose = {{0, 0, Q16(-5)}, 0, 0, 0};
@@ -198,7 +198,7 @@ void test_the_edge_of_the_screen(void)
     TEST_ASSERT_TRUE(seen[0] > 100 && seen[1] > 100);
 }
 
-/* pick 1.3 */
+/* pick 1.3b */
 /* As far away as the focal length, a unit is a pixel. */
 void test_points_on_the_edges_themselves(void)
 {

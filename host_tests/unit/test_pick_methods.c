@@ -143,7 +143,7 @@ static uint32_t expect_picks(void)
     return others;
 }
 
-/* pick 2.2, 2.4 */
+/* pick 2.2, 2.4b */
 void test_methods_of_the_order_alone_show_what_is_picked(void)
 {
     static const choice *const methods[] = {&choice_box, &choice_spans, &choice_spans_box};
@@ -220,7 +220,7 @@ static uint32_t count_of(uint8_t colour)
     return count;
 }
 
-/* pick 2.4, surfaces 6.2 */
+/* surfaces 6.2, pick 2.4e */
 void test_holes_are_looked_through(void)
 {
     fxl_pose pose = random_pose();
@@ -260,7 +260,7 @@ static void choose_565(const fxl_target *target)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_choose(&renderer, &config));
 }
 
-/* pick 2.3 */
+/* pick 2.3b */
 void test_a_face_of_16_bits_is_picked_by_its_entry_of_the_palette(void)
 {
     const fxl_pose pose = random_pose();
@@ -277,7 +277,7 @@ void test_a_face_of_16_bits_is_picked_by_its_entry_of_the_palette(void)
 
 /* Where instances intersect, a pixel may show what the order has behind. Instance 1 has the centre
  * that is farther, and a front that is nearer. */
-/* pick 2.4 */
+/* pick 2.4d */
 void test_by_a_depth_buffer_the_nearest_is_picked(void)
 {
     const fxl_pose eye = {{0, 0, Q16(-3.5)}, 0, 0, 0};
@@ -299,7 +299,7 @@ void test_by_a_depth_buffer_the_nearest_is_picked(void)
 }
 
 /* A surface that is blended is drawn in a pass of its own, and is picked where it is not hidden. */
-/* pick 2.4 */
+/* pick 2.4e */
 void test_what_is_blended_is_picked_before_what_it_covers(void)
 {
     static const fxl_surface glass = {.opacity = 16, .flags = FXL_SURFACE_BLEND};
@@ -379,7 +379,7 @@ void test_an_added_face_is_picked_whatever_it_adds(void)
  */
 
 /* What a tree cuts, and the tree's own faces; whole, and with a list of any size. */
-/* pick 2.4 */
+/* pick 2.4c */
 void test_by_a_tree_its_order_is_picked(void)
 {
     static uint64_t tree[64], pieces[512];
@@ -458,7 +458,7 @@ void test_a_texel_of_a_billboard_is_picked(void)
 }
 
 /* A pick leaves the frame, its counters, and what is drawn after it, as they are. */
-/* pick 2.1 */
+/* pick 2.1b */
 void test_a_pick_changes_nothing(void)
 {
     static uint8_t again[HEIGHT][WIDTH];

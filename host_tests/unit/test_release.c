@@ -166,7 +166,7 @@ static void change_world(uint32_t frame)
 }
 
 /* Between the bands of frame n, the world changes and frame n + 1 begins in the other renderer. */
-/* world 2.3 */
+/* world 2.3e, 2.3g */
 void test_a_world_changes_while_a_released_frame_is_drawn(void)
 {
     static uint8_t frame_before[BYTES];
@@ -203,7 +203,7 @@ void test_a_world_changes_while_a_released_frame_is_drawn(void)
 }
 
 /* A frame that is not wholly in its list holds changes off, as does one that was not released. */
-/* world 2.3 */
+/* world 2.3h */
 void test_a_world_waits_for_a_frame_that_reads_it(void)
 {
     const fxl_handle first = fxl_world_handle(0);

@@ -63,7 +63,7 @@ static double distance(const fxl_point *point)
     return nearest;
 }
 
-/* collide 3.1 */
+/* collide 3.1a */
 void test_a_free_sphere_goes_all_the_way(void)
 {
     fxl_sphere sphere = {{Q16(3), 0, Q16(-4)}, Q16(0.5)};
@@ -77,7 +77,7 @@ void test_a_free_sphere_goes_all_the_way(void)
 }
 
 /* Straight into a face it stops before it; at an angle it keeps the part along the face. */
-/* collide 3.1 */
+/* collide 3.1b */
 void test_a_sphere_stops_at_a_face_and_slides_along_it(void)
 {
     fxl_sphere sphere = {{0, 0, Q16(-4)}, Q16(0.5)};
@@ -95,7 +95,7 @@ void test_a_sphere_stops_at_a_face_and_slides_along_it(void)
 }
 
 /* What a push leaves, at faces, edges and corners of a cube, from every side. */
-/* collide 3.4, accuracy 1.2q */
+/* accuracy 1.2q, collide 3.4a */
 void test_a_push_leaves_a_gap(void)
 {
     uint32_t pushed = 0;
@@ -130,7 +130,7 @@ void test_a_seam_does_not_push_aside(void)
 }
 
 /* Past an edge: the sphere rolls round it. */
-/* collide 3.2 */
+/* collide 3.2a */
 void test_a_sphere_goes_round_an_edge(void)
 {
     fxl_sphere sphere = {{Q16(1.25), 0, Q16(-4)}, Q16(0.5)};
@@ -143,7 +143,7 @@ void test_a_sphere_goes_round_an_edge(void)
 }
 
 /* Past edges that lie along the other axes: they push across themselves alone. */
-/* collide 3.4 */
+/* collide 3.4a */
 void test_an_edge_pushes_across_itself(void)
 {
     fxl_sphere sphere = {{Q16(-4), Q16(1.25), Q16(0.25)}, Q16(0.5)};
@@ -161,7 +161,7 @@ void test_an_edge_pushes_across_itself(void)
 
 /* The promise, at random: free after every call, and no cube between start and end of any step of
  * a walk of small moves; a large move is cut into such steps by itself. */
-/* collide 3.2, 3.3 */
+/* collide 3.2a, 3.3a */
 void test_no_sphere_is_ever_within_a_face(void)
 {
     slide_counts counts = {0, 0};
@@ -177,7 +177,7 @@ void test_no_sphere_is_ever_within_a_face(void)
 }
 
 /* Fast against a thin wall: the cube as a plate of 1/256. */
-/* collide 3.3 */
+/* collide 3.3b */
 void test_a_fast_sphere_does_not_pass_a_thin_wall(void)
 {
     for (uint32_t i = 0; i < 8; i++) {
@@ -199,7 +199,7 @@ void test_a_fast_sphere_does_not_pass_a_thin_wall(void)
 }
 
 /* In a corner there is no way on. */
-/* collide 3.1 */
+/* collide 3.1d */
 void test_a_sphere_within_a_face_may_stay(void)
 {
     fxl_sphere sphere = {{0, 0, 0}, Q16(1.25)}; /* in the middle of a cube */
@@ -211,7 +211,7 @@ void test_a_sphere_within_a_face_may_stay(void)
 
 /* Between two cubes that are nearer than its diameter each pushes it against the other: after six
  * pushes it still touches one, and stays. */
-/* collide 3.1 */
+/* collide 3.1b */
 void test_a_sphere_is_pushed_six_times(void)
 {
     fxl_sphere sphere = {{Q16(1.375), 0, 0}, Q16(0.5)};
@@ -227,7 +227,7 @@ void test_a_sphere_is_pushed_six_times(void)
 
 /* A push leaves 12 units of 1/65536 between a sphere and a face: 4 that the face may be off its
  * plane, and 8. */
-/* collide 3.1 */
+/* collide 3.1c */
 void test_a_push_goes_as_far_as_the_radius_and_no_farther(void)
 {
     fxl_sphere deep = {{0, 0, Q16(-1) - 12}, Q16(0.5)}, deeper = {{0, 0, Q16(-1) - 11}, Q16(0.5)};
@@ -260,7 +260,7 @@ static void expect_refused(fxl_status status, const fxl_sphere *sphere, const fx
     TEST_ASSERT_EQUAL_MEMORY(&before, &slide, sizeof slide);
 }
 
-/* collide 3.4 */
+/* collide 3.4b-c */
 void test_slides_that_cannot_be_are_refused(void)
 {
     fxl_sphere sphere = {{0, 0, Q16(-4)}, Q16(1)};
@@ -336,7 +336,7 @@ static void place_all(fxl_q16_16 scale_most)
 }
 
 /* As of cubes that stand still: free after every call, however long the way. */
-/* collide 3.5 */
+/* collide 3.5a-b */
 void test_no_sphere_is_ever_within_a_turned_face(void)
 {
     start_turned();
@@ -355,7 +355,7 @@ void test_no_sphere_is_ever_within_a_turned_face(void)
 }
 
 /* Straight into a face that is turned by half a right angle it stops there, a gap away. */
-/* collide 3.5 */
+/* collide 3.5a */
 void test_a_sphere_stops_at_a_turned_face(void)
 {
     start_turned();
@@ -379,7 +379,7 @@ void test_a_sphere_stops_at_a_turned_face(void)
 
 /* A vertex off the plane of its face, much enlarged: a sphere before it keeps away from it. The
  * face has no neighbours, whose edges would keep the sphere away. */
-/* collide 3.5 */
+/* collide 3.5b */
 void test_a_vertex_off_its_plane_is_kept_away_from(void)
 {
     start_turned();
@@ -419,7 +419,7 @@ void test_a_vertex_off_its_plane_is_kept_away_from(void)
     TEST_ASSERT_TRUE(pushed > 0);
 }
 
-/* collide 3.5 */
+/* collide 3.5c */
 void test_placements_that_cannot_be_are_refused(void)
 {
     start_turned();

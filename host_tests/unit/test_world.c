@@ -335,7 +335,7 @@ static void plain_from(const fxl_scene *scene)
     }
 }
 
-/* world 1.2, 1.3, 1.5 */
+/* world 1.5, 1.2a, 1.3a-d */
 void test_a_world_is_its_plain_model(void)
 {
     uint32_t drawn = 0, most = 0, rounds = 0;

@@ -200,7 +200,7 @@ static void attach_renderer(fxl_renderer *renderer, int number, const fxl_scene 
 }
 
 /* The frames are those of the player's scene, while other instances of the world come and go. */
-/* world 2.5 */
+/* world 2.5b */
 void test_a_world_moves_as_its_motions_say(void)
 {
     static fxl_renderer plain;
@@ -238,7 +238,7 @@ void test_a_world_moves_as_its_motions_say(void)
 
 /* The player would point the world's scene to its own copies: the world's changes would be drawn no
  * more, until one of them pointed it back. */
-/* world 2.5 */
+/* world 2.5c */
 void test_no_motion_begins_on_the_scene_of_a_world(void)
 {
     const fxl_world_memory room = world_memory();

@@ -2,7 +2,7 @@
 /* What a world promises and refuses, rule by rule. */
 #include "world_unit.h"
 
-/* world 1.1 */
+/* world 1.1b */
 void test_the_scenes_instances_keep_their_order(void)
 {
     tiny_scene *tiny = world_start();
@@ -45,7 +45,7 @@ void test_instances_with_placements_are_taken_over(void)
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_world_init(&other, &world.scene, &room));
 }
 
-/* world 1.2 */
+/* world 1.2b */
 void test_a_handle_stays_stale_when_its_slot_is_used_again(void)
 {
     (void)world_start();
@@ -63,7 +63,7 @@ void test_a_handle_stays_stale_when_its_slot_is_used_again(void)
 }
 
 /* The sight falls on an instance that has not the place that it was spawned at. */
-/* world 1.2 */
+/* world 1.2e-f, 1.2i */
 void test_what_is_hit_has_a_handle(void)
 {
     const fxl_pose pose = {{0, 0, Q16(-4)}, 0, 0, 0};
@@ -114,7 +114,7 @@ static void expect_of_changes(fxl_status expected, fxl_handle handle)
     TEST_ASSERT_TRUE(made.slot == 77 && made.generation == 77);
 }
 
-/* world 2.3 */
+/* world 2.3a-b */
 void test_nothing_changes_while_a_frame_is_drawn(void)
 {
     static fxl_instance before[WORLD_PLACES];
@@ -133,7 +133,7 @@ void test_nothing_changes_while_a_frame_is_drawn(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_remove(&world, fxl_world_handle(0)));
 }
 
-/* world 2.3, 2.4 */
+/* world 2.3d, 2.4a-b */
 void test_a_renderer_draws_once_it_is_attached(void)
 {
     static fxl_renderer others[FXL_WORLD_RENDERERS_MAX];
@@ -180,7 +180,7 @@ void test_another_workspace_has_room_for_the_largest_model(void)
 }
 
 /* To a unit: the radius times the scale is rounded up. Without a placement there is no slack. */
-/* world 2.2 */
+/* world 2.2a */
 void test_the_edge_of_the_world_is_exact(void)
 {
     fxl_placement placement = {
@@ -223,7 +223,7 @@ static void expect_init(fxl_status status, const char *what, uint32_t index)
     init_room = world_memory();
 }
 
-/* world 1.1 */
+/* world 1.1a */
 void test_init_refuses(void)
 {
     const fxl_world_memory right = world_memory();
