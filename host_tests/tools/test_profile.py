@@ -332,10 +332,13 @@ def test_the_command(tmp_path):
                                                ("c500-depth", {"fxl_draw_depth_outline_16": 400})])
 def test_the_kernel_of_a_scene_draws_its_faces(tmp_path, workload, kernels):
     """Where a face takes another way its pixels are the same, so no other test sees that a kernel is not called: so often a frame at least."""
-    done = run_cli("profile", "--workload", workload, "--core", "m3", "--out", tmp_path)
-    assert done.returncode == 0, done.stderr
-    data = json.loads((tmp_path / "profile.json").read_text())
-    entered = {row["function"]: row["entered"] / data["frames"] for row in data["functions"]}
+    plan = bench_plan.Plan(CHECKOUT / "build")
+    drawn, renderer = profile.chosen(plan, types.SimpleNamespace(workload=workload, renderer=None))
+    elf, (scene, _) = plan.program("m3", renderer), bench_plan.compile_scene(drawn, tmp_path)
+    code = MachineCode(elf)
+    _, counts = counter.run(elf, code, plan.counter, tmp_path, scene, detail=True)
+    times = counter.by_address(counts)
+    entered = {function.name: times.get(function.start, (0, 0))[0] / len(counts.regions) for function in code.functions}
     assert not {name: entered.get(name) for name, least in kernels.items() if entered.get(name, 0) < least}
 
 
