@@ -14,6 +14,11 @@ BUILT_PROGRAMS = ()
 OBJECTS = ("beneath", "dump", "explain", "judge")
 
 
+def watched(**changes):
+    """The environment of a make that a user's command calls, not a test's."""
+    return environment(MAKELEVEL="1", FIXEL_SET_UP="", **changes)
+
+
 def command(tmp_path, *settings):
     """The make that a command calls to have files built."""
     return ["make", "--no-print-directory", *settings, f"BUILD={tmp_path}", *(f"{tmp_path}/host/objects/judges/judge/{name}.o" for name in OBJECTS)]
@@ -21,13 +26,13 @@ def command(tmp_path, *settings):
 
 def built(tmp_path, *settings):
     return subprocess.run(command(tmp_path, *settings), cwd=CHECKOUT, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                          check=True, env=environment(MAKELEVEL="1"))
+                          check=True, env=watched())
 
 
 def test_a_terminal_has_one_line_that_changes(tmp_path):
     ours, theirs = pty.openpty()
     process = subprocess.Popen(command(tmp_path), cwd=CHECKOUT, stdin=subprocess.DEVNULL, stdout=theirs, stderr=theirs,
-                               env=environment(MAKELEVEL="1"))
+                               env=watched())
     os.close(theirs)
     said = b""
     try:
@@ -57,7 +62,7 @@ def test_a_pipe_has_a_line_each_10_seconds(tmp_path):
     done = subprocess.run(["make", "-n", f"BUILD={tmp_path}",
                            *(f"{tmp_path}/host/objects/judges/{file.parent.name}/{file.stem}.o" for file in sources)],
                           cwd=CHECKOUT, capture_output=True, text=True, check=True,
-                          env=environment(MAKELEVEL="1", PATH=f"{clock.parent}:{os.environ['PATH']}"))
+                          env=watched(PATH=f"{clock.parent}:{os.environ['PATH']}"))
     told = [int(number) for number in re.findall(rf"building: (\d+) of {len(sources)}$", done.stdout, re.MULTILINE)]
     assert told == list(range(30, len(sources) + 1, 20)) != []
 
