@@ -33,6 +33,8 @@ def of(module):
 
 def add(file):
     """A test has asked make for a file: it may be run too, also by the next module, whose test does not ask again."""
+    if BUILD not in pathlib.Path(file).parents:
+        return      # what make knows for several files, which a module names
     name = os.path.relpath(file, BUILD)
     _asked_for.add(name)
     if NAMED in os.environ:

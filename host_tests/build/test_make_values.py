@@ -14,6 +14,7 @@ import pytest
 from conftest import CHECKOUT, LAUNCHER, environment, run_make
 from fixel.base import make, nearest
 
+BUILT_PROGRAMS = ("boards/host/walk", "host/judge", "host/raycast")
 LAUNCHED = str(LAUNCHER.relative_to(CHECKOUT))
 COMMANDS = make.variables()
 # make itself compares these with the names that there are, and refuses any other value.

@@ -14,6 +14,7 @@ from fixel.bench import linked_size, size, stack
 from fixel.board import fleet
 from fixel.scene import making
 
+BUILT_PROGRAMS = ("boards/microbit/walk.elf", "boards/mps2-an385/walk.elf", "lib/*")
 CROSS = "arm-none-eabi-"
 PURE = """
 #include <stdint.h>

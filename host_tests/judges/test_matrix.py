@@ -10,6 +10,8 @@ from conftest import CHECKOUT, run_cli, run_make, sampled
 
 from fixel.scene.target import VALUES
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/microbit/walk.elf", "boards/mps2-an385/walk.elf", "boards/mps3-an547/walk.elf",
+                  "host/judge", "host/predict", "host/raycast")
 BOARDS = ("mps2-an385", "microbit", "mps3-an547")
 FRAMES = 6
 # By distance, without a depth buffer and with one; and a scene with a tree, by it and without it.

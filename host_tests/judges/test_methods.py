@@ -13,6 +13,8 @@ from fixel.scene import making
 from fixel.board import fleet, methods
 from test_run import walk
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "boards/stm32vldiscovery/walk.elf", "boards/*/walk-*",
+                  "host/judge", "host/live", "host/predict", "host/raycast")
 KNOT = str(CHECKOUT / "scenes/knot.toml")   # beams that no order by distance draws right
 FRAMES = 6
 

@@ -15,6 +15,7 @@ from conftest import CHECKOUT, assert_one_sentence, run_cli
 from fixel.scene import making
 from fixel.base.errors import ToolError
 
+BUILT_PROGRAMS = ("bench/*", "host/comparison/*")
 pytestmark = pytest.mark.usefixtures("bench_programs")
 ROW = {"clipper", "hidden", "scene", "board", "instructions", "text_bytes", "ram_bytes", "max_error_units",
        "pixels_differing", "pixels_unexplained"}

@@ -13,6 +13,7 @@ from fixel.board import execute
 from fixel.base.errors import ToolError
 from fixel.bench.machine_code import MachineCode
 
+BUILT_PROGRAMS = ("bench/*", "host/bench_counter.so")
 pytestmark = pytest.mark.usefixtures("bench_programs")
 PLUGIN = "host/bench_counter.so"
 # A program of the double's: main at 100 calls f at 200, which calls g by a jump at its end.

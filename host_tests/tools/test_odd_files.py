@@ -23,6 +23,7 @@ from model_files import glb, gltf, png, stl, stl_text
 from test_obj import CUBE
 from test_ply import binary
 
+BUILT_PROGRAMS = ()
 ODD = "n\nerror: \x1b[31m"      # of a file's name
 SHOWN = "n\\nerror: \\x1b[31m"
 TINY = CHECKOUT / "scenes" / "tiny.toml"

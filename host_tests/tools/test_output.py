@@ -22,6 +22,8 @@ from fixel.board import emulator, flash_memory
 from fixel.scene import making
 from model_files import gltf, png
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf")
+
 
 def fifo(path):
     os.mkfifo(path)

@@ -16,6 +16,7 @@ from fixel.base.errors import ToolError
 from fixel.bench.machine_code import MachineCode
 from fixel.bench.thumb import Instruction
 
+BUILT_PROGRAMS = ("bench/*", "host/bench_counter.so")
 pytestmark = pytest.mark.usefixtures("bench_programs")
 CROSS = "arm-none-eabi-"
 SVG = "{http://www.w3.org/2000/svg}"

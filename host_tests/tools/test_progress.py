@@ -12,6 +12,8 @@ import pytest
 from conftest import run_cli, run_make
 from fixel.base import progress
 
+BUILT_PROGRAMS = ("boards/host/walk", "host/judge", "host/raycast")
+
 
 class Stream(io.StringIO):
     """A stream that is a terminal or none."""

@@ -24,6 +24,8 @@ from fixel.base import scratch
 from fixel.scene import making
 from fixel.board import dump, emulator
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "boards/netduino2/walk.elf", "host/judge", "host/predict",
+                  "host/raycast")
 SCENE = "scenes/tiny.toml"
 FRAMES = 4
 KEYS = {"texel_pixels", "board", "cpu", "scene", "width", "height", "frames", "pixels", "pixels_differing",

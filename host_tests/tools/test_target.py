@@ -12,6 +12,7 @@ from fixel.image import image
 from fixel.scene import making
 from fixel.scene.target import Target
 
+BUILT_PROGRAMS = ("boards/host/walk", "host/judge", "host/raycast")
 TINY, KNOT = CHECKOUT / "scenes/tiny.toml", CHECKOUT / "scenes/knot.toml"
 
 
