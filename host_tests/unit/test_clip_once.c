@@ -109,7 +109,7 @@ void test_what_is_left_of_a_touch_is_degenerate(void)
 }
 
 /* As many intersections as new vertices, an edge through two planes included. */
-/* clippers 3.1 */
+/* clippers 3.1c */
 void test_edges_are_cut_once(void)
 {
     expect_cut(NUMBERS(0, -5, 10, 0, 5, 10, 20, 5, 10, 20, -5, 10),
@@ -134,7 +134,7 @@ void test_a_ribbon_away_from_the_eye(void)
     }
 }
 
-/* clippers 3.1 */
+/* clippers 3.1d-e */
 void test_a_corner_is_enclosed(void)
 {
     /* The right top corner: the long side lies beyond it, and is cut to find it. */
@@ -146,7 +146,7 @@ void test_a_corner_is_enclosed(void)
 }
 
 /* No edge is seen, all corners are; either way round. */
-/* clippers 3.1 */
+/* clippers 3.1f */
 void test_a_wall_becomes_the_screen(void)
 {
     expect_cut(NUMBERS(-30, -30, 10, -30, 30, 10, 30, 30, 10, 30, -30, 10),
@@ -156,7 +156,7 @@ void test_a_wall_becomes_the_screen(void)
 }
 
 /* An edge through a corner of the frustum is not seen, and its end lies on both planes. */
-/* clippers 3.1 */
+/* clippers 3.1b */
 void test_an_edge_through_a_corner(void)
 {
     expect_cut(NUMBERS(-5, -12, 10, -15, -8, 10, -12, 2, 10),
@@ -186,7 +186,7 @@ void test_a_touch_is_degenerate(void)
     TEST_ASSERT_NULL(result);
 }
 
-/* clippers 3.3 */
+/* clippers 3.3a */
 void test_a_sliver_is_refused_where_asked(void)
 {
     const fxl_varying_polygon *result;
@@ -310,7 +310,7 @@ void test_a_corner_is_the_same_either_way_round(void)
 
 /* The same piece as plane by plane: the same number of corners, and the same area
  * to within a unit all round the screen. */
-/* clippers 3.1 */
+/* clippers 3.1a, 3.1g-h */
 void test_it_agrees_with_plane_by_plane(void)
 {
     int cuts = 0, unlike = 0, more = 0;
@@ -336,7 +336,7 @@ void test_it_agrees_with_plane_by_plane(void)
 
 /* Quadrangles whose four edges pass a corner each, and triangles of which two do: whether an
  * edge is seen hangs on bits that the crossings' rounding hides. */
-/* clippers 3.1 */
+/* clippers 3.1j */
 void test_edges_that_pass_corners_closely(void)
 {
     fxl_normalised frustum = square();

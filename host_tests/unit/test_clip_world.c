@@ -61,7 +61,7 @@ void test_cases_of_one_plane(void)
     }
 }
 
-/* clippers 1.2 */
+/* clippers 1.2c */
 void test_texture_is_cut_by_the_same_fraction(void)
 {
     static const plane_polygon square = {4, {-3, 0, 1, 0, 1, 4, -3, 4}};

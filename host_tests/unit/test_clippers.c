@@ -68,7 +68,7 @@ static int64_t area_of(const fxl_screen_polygon *polygon)
 
 /* What a polygon inside is for the precise clipper it is for all, but that triangles
  * come one by one and the normalised frustum has roundings of its own. */
-/* clippers 4.3 */
+/* clippers 4.3b */
 void test_a_polygon_inside_is_projected(void)
 {
     static fxl_clipper_work work;
@@ -104,7 +104,7 @@ void test_a_polygon_inside_is_projected(void)
 }
 
 /* The planes of a lens as half-spaces are the planes of the view: the same bits. */
-/* clippers 7.1 */
+/* clippers 7.1n */
 void test_half_spaces_cut_as_the_view_does(void)
 {
     static fxl_clipper_work work;
@@ -132,7 +132,7 @@ void test_half_spaces_cut_as_the_view_does(void)
 /* The pieces of a face cover what is seen of it, no more and no less: areas add up, to
  * within some units along every border, or what units of the world are there where a
  * face of more vertices than three is as flat as those allow. */
-/* clippers 4.4 */
+/* clippers 4.4d */
 void test_triangles_add_up(void)
 {
     static fxl_clipper_work work;
@@ -166,7 +166,7 @@ void test_triangles_add_up(void)
 }
 
 /* What is beyond the sides is left to the scan while it can hold it. */
-/* clippers 4.4 */
+/* clippers 4.4b */
 void test_near_leaves_the_sides_alone(void)
 {
     fxl_view view = random_view();
@@ -200,7 +200,7 @@ void test_near_leaves_the_sides_alone(void)
 }
 
 /* Before near, though between the sides: all cut it off there. */
-/* clippers 4.4 */
+/* clippers 4.4c */
 void test_near_is_always_cut(void)
 {
     fxl_view view = random_view();
@@ -270,7 +270,7 @@ void test_the_sliver_rule_is_an_option(void)
 
 /* The straight corner of a quadrangle makes a triangle of no area, which is left out. The two
  * others are given. */
-/* clippers 4.4 */
+/* clippers 4.4f */
 void test_a_triangle_without_area_is_left_out(void)
 {
     fxl_view view;

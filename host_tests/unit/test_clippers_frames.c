@@ -46,7 +46,7 @@ static void set_clipper(const fxl_clipper *clipper, void *room)
 
 /* Outlines are less than a hundredth of a pixel apart, so a pixel differs only on an
  * edge, and seldom; whatever bands, list and cache there are, it is the same. */
-/* clippers 4.3 */
+/* clippers 4.3c-d */
 void test_all_draw_the_same_frames(void)
 {
     const int rounds = UNIT_REPEAT / 100;
@@ -108,7 +108,7 @@ void test_the_clipper_may_change_between_frames(void)
 }
 
 /* The planes are worked out anew for every pose, without being set again. */
-/* clippers 4.2 */
+/* clippers 4.2c */
 void test_every_frame_has_its_own_planes(void)
 {
     for (int i = 0; i < 4 * CLIPPERS; i++) { /* from some poses nothing is seen */
@@ -127,7 +127,7 @@ void test_every_frame_has_its_own_planes(void)
     }
 }
 
-/* clippers 4.2 */
+/* clippers 4.2a */
 void test_room_that_is_too_small_is_refused(void)
 {
     start(LIST_WORDS, 9);

@@ -45,7 +45,7 @@ static void expect_projected(void)
 }
 
 /* The clippers of the view and of the world count where they are given an account. */
-/* clippers 4.2 */
+/* clippers 4.2b */
 void test_all_count_what_they_work_out(void)
 {
     fxl_view view = clip_random_view(WIDTH, HEIGHT);
@@ -193,7 +193,7 @@ static void spoil(const fxl_clipper *clipper)
 
 /* A clipper makes its planes for the first face of a frame, and uses them for the others: spoilt,
  * they leave nothing of a face that crosses near, until the next frame. */
-/* clippers 4.2 */
+/* clippers 4.2c */
 void test_planes_are_made_once_a_frame(void)
 {
     fxl_view view = clip_random_view(WIDTH, HEIGHT);

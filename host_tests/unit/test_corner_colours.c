@@ -150,7 +150,7 @@ void test_channels_divided_at_each_pixel(void)
 
 /* Between two divisions a channel is 0.3 of a level off at most, and rounded down by less than
  * 1/32. */
-/* surfaces 1.4, SPEC 9.8g-h, 9.1.1q */
+/* SPEC 9.8g-h, 9.1.1q, surfaces 1.4a-b */
 void test_channels_of_triangles(void)
 {
     draw_random_faces(true, FXL_DIVIDE_16, 0.34);
@@ -292,7 +292,7 @@ void test_one_colour_at_all_corners(void)
 
 /* place light: definition: light of colours at corners */
 /* Light from a direction: it is multiplied at the corners, whose products are linear. */
-/* SPEC 9.8d */
+/* SPEC 9.8d, surfaces 1.4d */
 void test_light_at_the_corners(void)
 {
     for (uint32_t i = 0; i < ROUNDS; i++) {
@@ -389,7 +389,7 @@ static fxl_status status_of(quad_scene *quad, uint32_t bits)
     return fxl_surfaces_check(&quad->set, &quad->scene, bits, NULL);
 }
 
-/* surfaces 1.4 */
+/* surfaces 1.4e */
 void test_what_the_check_refuses(void)
 {
     quad_scene *quad = make(false, 0, FXL_DIVIDE_16);

@@ -64,7 +64,7 @@ void test_textures_are_seen_where_they_are_nearest(void)
     }
 }
 
-/* surfaces 4.2, SPEC 10.4d */
+/* SPEC 10.4d, surfaces 4.2a */
 void test_a_stippled_surface_keeps_depth_where_it_is_drawn(void)
 {
     depth_scene_start_with(made, &fxl_palette_depth_16);
@@ -91,7 +91,7 @@ void test_a_stippled_surface_keeps_depth_where_it_is_drawn(void)
 }
 
 /* Glass: face 2 shows what is beneath it in another colour, whatever is drawn first. */
-/* surfaces 4.4, SPEC 10.5b-c */
+/* SPEC 10.5b-c, surfaces 4.4b */
 void test_a_blended_surface_is_seen_over_what_is_behind_it(void)
 {
     static uint8_t beneath[DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT], table[FXL_BLEND_TABLE_BYTES(1)];
@@ -156,7 +156,7 @@ static void draw_panes(uint32_t shown, uint8_t *frame)
 
 /* Two panes that cross: in each pixel one covers the other, and both are seen. Each adds a number
  * to the colour beneath it, so the order does not matter. */
-/* surfaces 4.4, SPEC 10.5c */
+/* SPEC 10.5c, surfaces 4.4b */
 void test_panes_that_cross_are_seen_through_each_other(void)
 {
     static uint8_t frames[4][DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT];

@@ -25,7 +25,7 @@ static int32_t component(void)
     return (int32_t)(unit_random() % 3 == 0 ? 0 : unit_wide(29));
 }
 
-/* clippers 2.1 */
+/* clippers 2.1b-c */
 void test_distances_are_exact_but_for_the_last_unit(void)
 {
     const int64_t one = (int64_t)1 << 30;
@@ -52,7 +52,7 @@ void test_distances_are_exact_but_for_the_last_unit(void)
     }
 }
 
-/* clippers 2.1 */
+/* clippers 2.1d-f */
 void test_a_window_is_taken_exactly(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 50; i++) {
@@ -80,7 +80,7 @@ void test_a_window_is_taken_exactly(void)
     }
 }
 
-/* clippers 2.1 */
+/* clippers 2.1d */
 void test_windows_out_of_range_are_refused(void)
 {
     static const fxl_q16_16 bad[][6] = {
@@ -196,7 +196,7 @@ void test_depths_alone_decide_near_and_far(void)
     }
 }
 
-/* clippers 1.1, 1.2 */
+/* clippers 1.1a-b, 1.2a, 1.2c */
 void test_polygons(void)
 {
     fxl_volume volume = aside();
@@ -221,7 +221,7 @@ void test_polygons(void)
 }
 
 /* One half-space: early outs that write nothing, and the input may be any. */
-/* clippers 1.1 */
+/* clippers 1.1b */
 void test_one_half_space(void)
 {
     fxl_varying_polygon *const out = &workspace.polygons[0], *const before = &workspace.polygons[1];
@@ -285,7 +285,7 @@ void test_the_most_vertices(void)
 
 /* What the guard band leaves can be projected, from the range's ends and the
  * nearest near plane; without it, it could not. */
-/* clippers 2.3 */
+/* clippers 2.3a-b */
 void test_the_guard_band_keeps_the_screen_in_range(void)
 {
     const uint32_t depths = 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR;
@@ -320,7 +320,7 @@ static fxl_q16_16 rounded(fxl_q18_46 place)
 
 /* In the world, against the clipper that is made for it: the same verdicts, and the same
  * vertices but for that one's rounding, which grows with the edge. */
-/* clippers 2.1 */
+/* clippers 2.1g */
 void test_planes_of_the_world(void)
 {
     int cuts = 0;

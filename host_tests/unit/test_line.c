@@ -74,7 +74,7 @@ static void expect_ends(const fxl_clip_line *line, int x0, int x1, double u0, do
     TEST_ASSERT_NEAR(line->to.carried[0], u1 * 65536, 1);
 }
 
-/* clippers 1.2 */
+/* clippers 1.2c */
 void test_an_end_is_moved_and_what_it_carries(void)
 {
     fxl_volume volume = square();
@@ -195,7 +195,7 @@ static void expect_meeting(int x0, int x1, double parameter)
     TEST_ASSERT_NEAR(at.point.z, (double)V(10) * (1 + 2 * parameter), 1e4);
 }
 
-/* clippers 3.4 */
+/* clippers 3.4c */
 void test_the_point_between_the_ends_and_beyond_them(void)
 {
     unit_restart();
@@ -210,7 +210,7 @@ void test_the_point_between_the_ends_and_beyond_them(void)
     expect_meeting(15, 16, -10);
 }
 
-/* clippers 3.4 */
+/* clippers 3.4b */
 void test_parallel_and_within_are_told_apart(void)
 {
     const int x[] = {5, 4, 6};
@@ -246,7 +246,7 @@ void test_the_last_bit_decides(void)
     TEST_ASSERT_EQUAL_MEMORY(&to, &at.point, sizeof to);
 }
 
-/* clippers 3.4 */
+/* clippers 3.4e */
 void test_a_point_out_of_range_is_said(void)
 {
     fxl_line_meeting at, before;
@@ -359,7 +359,7 @@ static bool is_near(fxl_q18_46 from, fxl_q18_46 to, fxl_q18_46 point, int64_t di
  * common point is off the plane by 1.25 units times the sum of the normal's components: that is
  * exact. Where the distances fit 62 bits, each coordinate is compared with the exact one. The
  * parameter is compared in double, which has 53 bits. */
-/* clippers 3.4 */
+/* clippers 3.4a, 3.4d */
 void test_any_line_and_any_plane(void)
 {
     int met = 0, far = 0, apart = 0, compared = 0;

@@ -78,7 +78,7 @@ static void expect_row(const fxl_direction *axis, const fxl_normalised_row *row,
 }
 
 /* Any lens and pose: the factors of the definition. */
-/* clippers 2.2 */
+/* clippers 2.2b, 2.2d, 2.2k */
 void test_rows_are_the_definition(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 50; i++) {
@@ -103,7 +103,7 @@ void test_rows_are_the_definition(void)
 }
 
 /* Factors of few bits are exact: 3/4 and 1/2 for a focal length of 3/4 of the screen's width. */
-/* clippers 2.2 */
+/* clippers 2.2d */
 void test_simple_factors_are_exact(void)
 {
     const fxl_camera camera = straight();
@@ -136,7 +136,7 @@ void test_simple_factors_are_exact(void)
 }
 
 /* A point that lies the inset inside the plane by the unit vectors of the view. */
-/* clippers 2.2 */
+/* clippers 2.2h */
 void test_insets_are_distances_along_the_normal(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 50; i++) {
@@ -160,7 +160,7 @@ void test_insets_are_distances_along_the_normal(void)
 
 /* Codes by compares are the signs of the distances, to the last unit and at the
  * range's ends. */
-/* clippers 2.2 */
+/* clippers 2.2f */
 void test_codes_are_the_signs_of_the_distances(void)
 {
     const int64_t end = ((int64_t)1 << 61) - 1;
@@ -288,7 +288,7 @@ void test_the_capacity_is_never_overrun(void)
 }
 
 /* The sliver rule: a corner that pokes in by less than the rule minds. */
-/* clippers 3.3 */
+/* clippers 3.3a */
 void test_a_sliver_is_refused_where_asked(void)
 {
     const fxl_varying_polygon *result;
@@ -306,7 +306,7 @@ void test_a_sliver_is_refused_where_asked(void)
 
 /* The sliver rule for any ring of distances, by its definition: after a vertex that counts as
  * outside, one that is inside by less than the sliver does too, all the way round. */
-/* clippers 3.3 */
+/* clippers 3.3b */
 void test_the_sliver_rule_goes_all_the_way_round(void)
 {
     for (int i = 0; i < UNIT_REPEAT; i++) {
@@ -331,7 +331,7 @@ void test_the_sliver_rule_goes_all_the_way_round(void)
 
 /* Barely in after being out counts as out, and stands for the crossing; barely in
  * after being in counts as in. */
-/* clippers 3.3 */
+/* clippers 3.3b */
 void test_a_barely_inside_vertex_stands_for_the_crossing(void)
 {
     const fxl_varying_polygon *result;

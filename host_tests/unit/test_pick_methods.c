@@ -220,7 +220,7 @@ static uint32_t count_of(uint8_t colour)
     return count;
 }
 
-/* surfaces 6.2, pick 2.4e */
+/* pick 2.4e, surfaces 6.2b */
 void test_holes_are_looked_through(void)
 {
     fxl_pose pose = random_pose();

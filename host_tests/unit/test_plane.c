@@ -58,7 +58,7 @@ void test_the_farthest_corners_do_not_overflow(void)
                             fxl_plane_distance(&plane, &low));
 }
 
-/* clippers 3.4 */
+/* clippers 3.4i */
 void test_the_normal_points_to_where_they_run_clockwise(void)
 {
     unit_restart();
@@ -133,7 +133,7 @@ static void expect_bound(const fxl_point *a, const fxl_point *b, const fxl_point
                      fxl_plane_distance(&plane, c) >= -near);
 }
 
-/* clippers 3.4 */
+/* clippers 3.4f, 3.4h, 3.4j */
 void test_any_three_points(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 4; i++) {

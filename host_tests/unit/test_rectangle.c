@@ -41,7 +41,7 @@ void test_inside_and_on_the_borders_is_the_input(void)
 }
 
 /* Outside one border, across another. */
-/* clippers 3.5 */
+/* clippers 3.5a */
 void test_outside_one_border_is_nothing(void)
 {
     const fxl_screen_polygon shapes[] = {FLAT(0, 10, 9, 10, 9, 30), FLAT(51, 10, 60, 10, 60, 30),
@@ -81,7 +81,7 @@ static void expect(const fxl_screen_polygon *polygon, const fxl_screen_polygon *
         expect(polygon, &wanted); \
     } while (0)
 
-/* clippers 3.5 */
+/* clippers 3.5a-b */
 void test_each_border_cuts(void)
 {
     fxl_screen_polygon at = FLAT(6, 24, 14, 24, 14, 32, 6, 32);
@@ -191,7 +191,7 @@ static bool is_within(const fxl_screen_polygon *polygon, const fxl_screen_point 
 /* Every vertex of the result lies in the rectangle, exactly, and in the polygon, to within the
  * bound; and what the result leaves out, the rectangle or the polygon leaves out: each point of a
  * grid within both, by more than the bound, is within the result. */
-/* clippers 3.5 */
+/* clippers 3.5c-d */
 void test_any_convex_polygon(void)
 {
     int cut_count = 0;

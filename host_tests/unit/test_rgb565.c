@@ -96,7 +96,7 @@ void test_opacity_changes_no_colour(void)
     }
 }
 
-/* surfaces 3.1 */
+/* surfaces 3.1a-b */
 void test_the_second_level_is_found(void)
 {
     walls_make_texture(FXL_TEXTURE_8);

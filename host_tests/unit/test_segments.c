@@ -65,7 +65,7 @@ void test_the_least_weight_that_a_face_takes(void)
     }
 }
 
-/* surfaces 2.2 */
+/* surfaces 2.2a */
 void test_a_pixel_does_not_depend_on_where_a_row_begins(void)
 {
     segment_choose_size(5, 5);
@@ -307,7 +307,7 @@ static uint32_t paint_trapezoid(const fxl_plain_rows *whole, uint8_t pixels[ROWS
 }
 
 /* Neither the band nor what is cut off a face changes a pixel. */
-/* surfaces 2.2 */
+/* surfaces 2.2b, 2.2d */
 void test_bands_and_clips_change_no_pixel(void)
 {
     static uint8_t all[ROWS][SEGMENT_COLUMNS], parts[ROWS][SEGMENT_COLUMNS];

@@ -139,7 +139,7 @@ static void check_kind(const uint8_t *plain, int32_t x0, const uint8_t *colours)
 }
 
 /* Texels that are keyed, stippled or of 4 bits are those that are plain, at every pixel. */
-/* SPEC 9.5, 9.6d-e, surfaces 1.1, 1.3 */
+/* SPEC 9.5, 9.6d-e, surfaces 1.1a, 1.3a */
 void test_other_kinds_of_texels_are_at_the_places_of_plain_ones(void)
 {
     static uint8_t packed[SEGMENT_TEXELS / 2];
@@ -176,7 +176,7 @@ void test_other_kinds_of_texels_are_at_the_places_of_plain_ones(void)
 
 /* Texels that do not repeat are those that fxl_paint_pixels shows without a kernel, to within what
  * both round: a texel beside it at most, and few of them. */
-/* SPEC 9.5, surfaces 1.1 */
+/* SPEC 9.5, surfaces 1.1c */
 void test_clamped_texels_are_held_within_the_texture(void)
 {
     uint32_t unlike = 0, beyond = 0;

@@ -48,7 +48,7 @@ static void split(const int *numbers, uint32_t count)
     TEST_ASSERT_EQUAL(SPLIT_BOTH, split_by(&piece, &wall, &front, &back));
 }
 
-/* clippers 9.2 */
+/* clippers 9.2a */
 void test_a_square_is_halved(void)
 {
     split(NUMBERS(-4, 0, 4, 0, 4, 4, -4, 4));
@@ -89,7 +89,7 @@ static double unit_of(int64_t distance)
     return (double)distance * 0x1p-30;
 }
 
-/* clippers 9.2, accuracy 1.2d */
+/* accuracy 1.2d, clippers 9.2a, 9.3c */
 void test_a_crossing_lies_on_the_edge_and_on_the_plane(void)
 {
     int asked = 0;
@@ -113,7 +113,7 @@ void test_a_crossing_lies_on_the_edge_and_on_the_plane(void)
 
 /* Halves go away from the end in front, where the fraction ends (1/2) and where it does not
  * (1/3 of 1.5 units, 1/10 of 5). */
-/* clippers 9.2 */
+/* clippers 9.2b */
 void test_halves_go_away_from_the_front(void)
 {
     const struct {
@@ -154,7 +154,7 @@ void test_the_least_distance_divides(void)
 }
 
 /* Of both triangles beside an edge too, whichever way they walk it. */
-/* clippers 9.3 */
+/* clippers 9.3a */
 void test_halves_are_the_same_for_both_sides(void)
 {
     const fxl_point ahead = {Q16(1), 3, 0}, behind = {Q16(-1), 0, 0}, third = {Q16(9), Q16(9), 0};
@@ -171,7 +171,7 @@ void test_halves_are_the_same_for_both_sides(void)
 
 /* Triangles on both sides of an edge, each walked its own way, and the same planes
  * turned about: one point, in all four parts and in all four of the other way. */
-/* clippers 9.3 */
+/* clippers 9.3a */
 void test_neighbours_get_the_same_bits(void)
 {
     int asked = 0;

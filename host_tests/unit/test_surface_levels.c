@@ -70,7 +70,7 @@ static void check_levels(const quad_scene *quad, bool of_4_bits, int level)
 }
 
 /* The level is that of the definition, and so is each texel of it. */
-/* surfaces 3.1, 3.2, SPEC 9.4a, 9.4c, 9.4e */
+/* surfaces 3.1c, 3.2a-c, SPEC 9.4a, 9.4c, 9.4e */
 void test_a_face_takes_the_level_of_its_nearest_vertex(void)
 {
     for (uint32_t i = 0; i < ROUNDS; i++) {
@@ -228,7 +228,7 @@ void test_an_affine_face_is_linear_on_the_screen(void)
 }
 
 /* A face beyond the screen's borders is drawn as one that is divided every 16 pixels. */
-/* surfaces 2.3 */
+/* surfaces 2.3b */
 void test_an_affine_face_beyond_the_screen_is_divided(void)
 {
     quad_scene *quad;
@@ -253,7 +253,7 @@ void test_an_affine_face_beyond_the_screen_is_divided(void)
 /* --- blending ------------------------------------------------------------------------------ */
 
 /* Three colours from QUAD_COLOUR on are blended; the one of the face is the first. */
-/* SPEC 9.5, 9.6d, 9.6i, surfaces 1.1, 4.3 */
+/* SPEC 9.5, 9.6d, 9.6i, surfaces 1.1, 4.3a-b */
 void test_colours_are_blended_with_those_beneath(void)
 {
     static uint8_t table[FXL_BLEND_TABLE_BYTES(3)], plain[16];
@@ -319,7 +319,7 @@ void test_a_blend_table_that_is_none_is_refused(void)
 
 /* place stipple: definition: the table of a blend */
 /* A grey of a palette of greys, some of them twice, blended with another. */
-/* surfaces 4.3 */
+/* surfaces 4.3c */
 void test_a_blend_table_has_the_nearest_colours(void)
 {
     static uint8_t palette[3 * 256], table[FXL_BLEND_TABLE_BYTES(2)];

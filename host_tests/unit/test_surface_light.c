@@ -103,14 +103,14 @@ static void draw_random_faces(bool turned, uint8_t division, double tolerance)
 }
 
 /* At each pixel the level is the exact one, but for a 1/256 of a level. */
-/* surfaces 5.2, 5.3, SPEC 9.7a-b */
+/* surfaces 5.2a, 5.2c, 5.3b, SPEC 9.7a-b */
 void test_levels_divided_at_each_pixel(void)
 {
     draw_random_faces(false, FXL_DIVIDE_1, 1.0 / 256);
     TEST_ASSERT_TRUE(differing < compared / 1000);
 }
 
-/* surfaces 5.3 */
+/* surfaces 5.3c */
 void test_levels_divided_every_16_pixels(void)
 {
     draw_random_faces(false, FXL_DIVIDE_16, 0.5 + 1.0 / 256);
@@ -118,14 +118,14 @@ void test_levels_divided_every_16_pixels(void)
 }
 
 /* Corners and normals of an instance that has a placement; its corners are rounded in the world. */
-/* surfaces 5.1, SPEC 9.7b-c */
+/* SPEC 9.7b-c, surfaces 5.1a-c */
 void test_levels_of_turned_faces(void)
 {
     draw_random_faces(true, FXL_DIVIDE_1, 1.0 / 128);
 }
 
 /* The texel and the level of one pixel, at once: the ramp's colours have both. */
-/* SPEC 9.6f */
+/* SPEC 9.6f, surfaces 5.2d */
 void test_light_goes_over_textures(void)
 {
     static uint8_t texels[64];
@@ -245,7 +245,7 @@ void test_light_is_taken_and_left(void)
     TEST_ASSERT_EQUAL(0, quad->renderer.workspace.counters.refused_calls);
 }
 
-/* surfaces 5.3, accuracy 1.2g */
+/* accuracy 1.2g, surfaces 5.3a */
 void test_the_light_of_a_corner_is_rounded_once(void)
 {
     double largest = 0;

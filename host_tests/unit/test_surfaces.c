@@ -74,7 +74,7 @@ static fxl_status attach(void)
     return fxl_attach_surfaces(&renderer, &surfaces, &quad.set, FXL_SURFACES_OF(fxl_palette));
 }
 
-/* SPEC 9.5, 9.2e, 9.2h, surfaces 1.1 */
+/* SPEC 9.5, 9.2e, 9.2h, surfaces 1.1b */
 void test_a_floor_divided_at_each_pixel(void)
 {
     quad.surface.division = FXL_DIVIDE_1;
@@ -122,7 +122,7 @@ void test_surfaces_are_counted_as_flat_faces(void)
     }
 }
 
-/* surfaces 2.2 */
+/* surfaces 2.2d */
 void test_bands_and_lists_give_the_same_pixels(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, attach());

@@ -138,7 +138,7 @@ void test_the_last_of_each(void)
     refuses(FXL_E_NORMAL, "normal", 1);
 }
 
-/* surfaces 1.3 */
+/* surfaces 1.3c */
 void test_textures(void)
 {
     REFUSES(quad.texture.texels, NULL, FXL_E_ARGUMENT, "texture");
@@ -165,7 +165,7 @@ void test_textures(void)
     }
 }
 
-/* surfaces 1.3 */
+/* surfaces 1.3a */
 void test_textures_of_4_bits(void)
 {
     quad.texture.format = FXL_TEXTURE_4;
@@ -258,7 +258,7 @@ void test_a_face_without_a_surface(void)
 
 /* Along each axis: three points on a line have every part of the cross product 0, and others one
  * part at least that is not. */
-/* surfaces 1.2 */
+/* surfaces 1.2a */
 void test_corners_on_one_line(void)
 {
     static const fxl_point sides[3] = {{Q16(1), 0, 0}, {0, Q16(1), 0}, {0, 0, Q16(1)}};

@@ -325,7 +325,7 @@ static uint32_t expect_same_texels(void)
 
 /* A face that is cut to the leaves shows each pixel as the whole face does, bit for bit: turned or
  * not, lit or not. */
-/* surfaces 1.2, 6.1 */
+/* surfaces 1.2e, 6.1d */
 void test_a_cut_moves_no_texel(void)
 {
     uint32_t shown = 0, by_distance = 0, cut = 0;
@@ -369,7 +369,7 @@ static void draw_wide(uint16_t *to, uint32_t rows)
 }
 
 /* Bands and lists of any size show the same, in a palette and in RGB565. */
-/* surfaces 6.1 */
+/* surfaces 6.1c */
 void test_deliveries_of_surfaces_by_tree(void)
 {
     static uint16_t wide_again[PIXELS];

@@ -239,7 +239,7 @@ void test_next_says_how_it_ended(void)
     TEST_ASSERT_EQUAL(FXL_OK, status);
 }
 
-/* clippers 3.2 */
+/* clippers 3.2d */
 void test_screen_touches_and_lines_are_left_out(void)
 {
     fxl_screen_triangle out[2], in = flat(0, 8, -4, 0, -4, 16);
@@ -252,7 +252,7 @@ void test_screen_touches_and_lines_are_left_out(void)
 
 /* Half way on the screen is not half way in space: with depths 10 and 30 it is a
  * quarter of the way from the nearer end. */
-/* clippers 3.2 */
+/* clippers 3.2b-c */
 void test_what_rides_along_is_cut_as_in_space(void)
 {
     fxl_screen_triangle out[2], in = flat(4, 0, -4, 0, 4, 8);
@@ -299,7 +299,7 @@ void test_the_range_s_ends(void)
 
 /* Huge triangles around the eye: every piece lies on the screen and none is turned
  * over. Near and far are those of the lens. */
-/* clippers 3.2 */
+/* clippers 3.2a */
 void test_pieces_lie_on_the_screen(void)
 {
     int pieces = 0, most = 0;
@@ -375,7 +375,7 @@ void test_a_wall_covers_the_screen(void)
 }
 
 /* At any place and depth, all bits of both: what rides along goes by s z0 / (s z0 + (1 - s) z1). */
-/* clippers 3.2 */
+/* clippers 3.2b */
 void test_fractions_in_space(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 50; i++) {

@@ -297,7 +297,7 @@ static void attach_surfaces(const tiny_scene *tiny)
 }
 
 /* The faces without a surface are recoloured, and those with one keep their texels. */
-/* surfaces 6.2 */
+/* surfaces 6.2a */
 void test_an_instance_that_is_recoloured_keeps_its_surfaces(void)
 {
     static fxl_world_colours colours;
