@@ -273,7 +273,7 @@ void test_channels_of_wide_triangles(void)
 
 /* One colour at all corners is the palette's entry of that colour: the upper bits of each channel.
  */
-/* rgb565 2.4 */
+/* rgb565 2.4a-b */
 void test_one_colour_at_all_corners(void)
 {
     for (uint32_t i = 0; i < ROUNDS; i++) {

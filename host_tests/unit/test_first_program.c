@@ -236,7 +236,7 @@ static void start(fxl_pose *eye)
     eye->pitch = FXL_DEGREES(-12);
 }
 
-/* overlay 1.4 */
+/* overlay 1.4a */
 void test_the_picture_is_that_of_every_board(void)
 {
     const fxl_band whole = UNIT_BAND(hud_pixels[0], HUD_WIDTH, 0, HUD_HEIGHT);
@@ -247,7 +247,7 @@ void test_the_picture_is_that_of_every_board(void)
     TEST_ASSERT_EQUAL_HEX32(PICTURE, unit_crc32(hud_pixels[0], sizeof hud_pixels));
 }
 
-/* overlay 1.1 */
+/* overlay 1.1c */
 void test_bands_have_the_pixels_of_the_whole(void)
 {
     fxl_pose eye;

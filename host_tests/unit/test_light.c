@@ -59,7 +59,7 @@ static double exact_of(const fxl_light_settings *of, const fxl_camera *camera,
                             exact_direction(&place->normal));
 }
 
-/* light 2.2, 2.3, 2.4, 2.5, accuracy 1.2f */
+/* light 2.2, 2.3, 2.4a-c, 2.5a, accuracy 1.2f */
 void test_brightness_is_that_of_the_definition(void)
 {
     uint32_t between = 0;
@@ -86,7 +86,7 @@ void test_brightness_is_that_of_the_definition(void)
 }
 
 /* At the ends of the ranges: the farthest corners of the world, the shortest and longest ranges. */
-/* light 2.2, 2.3, 2.4 */
+/* light 2.2, 2.3, 2.4a-b */
 void test_brightness_at_the_ends_of_the_ranges(void)
 {
     const int32_t end = FXL_COORDINATE_MAX;
@@ -107,7 +107,7 @@ void test_brightness_at_the_ends_of_the_ranges(void)
     }
 }
 
-/* light 2.5 */
+/* light 2.5b-c */
 void test_levels_are_the_nearest(void)
 {
     TEST_ASSERT_EQUAL_UINT32(0, fxl_light_level(0, 2));
@@ -171,7 +171,7 @@ static exact_vector normal_of(uint32_t colour)
 }
 
 /* One cube, convex or sorted: each pixel has the level of its face, by the definition. */
-/* light 2.1, 3.1 */
+/* light 2.1a, 3.1a */
 void test_each_face_has_its_level(void)
 {
     uint32_t seen = 0;
@@ -216,7 +216,7 @@ void test_each_face_has_its_level(void)
 
 /* A part of a face has the level of the whole face. Goes on
  * until a light is found by which the part alone would have another level. */
-/* light 2.1 */
+/* light 2.1b */
 void test_a_part_has_the_level_of_the_whole_face(void)
 {
     uint32_t apart = 0;
@@ -248,7 +248,7 @@ void test_a_part_has_the_level_of_the_whole_face(void)
 }
 
 /* An instance that is turned and scaled: its faces' normals and middles are, too. */
-/* light 2.1 */
+/* light 2.1c */
 void test_light_follows_placements(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 50; round++) {
@@ -290,7 +290,7 @@ void test_light_follows_placements(void)
 }
 
 /* A beam's lit colours are those of the colours that the light gives. */
-/* light 5.1 */
+/* light 5.1b */
 void test_light_goes_with_beams(void)
 {
     uint8_t *const room = memory_of.beams;
@@ -367,7 +367,7 @@ static void draw_by_two(fxl_workspace *second, void *frame, const uint16_t *pale
     }
 }
 
-/* light 5.2 */
+/* light 5.2c */
 void test_cores_share_the_light_in_rgb565(void)
 {
     static FXL_ALIGN_8 uint8_t room[6 * sizeof(fxl_draw_entry) + 8];
@@ -396,7 +396,7 @@ void test_cores_share_the_light_in_rgb565(void)
     TEST_ASSERT_EQUAL_MEMORY(one, other, sizeof one);
 }
 
-/* light 5.2 */
+/* light 5.2c */
 void test_cores_share_the_light(void)
 {
     static FXL_ALIGN_8 uint8_t room[6 * sizeof(fxl_draw_entry) + 8];

@@ -30,7 +30,7 @@ static fxl_status line(int32_t x0, int32_t y0, int32_t x1, int32_t y1, uint8_t c
     return status;
 }
 
-/* overlay 1.1, 1.2, 1.3, 1.4 */
+/* overlay 1.1a-b, 1.2a, 1.3a-b, 1.4b, accuracy 1.2m */
 void test_rectangles_and_borders_are_what_they_say(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 30; i++) {
@@ -76,7 +76,7 @@ static void want_line(int64_t x0, int64_t y0, int64_t x1, int64_t y1)
     }
 }
 
-/* overlay 1.2, 2.1 */
+/* overlay 1.2b, 2.1b-d */
 void test_lines_follow_their_rule_in_either_direction(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 30; i++) {
@@ -96,7 +96,7 @@ void test_lines_follow_their_rule_in_either_direction(void)
     }
 }
 
-/* overlay 2.1 */
+/* overlay 2.1a */
 void test_a_line_has_both_its_ends(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, line(3, 7, 3, 7, 1));
@@ -169,7 +169,7 @@ static void expect_refused_by_all(fxl_status status, const fxl_band *wrong)
 }
 
 /* Everything at once, in a band of some columns: the pixels of the band of all of them. */
-/* overlay 1.1 */
+/* overlay 1.1d */
 void test_a_band_of_some_columns(void)
 {
     static const uint8_t row[2] = {0xA5, 0x3C};
@@ -211,7 +211,7 @@ void test_a_band_of_some_columns(void)
     }
 }
 
-/* overlay 1.3 */
+/* overlay 1.3c */
 void test_bands_that_are_none_are_refused(void)
 {
     const fxl_band bad[] = {{.pixels = overlay_drawn[1],
@@ -312,7 +312,7 @@ static void expect_text(const fxl_text_style *style, const char *text, const cha
     overlay_expect_wanted();
 }
 
-/* overlay 4.1 */
+/* overlay 4.1a, 4.1c-d */
 void test_text_is_what_is_drawn_here(void)
 {
     unit_restart();
@@ -334,7 +334,7 @@ void test_text_is_what_is_drawn_here(void)
 }
 
 /* Two characters of one pixel: one begins right of the pen, one left of it. */
-/* overlay 4.1 */
+/* overlay 4.1b */
 void test_a_character_may_begin_beside_the_pen(void)
 {
     static const uint8_t bits[] = {0x80};
@@ -375,7 +375,7 @@ void test_a_byte_that_the_font_has_not_is_the_unknown_character(void)
 }
 
 /* The same text through its sprites. */
-/* overlay 4.2 */
+/* overlay 4.2, 4.1c */
 void test_text_anywhere_is_its_characters_side_by_side(void)
 {
     static const uint8_t mask[2] = {0, 8};
@@ -437,7 +437,7 @@ void test_every_character_of_the_font_is_another(void)
     }
 }
 
-/* overlay 4.2 */
+/* overlay 4.2a-b */
 void test_a_cell_measures_its_width(void)
 {
     const fxl_text_style fixed = {&fxl_font_5x7, 6, 9};

@@ -45,7 +45,7 @@ static void check_against_palette(void)
 
 /* --- texels ------------------------------------------------------------------------------ */
 
-/* rgb565 1.4 */
+/* rgb565 1.4a-b */
 void test_texels_are_those_of_a_palette(void)
 {
     for (uint8_t division = FXL_DIVIDE_16; division <= FXL_AFFINE; division++) {
@@ -106,7 +106,7 @@ void test_the_second_level_is_found(void)
     check_against_palette();
 }
 
-/* rgb565 1.4, surfaces 4.1 */
+/* surfaces 4.1, rgb565 1.4c */
 void test_a_texel_of_the_key_is_not_drawn(void)
 {
     walls.surface[0].division = FXL_DIVIDE_1; /* the kernel rounds in another unit */
@@ -127,7 +127,7 @@ void test_a_texel_of_the_key_is_not_drawn(void)
     TEST_ASSERT_GREATER_THAN(2, holes);
 }
 
-/* SPEC 9.5, rgb565 1.3 */
+/* SPEC 9.5, rgb565 1.3a */
 void test_indices_take_their_colour_of_the_palette(void)
 {
     static const uint8_t colours[16] = {30,  41,  52, 63, 74, 85, 96, 107,
@@ -212,7 +212,7 @@ void test_bands_and_lists_change_no_pixel(void)
     }
 }
 
-/* rgb565 1.2 */
+/* rgb565 1.2a */
 void test_no_other_byte_is_written(void)
 {
     static uint16_t wide[HEIGHT * (WIDTH + 3)];
@@ -231,7 +231,7 @@ void test_no_other_byte_is_written(void)
     }
 }
 
-/* rgb565 1.1 */
+/* rgb565 1.1d */
 void test_bytes_are_swapped_for_a_display(void)
 {
     uint16_t two[2][3] = {{0x1234, 0xF00D, 0x5555}, {0xABCD, 1, 0x7777}};
@@ -244,7 +244,7 @@ void test_bytes_are_swapped_for_a_display(void)
 
 /* --- what is refused ----------------------------------------------------------------------- */
 
-/* rgb565 2.3, 3.3 */
+/* rgb565 2.3b, 3.3a */
 void test_surfaces_of_the_wrong_kind_are_refused(void)
 {
     TEST_ASSERT_EQUAL(FXL_E_RESERVED,
@@ -276,7 +276,7 @@ void test_surfaces_of_the_wrong_kind_are_refused(void)
 }
 
 /* A band of pixels has a palette. */
-/* rgb565 3.2 */
+/* rgb565 3.2a, 3.2c-d */
 void test_bands_of_the_wrong_kind_are_refused(void)
 {
     fxl_band band = band_of(walls.pixels, 0, HEIGHT);
@@ -299,7 +299,7 @@ void test_bands_of_the_wrong_kind_are_refused(void)
 
 /* A band with a palette has pixels of 16 bits, and the target of a byte would draw into half of them.
  */
-/* rgb565 3.2 */
+/* rgb565 3.2b */
 void test_a_target_of_bytes_refuses_a_band_with_a_palette(void)
 {
     fxl_band band = band_of(walls.pixels, 0, HEIGHT);
@@ -314,7 +314,7 @@ void test_a_target_of_bytes_refuses_a_band_with_a_palette(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&walls.renderer, &band));
 }
 
-/* rgb565 1.2, 3.1 */
+/* rgb565 1.2c, 3.1a */
 void test_flat_frames_need_no_surfaces(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&walls.renderer, &walls_eye, walls.indexed, WIDTH));

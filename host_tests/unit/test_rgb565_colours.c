@@ -61,7 +61,7 @@ static int sum(int above, int beneath, int largest)
 }
 
 /* Without a number it is half. */
-/* rgb565 2.2 */
+/* rgb565 2.2a */
 void test_sixteenths_of_each_channel(void)
 {
     for (uint8_t sixteenths = 0; sixteenths <= 16; sixteenths++) {
@@ -71,13 +71,13 @@ void test_sixteenths_of_each_channel(void)
     }
 }
 
-/* rgb565 2.3 */
+/* rgb565 2.3a */
 void test_channels_are_added_up_to_the_largest(void)
 {
     check_blend(FXL_SURFACE_ADD, sum);
 }
 
-/* rgb565 2.1 */
+/* rgb565 2.1a-b, 2.1g */
 void test_light_takes_a_part_of_each_channel(void)
 {
     static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(64)];
@@ -183,7 +183,7 @@ static void assert_walls(uint16_t dark, double brightness)
     TEST_ASSERT_TRUE(brightness < 1 || (seen[0] > 300 && seen[1] > 300));
 }
 
-/* rgb565 2.1, 3.4 */
+/* rgb565 2.1b, 2.1f, 3.4a-b */
 void test_flat_faces_lose_a_part_of_each_channel(void)
 {
     static const fxl_target *const targets[] = {&fxl_rgb565, &fxl_rgb565_depth_16,
@@ -232,7 +232,7 @@ static void draw_white_wall(const fxl_light_settings *settings)
 }
 
 /* Light between the corners is not of the ramp's few levels alone. */
-/* rgb565 2.1 */
+/* rgb565 2.1g */
 void test_light_is_smooth_between_two_levels(void)
 {
     static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(2)];
@@ -255,7 +255,7 @@ void test_light_is_smooth_between_two_levels(void)
 }
 
 /* At the corner that the map has not, light would be twice that of full light. */
-/* rgb565 2.1 */
+/* rgb565 2.1c */
 void test_light_beyond_the_corners_is_held(void)
 {
     static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(2)];

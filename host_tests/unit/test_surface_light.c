@@ -261,7 +261,7 @@ void test_the_light_of_a_corner_is_rounded_once(void)
 }
 
 /* A palette of greys has each level of each grey; of two equal entries the first is taken. */
-/* light 3.2 */
+/* light 3.2a */
 void test_a_ramp_of_greys_is_exact(void)
 {
     static uint8_t palette[768], made[256 * 5];

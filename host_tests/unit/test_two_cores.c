@@ -158,7 +158,7 @@ static void expect_the_frame_of_one(const fxl_order *order, const fxl_target *ta
     TEST_ASSERT_TRUE(whole >= SETS && whole <= 3 * SETS); /* other lists had no room for all */
 }
 
-/* rgb565 3.6, surfaces 6.3 */
+/* surfaces 6.3, rgb565 3.6a */
 void test_by_distance(void)
 {
     expect_the_frame_of_one(&fxl_by_distance, &fxl_palette);

@@ -124,7 +124,7 @@ void test_a_tree_cuts_what_comes_and_goes(void)
 }
 
 /* What the tree cuts, and what a beam then splits, keeps the colours of its instance. */
-/* light 5.1 */
+/* light 5.1a */
 void test_pieces_have_the_colours_of_their_instance(void)
 {
     static fxl_world_colours colours;
