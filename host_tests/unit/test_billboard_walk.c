@@ -40,7 +40,7 @@ static uint32_t walk_side(fxl_q16_16 from, fxl_q16_16 end, uint32_t texels)
 }
 
 /* Each texel is two pixels wide, and begins at a centre. */
-/* billboards 3.1 */
+/* billboards 3.1b */
 void test_a_centre_on_a_border_shows_the_texel_that_begins_there(void)
 {
     TEST_ASSERT_EQUAL_UINT32(4, walk_side(Q16(2.5), Q16(10.5), 4));
@@ -54,7 +54,7 @@ static int32_t any_place(int32_t low, int32_t high)
     return unit_between(low, high) / unit * unit;
 }
 
-/* billboards 3.1 */
+/* billboards 3.1c */
 void test_sides_of_any_length_and_place(void)
 {
     uint32_t ties = 0;
@@ -69,7 +69,7 @@ void test_sides_of_any_length_and_place(void)
 }
 
 /* A centre on the first end is in, one on the last is out. */
-/* billboards 3.1 */
+/* billboards 3.1a */
 void test_which_pixels_are_between(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {

@@ -120,7 +120,7 @@ static uint32_t expect_sprite(double scale)
     return shown;
 }
 
-/* billboards 2.1, 3.1 */
+/* billboards 2.1a-b, 3.1a-b */
 void test_a_pixel_shows_the_texel_at_its_centre(void)
 {
     uint32_t shown = 0;
@@ -137,7 +137,7 @@ void test_a_pixel_shows_the_texel_at_its_centre(void)
 }
 
 /* The scale of a placement is that of the sprite; where it turns to does not matter. */
-/* billboards 2.1 */
+/* billboards 2.1a */
 void test_a_turned_instance_scales_its_sprite(void)
 {
     const fxl_pose pose = ahead(Q16(-9));
@@ -165,7 +165,7 @@ static uint32_t count_sprite(uint8_t frame[BOARD_SCENE_HEIGHT][BOARD_SCENE_WIDTH
 }
 
 /* The cube at the origin is before the sprite at z = 10 for one eye and behind it for the other. */
-/* billboards 1.2 */
+/* billboards 1.2a */
 void test_what_is_nearer_covers_what_is_farther(void)
 {
     fxl_pose pose = ahead(Q16(-4));
@@ -186,7 +186,7 @@ void test_what_is_nearer_covers_what_is_farther(void)
     TEST_ASSERT_TRUE(whole[BOARD_SCENE_HEIGHT / 2][BOARD_SCENE_WIDTH / 2] >= 100);
 }
 
-/* billboards 3.2 */
+/* billboards 3.2a */
 void test_the_key_is_not_drawn(void)
 {
     const fxl_pose pose = ahead(Q16(5));
@@ -199,7 +199,7 @@ void test_the_key_is_not_drawn(void)
 }
 
 /* The same picture in 1, 4 and 8 bits. */
-/* billboards 3.2 */
+/* billboards 3.2b */
 void test_sprites_of_every_format(void)
 {
     static const uint8_t one[] = {0xA0, 0x40}, four[] = {0x10, 0x10, 0x01, 0x00},
@@ -226,7 +226,7 @@ void test_sprites_of_every_format(void)
 
 /* --- bands, lists, cores ---------------------------------------------------------------------- */
 
-/* billboards 4.1 */
+/* billboards 4.1a, 4.1c */
 void test_bands_lists_and_workspaces_change_no_pixel(void)
 {
     const uint16_t steps[] = {1, 2, 3, 8, 12};
@@ -252,7 +252,7 @@ void test_bands_lists_and_workspaces_change_no_pixel(void)
     TEST_ASSERT_TRUE(spilled > 0 && listed > 0 && shown > 0);
 }
 
-/* billboards 4.1 */
+/* billboards 4.1a */
 void test_another_core_draws_a_band(void)
 {
     const fxl_pose pose = ahead(Q16(-4));
@@ -266,7 +266,7 @@ void test_another_core_draws_a_band(void)
 
 /* --- what is counted -------------------------------------------------------------------------- */
 
-/* billboards 2.2, 2.3 */
+/* billboards 2.2a-c, 2.3a-b */
 void test_near_far_and_sides_leave_sprites_out(void)
 {
     static const struct {
@@ -361,7 +361,7 @@ void test_a_sprite_far_away_covers_a_pixel_or_none(void)
 }
 
 /* The picture of a moved centre is that of the middle, moved by as much, in whole pixels here. */
-/* billboards 2.1 */
+/* billboards 2.1d */
 void test_an_off_centre_lens_shows_the_same_sprite(void)
 {
     uint32_t shown = 0, differing = 0;

@@ -154,7 +154,7 @@ static void expect_depth_of_stand_in(const way *into)
     TEST_ASSERT_TRUE(shown > 100 && hidden > 20);
 }
 
-/* billboards 4.2 */
+/* billboards 4.2c */
 void test_a_billboard_has_the_depth_of_its_instance(void)
 {
     expect_depth_of_stand_in(&ways[1]);
@@ -269,7 +269,7 @@ void test_a_moved_renderer_draws_the_same(void)
 }
 
 /* Taken away, the method and its memory are as before. */
-/* combinations 1.4 */
+/* combinations 1.4, billboards 4.2g */
 void test_billboards_are_taken_away(void)
 {
     const fxl_pose pose = {{0, 0, Q16(-6)}, 0, 0, 0};

@@ -168,7 +168,7 @@ void test_arguments_of_fxl_render(void)
     TEST_ASSERT_NULL(fxl_render_explain(&renderer, &eye, pixels, WIDTH, NULL));
 }
 
-/* combinations 1.2 */
+/* combinations 1.2b-c */
 void test_two_things_that_do_not_go_together(void)
 {
     static fxl_outlines outlines;

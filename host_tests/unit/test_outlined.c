@@ -60,7 +60,7 @@ static fxl_pose random_pose(void)
 }
 
 /* Where there is no line, the frame is that of the painter's algorithm; in bands it is the same. */
-/* wire 3.4 */
+/* wire 3.4a */
 void test_lines_lie_over_the_usual_picture(void)
 {
     const uint16_t steps[] = {1, 2, 3, 8, 12};
@@ -86,7 +86,7 @@ void test_lines_lie_over_the_usual_picture(void)
 }
 
 /* A cube before another leaves nothing of it within its faces and edges. */
-/* wire 3.1 */
+/* wire 3.1a, 3.1d */
 void test_edges_behind_a_face_are_hidden(void)
 {
     const fxl_pose pose = {{0, 0, Q16(-3)}, 0, 0, 0};
@@ -110,7 +110,7 @@ void test_edges_behind_a_face_are_hidden(void)
 
 /* The front face alone, of 16 pixels a side: its edges are on whole pixels, the lower one below the
  * last row that the face reaches. */
-/* wire 3.1 */
+/* wire 3.1b */
 void test_a_face_and_its_outline(void)
 {
     const fxl_pose pose = {{0, 0, Q16(-3)}, 0, 0, 0};
@@ -130,7 +130,7 @@ void test_a_face_and_its_outline(void)
 }
 
 /* So near that the face fills the screen: there is no edge within it. */
-/* wire 3.2 */
+/* wire 3.2a */
 void test_sides_of_the_screen_are_no_edges(void)
 {
     const fxl_pose pose = {{0, 0, Q16(-1.5)}, 0, 0, 0};
@@ -243,7 +243,7 @@ static uint32_t count_of(const uint8_t *frame, uint8_t from, uint8_t to)
 
 /* Where there is no line, the picture is the one without outlines. Lines are where they are without
  * surfaces. */
-/* wire 3.1 */
+/* wire 3.1b */
 void test_surfaces_have_the_lines_of_flat_faces(void)
 {
     draw_picture(OUTLINES | SURFACES, all);
@@ -274,7 +274,7 @@ void test_a_billboard_is_drawn_in_its_turn(void)
 }
 
 /* A line has the colour of the picture_style through the palette, and is where it is in bytes. */
-/* wire 3.4 */
+/* wire 3.4b */
 void test_lines_in_rgb565(void)
 {
     for (uint32_t set = 0; set < OUTLINES; set++) {
@@ -289,7 +289,7 @@ void test_lines_in_rgb565(void)
 }
 
 /* Bands and display lists of any size, and another core's workspace. */
-/* wire 3.3 */
+/* wire 3.3c */
 void test_deliveries(void)
 {
     static uint64_t memory[64];

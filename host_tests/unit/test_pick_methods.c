@@ -409,7 +409,7 @@ void test_by_a_tree_its_order_is_picked(void)
 
 /* place sampling: if billboards change too: the walk; the texel that is picked */
 /* The sprite has a hole in its middle. Of a billboard the face is 0, and the colour the texel's. */
-/* billboards 4.3 */
+/* billboards 4.3b, pick 2.4f */
 void test_a_texel_of_a_billboard_is_picked(void)
 {
     static const uint8_t sprite_texels[9] = {71, 72, 73, 74, KEY, 76, 77, 78, 255};

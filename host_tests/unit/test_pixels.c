@@ -254,7 +254,7 @@ void test_a_pixel_within_a_run(void)
     assert_converted(&band);
 }
 
-/* pixels 1.2 */
+/* pixels 1.2c */
 void test_bits_that_no_pixel_has_are_zero(void)
 {
     const fxl_band band = {.pixels = frame, .width = 5, .stride = 5, .first_row = 0, .rows = 2};
@@ -270,7 +270,7 @@ void test_bits_that_no_pixel_has_are_zero(void)
     TEST_ASSERT_EACH_EQUAL_HEX8(0x03, out, 5);
 }
 
-/* pixels 1.2 */
+/* pixels 1.2d */
 void test_sizes(void)
 {
     static const size_t sizes[] = {340, 340, 170, 510, 90, 30, 34};

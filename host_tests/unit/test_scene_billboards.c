@@ -101,7 +101,7 @@ static void board_byte(fxl_status status, uint32_t number, uint32_t at, uint8_t 
     expect_boards(status, "billboard", number, image);
 }
 
-/* billboards 5.1, formats 1.13, 1.2ak-am */
+/* formats 1.13, 1.2ak-am, billboards 5.1b */
 void test_billboards_are_used_in_place(void)
 {
     tiny_image *image = make();
@@ -186,7 +186,7 @@ void test_the_sections_of_billboards(void)
     }
 }
 
-/* billboards 1.2, formats 1.13d */
+/* formats 1.13d, billboards 1.2c-f */
 void test_a_billboard_out_of_range(void)
 {
     board_word(FXL_OK, 0, 0, PIXELS - 20);
@@ -206,7 +206,7 @@ void test_a_billboard_out_of_range(void)
     board_word(FXL_E_RANGE, 1, 24, Q16(0.75) + 1);
 }
 
-/* billboards 1.1 */
+/* billboards 1.1b-c, formats 1.13c */
 void test_models_that_do_not_fit(void)
 {
     tiny_image *image = make();

@@ -183,7 +183,7 @@ static void expect_different_pictures(const way *into)
     }
 }
 
-/* combinations 1.2 */
+/* combinations 1.2a */
 void test_the_sequence_does_not_matter(void)
 {
     const uint32_t longest = UNIT_REPEAT > 10000 ? 4 : 2;
@@ -200,7 +200,7 @@ void test_the_sequence_does_not_matter(void)
 }
 
 /* A renderer that was initialised for the palette draws into the target that is chosen then. */
-/* combinations 1.5 */
+/* combinations 1.5b */
 void test_a_target_is_chosen_after_init(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&made->scene, NULL));
@@ -358,7 +358,7 @@ void test_after_a_refusal(void)
 }
 
 /* A painter draws into its own target alone. */
-/* combinations 1.3 */
+/* combinations 1.3b */
 void test_another_painter_is_refused(void)
 {
     const way other = {&fxl_palette, FXL_SURFACES_OF(fxl_palette_depth_16),
@@ -413,7 +413,7 @@ void test_what_goes_with_a_tree(void)
     }
 }
 
-/* combinations 1.1 */
+/* combinations 1.1b */
 void test_wrong_arguments(void)
 {
     fxl_renderer none;

@@ -113,7 +113,7 @@ static void expect_row(int y, const char *picture, const char *intervals)
     TEST_ASSERT_EQUAL_STRING(intervals, said);
 }
 
-/* spans 2.2 */
+/* spans 2.2a */
 void test_the_first_keeps_its_pixels(void)
 {
     start(INTERVALS);
@@ -132,7 +132,7 @@ void test_the_first_keeps_its_pixels(void)
     TEST_ASSERT_EQUAL(HEIGHT - 1, buffer->open_rows);
 }
 
-/* spans 2.1 */
+/* spans 2.1b */
 void test_what_touches_becomes_one(void)
 {
     start(INTERVALS);
@@ -151,7 +151,7 @@ void test_what_touches_becomes_one(void)
 }
 
 /* A span that ends where an interval begins, or begins where one ends. */
-/* spans 2.1 */
+/* spans 2.1b */
 void test_ends_that_meet(void)
 {
     start(INTERVALS);
@@ -164,7 +164,7 @@ void test_ends_that_meet(void)
 }
 
 /* What is full refuses and draws nothing; what merges wants no room, and gives some back. */
-/* spans 2.3 */
+/* spans 2.3b-c */
 void test_a_full_pool_refuses(void)
 {
     start(2);
@@ -185,7 +185,7 @@ void test_a_full_pool_refuses(void)
 }
 
 /* Every other pixel, from any end: then a row holds as much as it can. */
-/* spans 3.3 */
+/* spans 3.3a */
 void test_the_stated_pool_is_enough_for_a_row(void)
 {
     static const int steps[] = {1, 5, 7, 11}; /* none has a factor of WIDTH / 2 */
@@ -204,7 +204,7 @@ void test_the_stated_pool_is_enough_for_a_row(void)
 }
 
 /* A row of an odd number of pixels holds one more. */
-/* spans 3.3 */
+/* spans 3.3a */
 void test_an_odd_width(void)
 {
     enum {
@@ -236,7 +236,7 @@ void test_a_new_band_finds_nothing_covered(void)
 
 /* Edges that cross, an empty row, and rows after which the pool is full. */
 /* Rows that are not wholly covered are counted, however a row comes to be covered. */
-/* spans 2.3 */
+/* spans 2.3a */
 void test_open_rows_are_counted(void)
 {
     start(INTERVALS);
@@ -277,7 +277,7 @@ void test_a_trapezoid(void)
 }
 
 /* Spans anywhere, in a pool of any size, against a mark for each pixel. */
-/* spans 2.1, 2.2 */
+/* spans 2.1a, 2.2a-b, accuracy 1.2e */
 void test_any_spans(void)
 {
     static uint8_t expected[HEIGHT][WIDTH];

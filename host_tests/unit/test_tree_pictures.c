@@ -106,7 +106,7 @@ static void move_somewhere(void)
 
 /* A face that is drawn whole for lack of memory is in front of what the billboard is in front of,
  * and behind what that is behind. */
-/* bsp 3.8a-b */
+/* bsp 3.8a-b, billboards 4.2d */
 void test_a_billboard_is_in_the_leaf_of_its_centre(void)
 {
     uint32_t before = 0, behind = 0;

@@ -89,7 +89,7 @@ void test_the_span_buffer_draws_the_same_picture(void)
 }
 
 /* Counted as they are written: each covered pixel once, others never. */
-/* spans 2.2 */
+/* spans 2.2c */
 void test_each_pixel_is_written_once(void)
 {
     const uint32_t rounds = UNIT_REPEAT / 200;
@@ -147,7 +147,7 @@ void test_front_to_back_is_the_exact_reverse(void)
 }
 
 /* The least pool splits bands, a larger one fewer, and the picture stays. */
-/* spans 3.1, 3.2 */
+/* spans 3.1a, 3.2a-c */
 void test_a_full_pool_splits_the_band(void)
 {
     const way sorted = {&choice_sorted, 0, 0};
@@ -191,7 +191,7 @@ void test_the_count_of_splits_ends(void)
 }
 
 /* Refused: too little room, none, or at an odd place; the renderer goes on as it was. */
-/* spans 3.3 */
+/* spans 3.3b */
 void test_refusals(void)
 {
     const way sorted = {&choice_sorted, 0, 0};
@@ -303,7 +303,7 @@ static bool is_low_enough(fxl_workspace *by, const fxl_screen_polygon *polygon,
 
 /* A target without room halves what is left of the band's part until there is room, the upper half
  * the larger. Each halving is counted. */
-/* spans 3.1 */
+/* spans 3.1b-c */
 void test_how_a_band_is_halved(void)
 {
     static const fxl_target picky = {.pixel_bits = 8,

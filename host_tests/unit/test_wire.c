@@ -41,14 +41,14 @@ static void expect_rows(const char *const *rows, int count)
     expect_rows((const char *const[]){__VA_ARGS__}, \
                 (int)(sizeof((const char *const[]){__VA_ARGS__}) / sizeof(char *)))
 
-/* wire 2.1, 2.2 */
+/* wire 2.1, 2.2a */
 void test_a_flat_line(void)
 {
     draw(whole, at(1.5, 1.9), at(6.5, 3.1));
     EXPECT("", ".#", "..####"); /* y at the centres 1.5, 2.5 ..: 1.9 2.14 2.38 2.62 2.86 */
 }
 
-/* wire 2.1 */
+/* wire 2.1b */
 void test_a_diagonal_line_is_not_steep(void)
 {
     draw(whole, at(1.25, 1.75), at(4.25, 4.75));
@@ -57,7 +57,7 @@ void test_a_diagonal_line_is_not_steep(void)
     EXPECT("", "", "", "...#", "..#", ".#"); /* 5 4 3 */
 }
 
-/* wire 2.1, 2.3 */
+/* wire 2.1, 2.3a */
 void test_a_steep_line(void)
 {
     draw(whole, at(3, 0), at(1, 4));
@@ -65,7 +65,7 @@ void test_a_steep_line(void)
 }
 
 /* The centre where a line begins is its own, the one where it ends the next one's. */
-/* wire 2.2 */
+/* wire 2.2a */
 void test_centres_from_the_first_end_to_before_the_last(void)
 {
     draw(whole, at(0.5, 0.5), at(4.5, 0.5));
@@ -108,7 +108,7 @@ void test_a_line_between_rows(void)
     EXPECT("...#", "...#", "...#");
 }
 
-/* wire 2.4 */
+/* wire 2.4b */
 void test_either_way_is_the_same(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 100; i++) {
@@ -141,7 +141,7 @@ static bool covers(const fxl_screen_point *a, const fxl_screen_point *b, int x, 
     return w > 0 ? over >= 0 && over < 65536 * w : over <= 0 && over > 65536 * w;
 }
 
-/* wire 2.2, 2.3 */
+/* wire 2.2a-b, 2.3a-b, 2.4a, 2.4c */
 void test_lines_are_what_the_rule_says(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 300; i++) {
@@ -228,7 +228,7 @@ static void assert_same_in_rgb565(void)
     TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_wire_draw(&wire, &odd));
 }
 
-/* wire 1.2, 2.4 */
+/* wire 1.2, 2.4b */
 void test_bands_and_both_clippers_draw_the_same(void)
 {
     int pixels = 0, clipped = 0;
@@ -257,7 +257,7 @@ void test_bands_and_both_clippers_draw_the_same(void)
 
 /* Without a placement an instance is drawn as one that has none. A cube that is a quarter turned looks
  * the same but for its colours. */
-/* wire 1.1 */
+/* wire 1.1a-b */
 void test_turned_cubes(void)
 {
     static fxl_placement placements[TINY_INSTANCES] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE,
@@ -288,7 +288,7 @@ void test_turned_cubes(void)
 }
 
 /* A cube from the front: its four sides, in its colour. */
-/* wire 1.1 */
+/* wire 1.1b */
 void test_a_cube_from_the_front(void)
 {
     fxl_pose pose = {{0, 0, Q16(-4)}, 0, 0, 0};
@@ -305,7 +305,7 @@ void test_a_cube_from_the_front(void)
 
 /* From each side of a cube: the edges of the side that is turned to the eye, in its colour, and no
  * other's. */
-/* wire 1.1 */
+/* wire 1.1b */
 void test_every_side_of_a_cube(void)
 {
     static const struct {
@@ -331,7 +331,7 @@ void test_every_side_of_a_cube(void)
     }
 }
 
-/* wire 1.3 */
+/* wire 1.3a */
 void test_what_is_no_wireframe_is_refused(void)
 {
     fxl_pose pose = {{0, 0, Q16(-4)}, 0, 0, 0};
