@@ -537,7 +537,7 @@ profile: ## show where a workload's instructions go: functions, lines, flame gra
 	@$(MAKE) $(BENCH_COUNTER) $(PROFILE_PROGRAM)
 	@$(TOOL) profile --workload w1 --core m3 --build $(BUILD)
 
-equality: ## compare every kernel of every core with the portable one, on the emulated core [THOUSANDS=10000 KEEP=bench/equality.json JOBS= CLUSTER= FRESH=1]
+equality: ## compare every kernel of every core with the portable one, on the emulated core [THOUSANDS=10000 ONLY= KEEP=firmware/equality/record.txt JOBS= CLUSTER= FRESH=1]
 	@$(SET_UP) run
 	@$(MAKE) $(EQUALITY_PROGRAMS)
 	@$(TOOL) equality $(EQUALITY_KINDS) --build $(BUILD)
@@ -562,10 +562,11 @@ seeded-bugs: ## break the library on purpose, one place at a time; the tests mus
 	@$(SET_UP) units
 	@$(TOOL) seeded-bugs --build $(BUILD)
 
-trace: ## join each clause of the specification with its code and its tests; BREAK=1: the tests must fail when it is broken [BREAK=1 ONLY= SAMPLE= ACCEPT=1 JOBS= CLUSTER= FRESH=1]
-	@$(SET_UP) $(if $(value BREAK),units,tools)
+trace: ## join each clause of the specification with its code and its tests; BREAK=1: the tests must fail when it is broken; RELEASE=1: each kernel has its inputs on record [BREAK=1 RELEASE=1 ONLY= SAMPLE= ACCEPT=1 JOBS= CLUSTER= FRESH=1]
+	@$(SET_UP) $(if $(value BREAK),units,$(if $(value RELEASE),run,tools))
 	@$(if $(value BREAK),$(MAKE) $(UNIT_PROGRAMS) $(UNIT_ARCHIVES))
-	@$(TOOL) trace --build $(BUILD) --units $(UNIT_OUT) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK'
+	@$(if $(value RELEASE),$(MAKE) $(EQUALITY_PROGRAMS))
+	@$(TOOL) trace --cores $(EQUALITY_KINDS) --build $(BUILD) --units $(UNIT_OUT) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK'
 
 prove: ## prove properties of the library's text for every input, and say of each function what shows it; JSON [ONLY= BUGS=1 JOBS= CLUSTER= FRESH=1]
 	@$(SET_UP) predict

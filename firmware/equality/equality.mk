@@ -25,7 +25,8 @@ EQUALITY_OBJECTS := $(patsubst %.c,%.o,$(notdir $(filter-out %/sides.c,$(wildcar
 EQUALITY_PORTABLE_CORES := m0 m3 $(filter rv32,$(BENCH_CORES_HERE))
 EQUALITY_PORTABLE = $(EQUALITY_OUT)/portable/$(or $(filter m0 rv32,$(EQUALITY_CORE)),m3).a
 EQUALITY_PORTABLE_CFLAGS := -O2 -UFXL_SMALL -DFXL_PORTABLE_KERNELS $(call LIB_TUNE)
-EQUALITY_CFLAGS := -Ifirmware/equality -ffreestanding -DFXL_ASSERT_HOOK
+# An assertion has its number in the file in place of its line's, so that a comment above does not alter a kernel's hash.
+EQUALITY_CFLAGS := -Ifirmware/equality -ffreestanding -DFXL_ASSERT_HOOK -DFXL_ASSERT_LINE=__COUNTER__
 
 # All of these once more, with the portable kernels: fxl_X is portable_X there. No function here
 # takes a float, so both calling conventions are one; but the linker mixes only objects that do not

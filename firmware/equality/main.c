@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The argument frames=N asks for N mod 2^10 thousand random inputs a kernel, of kernel N / 2^26
  * alone, counted from 1, or of all where that is 0. N / 2^10 mod 2^16 is the number of the shard:
- * each has random inputs of its own, after all boundary inputs. N = 0: the kernels' names and
- * nothing else, as
- *   equality: kernel NAME
- * Prints for each kernel
+ * each has random inputs of its own, after all boundary inputs. Prints for each kernel
  *   equality: NAME CASES
  *   equality: differences DIFFERENCES
  * and ends with SYSTEM_EXIT_TEST where there was a difference. */
@@ -20,11 +17,11 @@
 
 static uint32_t cases, differences;
 
-/* What an assertion of the library calls. */
-void fxl_assert_failed(const char *file, int line);
-void fxl_assert_failed(const char *file, int line)
+/* What an assertion of the library calls; equality.mk gives each its number in the file. */
+void fxl_assert_failed(const char *file, int number);
+void fxl_assert_failed(const char *file, int number)
 {
-    text_with_number("equality: assertion failed in ", file, " ", (uint32_t)line);
+    text_with_number("equality: assertion failed in ", file, ": number ", (uint32_t)number);
     system_exit(SYSTEM_EXIT_ASSERTION);
 }
 
@@ -70,11 +67,7 @@ int main(int argc, char **argv)
     uint32_t number = 1;
     any_of_shard(asked >> SHARD_SHIFT & ((1u << (KERNEL_SHIFT - SHARD_SHIFT)) - 1u));
     for (const equality_test *each = equality_tests; each->name != NULL; each++, number++) {
-        if (asked == 0) {
-            system_text("equality: kernel ");
-            system_text(each->name);
-            system_text("\n");
-        } else if (only == 0 || only == number) {
+        if (only == 0 || only == number) {
             run(each, thousands * ROUNDS);
             failed |= differences != 0;
         }

@@ -9,7 +9,7 @@ import pytest
 from conftest import CHECKOUT, run_cli, run_make, write_files
 
 from fixel.base.errors import ToolError
-from fixel.check import clauses, planting, sentences, trace, trace_break
+from fixel.check import clauses, equality, kernel_text, planting, sentences, trace, trace_break
 
 BUILT_PROGRAMS = ()
 SAMPLE = 5
@@ -135,7 +135,7 @@ def test_tags_of_modules():
 
 def test_all_is_well(root, capsys):
     code, said, wrong = traced(root, capsys)
-    assert (code, wrong) == (0, []) and said.endswith("3 of 3 normative clauses have code and a test\n")
+    assert (code, wrong) == (0, []) and "3 of 3 normative clauses have code and a test\n" in said
     code, said, _ = traced(root, capsys, "--only", "SPEC 1.2")
     assert code == 0 and "lib/a.c:11" in said and "informative" in said and "beams" not in said
 
@@ -363,3 +363,17 @@ def test_a_sample_of_clauses_is_seen_when_it_is_broken(tmp_path):
     done = run_make("trace", "BREAK=1", f"SAMPLE={SAMPLE}")
     assert done.returncode == 0, done.stdout + done.stderr
     assert re.search(r"(\d+) of \1 clauses broken are seen", done.stdout)
+
+
+def test_kernels_with_few_inputs_are_named_and_keep_a_release_back(root, capsys, monkeypatch):
+    record = root / "record.txt"
+    record.write_text(f"m0 fill {3 * 'abcd'} {3 * 'abcd'} 10000\nm3 fill {3 * 'abcd'} {3 * 'abcd'} 10000000\n")
+    monkeypatch.setattr(equality, "RECORD", record)
+    code, printed, wrong = traced(root, capsys)
+    assert code == 0 and not wrong and "1 of 2 kernels" in printed and "fill 10,000 (m0)" in printed
+    kernel = kernel_text.Kernel("fill", 1, 3 * "abcd", 3 * "abcd")
+    for machine, short in ((kernel.machine, []), (3 * "0123", ["1 kernels"])):
+        monkeypatch.setattr(equality, "programs_of", lambda _, machine=machine: {"m3": [kernel._replace(machine=machine)]})
+        code, printed, wrong = traced(root, capsys, "--release", "--cores", "m3")
+        assert code == len(short) and len(wrong) == len(short) and all(words in wrong[0] for words in short)
+        assert ("fill 0 (m3)" in printed) == bool(short)

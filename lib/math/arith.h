@@ -60,10 +60,13 @@ void fxl_assert_failed(const char *file, int line);
 #ifdef __cplusplus
 }
 #endif
+#ifndef FXL_ASSERT_LINE /* make equality has another, which a comment does not move */
+#define FXL_ASSERT_LINE __LINE__
+#endif
 #define FXL_ASSERT(condition) \
     do { \
         if (!(condition)) { \
-            fxl_assert_failed(__FILE__, __LINE__); \
+            fxl_assert_failed(__FILE__, FXL_ASSERT_LINE); \
         } \
     } while (0)
 #else

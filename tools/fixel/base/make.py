@@ -21,7 +21,7 @@ MAKEFILE = pathlib.Path(__file__).resolve().parents[3] / "Makefile"
 OF_MAKE = {"BOARD", "PROGRAM", "VISIBILITY", "CLIPPER", "ROWS", "DRIVER", "SIZE", "LIB_FLAGS", "COSTS_CORES", "COSTS_BOARDS", "coverage ONLY",
            "pictures ONLY"}
 # Options without a value: set by 1, and by nothing else.
-FLAGS = {"OPEN", "DRY_RUN", "WHOLE", "FRESH", "ALLOW_OUTSIDE", "RENEW", "BREAK", "BUGS", "ACCEPT", "compare JSON"}
+FLAGS = {"OPEN", "DRY_RUN", "WHOLE", "FRESH", "ALLOW_OUTSIDE", "RENEW", "BREAK", "RELEASE", "BUGS", "ACCEPT", "compare JSON"}
 # Passed on even if empty, for the tool to refuse. Any other empty variable counts as not given.
 EVEN_EMPTY = {"SCENE", "OUT", "PICTURE", "A", "B", "TOLERANCE"}
 OPTIONS = {"PICTURE": "--out", "GDB_COMMANDS": "--commands"}

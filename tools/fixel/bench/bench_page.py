@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The tables of make bench: for a terminal, for its report (bench.md), for docs/performance.md and docs/faces.md."""
 
-import json
 import pathlib
 import re
 
@@ -9,9 +8,9 @@ from fixel.bench import bench_faces, bench_goals, bench_rgb565, cycles, places
 from fixel.bench.bench_plan import NAMES
 from fixel.base.errors import ToolError
 from fixel.base.table import coloured, table
+from fixel.check import equality
 
 SMALL = 0.005   # of a frame: a function with less is among the others
-EQUALITY = pathlib.Path(__file__).resolve().parents[3] / "bench" / "equality.json"
 TEMPLATE = pathlib.Path(__file__).resolve().parents[2] / "templates" / "bench.md"
 MARK = "<!-- bench: {} -->"
 
@@ -382,23 +381,12 @@ def pictures_markdown(plan, result):
 
 
 def equality_markdown(_, __):
-    """Inputs of bench/equality.json for which each kernel on each core gave the same bits."""
-    try:
-        rows = json.loads(EQUALITY.read_text(encoding="utf-8"))["rows"]
-    except OSError:
-        return "Not run."
-    found = {(row["core"], row["kernel"]): row for row in rows}
-    cores = list(dict.fromkeys(row["core"] for row in rows))
-    kernels = sorted({row["kernel"] for row in rows})
-    cells = [[kernel, *[_equality_cell(found.get((core, kernel))) for core in cores]] for kernel in kernels]
-    whole = f"{sum(row['inputs'] for row in rows):,} inputs, {sum(row['differ'] for row in rows):,} differ."
-    return f"{markdown_table(['inputs', *cores], cells)}\n\n{whole}"
-
-
-def _equality_cell(row):
-    if row is None:
-        return ""
-    return f"{row['inputs']:,}" + (f", **{row['differ']:,} differ**" if row["differ"] else "")
+    """Random inputs on record for which each kernel on each core gave the same bits."""
+    found = {key[:2]: inputs for key, inputs in equality.recorded(equality.RECORD).items()}
+    cores = sorted({core for core, _ in found})
+    cells = [[kernel, *[f"{found[core, kernel]:,}" if (core, kernel) in found else "" for core in cores]]
+             for kernel in sorted({kernel for _, kernel in found})]
+    return f"{markdown_table(['random inputs', *cores], cells)}\n\n{sum(found.values()):,} random inputs, of which none differs."
 
 
 def tools_markdown(_, result):

@@ -3,12 +3,15 @@
 
     fixel trace [--only WORD] [--json FILE] [--accept]
     fixel trace --break [--only WORD | --sample N] --units DIR --cc COMMAND [--build DIR] [--fresh]
+    fixel trace --release --cores CORE...
 
 Fails where a normative clause has no code or no test, where a sentence of it has no test and the record does not say that it
 is prose or open, where a tag or a seeded bug names a clause or sentence that there is not, and where one has another id than on
 record. --only prints a line for each clause with that word in its id, and for each of its sentences.
 --accept takes new clauses and sentences and changed first words into the record, and "open" away where there is a test now. --break breaks each clause, by its seeded bugs or by
 mutants of the tagged lines, and runs only the tests tagged with it (trace_break.py).
+Names the kernels that have fewer inputs on record (equality.py) than a release needs. --release fails for
+these, and goes by the kernels of the cores' programs as they are now.
 Writes all as JSON. Exit: 0 all is well, 1 something is missing or no test sees a clause broken, 2 could not run.
 """
 
@@ -16,13 +19,14 @@ import argparse
 import importlib
 import pathlib
 import sys
+import textwrap
 import tomllib
 
 from fixel.base import output, sampling, spent
 from fixel.base.errors import ToolError
 from fixel.base.table import table
 from fixel.campaign import runner
-from fixel.check import clauses, planting, sentences
+from fixel.check import clauses, equality, planting, sentences
 from fixel.commands import late
 from fixel.prove import rows as proofs
 
@@ -34,6 +38,7 @@ UNBROKEN = FOLDER / "unbroken.toml"
 SURVIVORS = "host_tests/build/survivors.toml"
 KINDS = ("code", "test")
 SAID = 20       # sentences on what is wrong, at most
+WIDTH = 120     # of a line
 
 
 # --- the join ----------------------------------------------------------------------
@@ -202,6 +207,23 @@ def chosen(rows, reasons, options):
     return sampling.choose(CHECKOUT, "trace", [row for row in ready if row["id"] not in reasons], options.sample)
 
 
+# --- kernels -----------------------------------------------------------------------------
+
+def kernels_behind(options):
+    """Prints which kernels have too few inputs on record; the sentences on what is wrong for that."""
+    programs = equality.programs_of(options) if options.release else None
+    short, count = equality.short_of(equality.recorded(equality.RECORD), programs)
+    print(f"{count - len(short)} of {count} kernels are compared with {equality.ENOUGH:,} inputs or more, by "
+          f"{'their hashes' if options.release else 'the record; RELEASE=1 asks for their hashes, and fails for the others'}")
+    by_name = {}
+    for core, name, inputs in short:
+        by_name.setdefault((name, inputs), []).append(core)
+    named = "; ".join(f"{name} {inputs:,} ({' '.join(cores)})" for (name, inputs), cores in sorted(by_name.items()))
+    print(textwrap.fill(f"with fewer: {named}", WIDTH, break_long_words=False, break_on_hyphens=False) if short else "none has fewer")
+    return [f"{len(short)} kernels have fewer than {equality.ENOUGH:,} inputs on record, as a release needs: run make equality"] \
+        if short and options.release else []
+
+
 # --- the command -----------------------------------------------------------------------
 
 def parser():
@@ -214,6 +236,8 @@ def parser():
     made.add_argument("--accept", action="store_true", help="take new clauses and other first words into the record")
     made.add_argument("--break", action="store_true", dest="breaks", help="break clauses, and see whether their tests fail")
     made.add_argument("--sample", type=int, default=0, help="break so many clauses (all)")
+    made.add_argument("--release", action="store_true", help="fail for each kernel with too few inputs on record (RELEASE=1)")
+    made.add_argument("--cores", nargs="+", default=[], metavar="CORE", help="whose programs of make equality are built")
     made.add_argument("--units", help="the folder of the unit tests that make has built")
     made.add_argument("--cc", help="the compiler and the flags of the unit tests")
     runner.add_options(made)
@@ -274,6 +298,7 @@ def main(argv):
     before(options)
     here = {id_: row for id_, row in rows.items() if options.only in id_}
     print_rows(here, options.only)
+    wrong += kernels_behind(options) if not options.only else []
     said = {"clauses": [as_json(row) for row in rows.values()], "wrong": wrong}
     if options.breaks:
         broken = importlib.import_module("fixel.check.trace_break")    # which uses this module
