@@ -105,6 +105,26 @@ void test_what_lies_in_the_beam_is_lit(void)
     TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
 }
 
+/* A second beam falls beside the cube, and its light is no shadow of the first. */
+/* beams 2.1b */
+void test_what_one_beam_lights_stays_lit(void)
+{
+    const fxl_pose above = {{0, Q16(4), 0}, 0, DEGREES(-90), 0};
+    const fxl_direction down = {0, -FXL_Q2_30_ONE, 0};
+    fxl_point beside[4];
+    make(WORDS);
+    light(1, lit);
+    frame_draw_pose(&renderer, &above, whole, HEIGHT, 0);
+    for (int i = 0; i < 4; i++) {
+        beside[i] = (fxl_point){window[i].x + Q16(40), window[i].y, window[i].z + Q16(40)};
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_direction(&down, beside, 4, &beams[1]));
+    light(2, lit);
+    frame_draw_pose(&renderer, &above, other, HEIGHT, 0);
+    TEST_ASSERT_TRUE(lit_pixels(whole) > 30);
+    TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+}
+
 /* Under the lid the beam passes through faces that are turned away from the lamp. */
 /* beams 2.1a, 2.1c */
 void test_what_is_turned_away_stays_dark(void)

@@ -53,13 +53,18 @@ static uint32_t accounted(const fxl_counters *c)
     return c->backfacing + c->outside + c->degenerate + c->refused + c->drawn;
 }
 
-/* Colours of the cube are 1 + the number of the face. */
+/* Colours of the cube are 1 + the number of the face. Faces 0 and 1 lie side by side here, so that both are seen at once. */
 /* SPEC 6.2 */
 void test_faces_of_a_convex_model_come_by_number(void)
 {
     const fxl_rows all = {0, HEIGHT};
     tiny_scene *tiny = start(0);
     uint32_t pairs = 0;
+    const fxl_face opposite = tiny->faces[1];
+    tiny->faces[1] = tiny->faces[2];
+    tiny->faces[2] = opposite;
+    tiny->faces[1].material = 2;
+    tiny->faces[2].material = 3;
     tiny->scene.instance_count = 1;
     for (int number = 0; number < 4; number++) { /* from above four of its corners */
         fxl_pose pose = {

@@ -45,6 +45,26 @@ void test_instances_with_placements_are_taken_over(void)
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_world_init(&other, &world.scene, &room));
 }
 
+/* Those of the scene count. */
+/* world 1.1a-b */
+void test_each_capacity_is_for_instances_of_its_kind(void)
+{
+    static const fxl_placement placement = {
+        {{FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}, {0, 0, FXL_Q2_30_ONE}}, Q16(1)};
+    const fxl_instance instance = world_cube_at(2, 10);
+    fxl_handle handle;
+    (void)world_start();
+    for (uint32_t i = TINY_INSTANCES; i < WORLD_CAPACITY; i++) {
+        (void)world_spawned(&instance, NULL);
+    }
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_world_spawn(&world, &instance, NULL, &handle));
+    for (uint32_t i = 0; i < WORLD_TURNED; i++) {
+        (void)world_spawned(&instance, &placement);
+    }
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_world_spawn(&world, &instance, &placement, &handle));
+    TEST_ASSERT_EQUAL_UINT32(WORLD_PLACES, world.scene.instance_count);
+}
+
 /* world 1.2b */
 void test_a_handle_stays_stale_when_its_slot_is_used_again(void)
 {

@@ -214,18 +214,19 @@ void prove_check_links(void)
 }
 
 /* For check_owner, check_nodes and check_links: any status. */
-static unsigned passed;
+static unsigned passed; /* how many of them gave FXL_OK */
 fxl_status any_check(const fxl_scene *of, fxl_scene_fault *to)
 {
     ASSERT("a tree of nodes", of == &scene && to == &fault && scene.bsp_node_count >= 1 && scene.bsp_node_count <= FXL_BSP_NODES_MAX);
-    passed += nondet_bool();
-    return (fxl_status)nondet_u32();
+    const fxl_status status = (fxl_status)nondet_u32();
+    passed += status == FXL_OK;
+    return status;
 }
 
 /* [[row]]
  * function = "fxl_bsp_check"
- * property = "any checked scene, with a tree or without: nothing is looked at but nodes of the table"
- * checks = 327
+ * property = "any checked scene, with a tree or without: nothing is looked at but nodes of the table, and a checked tree has passed all three checks"
+ * checks = 329
  * unwind = 8
  * stands_in = { check_owner = "any_check", check_nodes = "any_check", check_links = "any_check" }
  */
@@ -233,7 +234,10 @@ void prove_bsp_check(void)
 {
     any_checked_scene();
     scene.bsp_nodes = nondet_bool() ? nodes : NULL;
-    (void)fxl_bsp_check(&scene, &fault);
+    passed = 0;
+    const fxl_status status = fxl_bsp_check(&scene, &fault);
+    ASSERT("a checked tree has passed all three checks", status != FXL_OK || scene.bsp_nodes == NULL || passed == 3);
+    ASSERT("without a tree there are no nodes", status != FXL_OK || scene.bsp_nodes != NULL || scene.bsp_node_count == 0);
     PROOF_ENDS();
 }
 

@@ -4,17 +4,22 @@
 
 /* [[row]]
  * function = "fxl_light_check"
- * property = "any settings, or null: nothing overflows or is out of bounds, and checked counts are in range"
- * checks = 222
+ * property = "any settings, or null: nothing overflows or is out of bounds, and of checked settings counts, ambient light, strength and fog are in range"
+ * checks = 225
  * uses = ["fxl_is_unit", "fxl_point_in_range"]
  */
 void prove_light_check(void)
 {
     fxl_light_settings settings;
     fxl_scene_fault fault;
-    const fxl_status status = fxl_light_check(nondet_bool() ? NULL : &settings, nondet_bool() ? NULL : &fault);
+    const fxl_light_settings *given = nondet_bool() ? NULL : &settings;
+    const fxl_status status = fxl_light_check(given, nondet_bool() ? NULL : &fault);
+    ASSERT("checked, there are settings", status != FXL_OK || given != NULL);
     ASSERT("checked, its counts are in range", status != FXL_OK || (settings.point_count <= FXL_LIGHT_POINTS_MAX && settings.levels >= FXL_LIGHT_LEVELS_MIN &&
                                                                    settings.levels <= FXL_LIGHT_LEVELS_MAX));
+    ASSERT("and its fractions", status != FXL_OK || (settings.ambient >= 0 && settings.ambient <= FXL_Q2_30_ONE && settings.strength >= 0 &&
+                                                     settings.strength <= FXL_Q2_30_ONE));
+    ASSERT("and its fog", status != FXL_OK || (settings.fog_near >= 0 && settings.fog_near <= settings.fog_far && settings.fog_far <= FXL_FAR_MAX));
     PROOF_ENDS();
 }
 
