@@ -62,7 +62,7 @@ def measured(build, folder, workload):
 
 @pytest.mark.parametrize("workload", RECORD["scenes"])
 def test_pixels_of_a_scene_are_no_worse_than_in_the_record(build, tmp_path, workload):
-    """As many are drawn, to within one in 1,000; of these no more differ. accuracy 3.5."""
+    """As many are drawn, to within one in 1,000; of these no more differ. accuracy 3.5b."""
     now, then = measured(build, tmp_path, workload), RECORD["scenes"][workload]
     assert abs(now["covered"] - then["covered"]) <= then["covered"] / 1000
     for key in ("unlike_double", "unlike_divided"):
@@ -81,7 +81,7 @@ def claims(change=1.0):
 
 
 def test_a_mean_that_is_the_record_s_holds_and_a_larger_one_fails():
-    """accuracy 3.5."""
+    """accuracy 3.5b."""
     assert all(claim["holds"] and "mean_most" in claim for claim in report_claims.hold(claims(), RECORD["seed"]))
     worse = report_claims.hold(claims(1.001), RECORD["seed"])
     assert not any(claim["holds"] for claim in worse)
@@ -89,7 +89,7 @@ def test_a_mean_that_is_the_record_s_holds_and_a_larger_one_fails():
 
 
 def test_a_mean_of_other_samples_is_not_compared():
-    """accuracy 3.5."""
+    """accuracy 3.5e."""
     fewer = copy.deepcopy(claims(2.0))
     for claim in fewer:
         claim["samples"] -= 1

@@ -57,7 +57,7 @@ def bound(scene, clipper):
 @pytest.mark.parametrize("scene, clipper", sampled("clippers", [(name, clipper) for name in (*SCENES, "spot") for clipper in CLIPPERS], 30),
                          indirect=["scene"])
 def test_double_explains_every_pixel(build, scene, clipper, tmp_path):
-    """accuracy 4.2."""
+    """accuracy 4.2b, 4.2d-f."""
     counted, whole = drawn(build, scene, clipper, tmp_path / "whole.fxld")
     assert counted["drawn"] > 0 and counted["refused"] == 0
     found = judged(build, scene, tmp_path / "whole.fxld", "--clipper", clipper, "--distance", bound(scene, clipper))
@@ -121,7 +121,7 @@ def border_of(build, folder, inset, clipper="view", near="1/256"):
 
 @pytest.mark.parametrize("clipper", ["view", "world", "once"])
 def test_a_border_of_background_is_told(build, tmp_path, clipper):
-    """accuracy 4.1."""
+    """accuracy 4.1c, 4.1f."""
     background, verdict = border_of(build, tmp_path, ', inset = "4/65536"', clipper)
     assert min(background) > 1000
     for empty, frame in zip(background, verdict["frames"]):
@@ -188,7 +188,7 @@ def walls(build, scene, clipper):
 @pytest.mark.parametrize("clipper", clipper_names(but=("triangles", "left")))
 @pytest.mark.parametrize("plane", ["near", "far"])
 def test_what_the_rounding_of_depths_decides_is_explained(build, tmp_path, plane, clipper):
-    """accuracy 4.3."""
+    """accuracy 4.3h-k."""
     scene = wall(tmp_path, plane)
     found = judged(build, scene, walls(build, scene, clipper), "--clipper", clipper)
     assert found["pixels_near_far"] > 500
@@ -197,7 +197,7 @@ def test_what_the_rounding_of_depths_decides_is_explained(build, tmp_path, plane
 
 @pytest.mark.parametrize("plane", ["near", "far"])
 def test_a_wall_on_the_wrong_side_by_one_unit_is_not_explained(build, tmp_path, plane):
-    """One unit of 1/65536 is more than 20 times the bound for this wall. Frames turned further tilt it by more than the unit. accuracy 4.3."""
+    """One unit of 1/65536 is more than 20 times the bound for this wall. Frames turned further tilt it by more than the unit. accuracy 4.3c, 4.3f-g."""
     inside, outside = wall(tmp_path, plane, 1), wall(tmp_path, plane, -1)
     for board, truth in ((inside, outside), (outside, inside)):
         dumped = walls(build, board, "view")

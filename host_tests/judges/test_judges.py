@@ -42,7 +42,7 @@ def scene(request, folder):
 
 
 def test_the_board_draws_what_the_host_draws_and_double_explains_the_rest(scene):
-    """accuracy 4.1, 4.2."""
+    """accuracy 4.1b, 4.2b, 4.2d."""
     name, _, summary, _ = scene
     assert summary["host_frames_equal"] is True
     assert summary["pixels_unexplained"] == 0
@@ -56,7 +56,7 @@ WRONG_BY_ORDER = {"spin": 500}  # of a million
 
 
 def test_the_third_judge_agrees_with_the_twin(scene, tmp_path):
-    """accuracy 4.4."""
+    """accuracy 4.4a-b, 4.4g."""
     name, image, _, out = scene
     verdict = HostPrograms("build").raycast(image, out / "double.fxld", tmp_path / "rays.json",
                                             EVERY.get(name, 1))
@@ -75,7 +75,7 @@ def test_with_a_depth_buffer_nothing_of_what_turns_is_in_the_wrong_order(folder)
 
 
 def test_the_third_judge_sees_a_mirrored_picture(folder, tmp_path):
-    """A judge that agrees with anything is none. accuracy 4.4."""
+    """A judge that agrees with anything is none. accuracy 4.4d."""
     image = tmp_path / "cube.fxls"
     making.build(CHECKOUT / "scenes" / "cube.toml", image)
     _, out = walked(folder, "scenes/cube.toml", 2)

@@ -103,7 +103,7 @@ def test_the_twin_is_judged_too(build):
 
 @pytest.mark.parametrize("claim", ("texel_divided", "light_level"))
 def test_no_pixel_of_a_surface_exceeds_its_own_bound(build, claim):
-    """accuracy 5.3."""
+    """accuracy 5.3a."""
     found = json.loads(oracle(build, claim, "--samples", 20_000, "--seed", 9, "--shard", 0))
     assert found["beyond_own_bound"] == 0
     assert found["samples"] == 20_000 > 10 * found["skipped"]
@@ -111,7 +111,7 @@ def test_no_pixel_of_a_surface_exceeds_its_own_bound(build, claim):
 
 @pytest.mark.parametrize("claim, least", (("depth_16", 0.5), ("depth_32", 0.1)))
 def test_depth_is_judged_where_it_is_nearly_wrong(build, claim, least):
-    """Pairs of faces that a buffer cannot tell apart are among the samples, close to the bound. accuracy 5.4."""
+    """Pairs of faces that a buffer cannot tell apart are among the samples, close to the bound. accuracy 5.4a-b."""
     found = json.loads(oracle(build, claim, "--samples", 20_000, "--seed", 9, "--shard", 0))
     assert found["farther_one_shown"] > 1000 and least < found["max"] <= BOUNDS[claim]
 

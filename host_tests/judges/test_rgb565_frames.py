@@ -66,7 +66,7 @@ OUTLINES = ("--outlines", "1")
 
 @pytest.mark.parametrize("blend", ("true", '"add"'), ids=("blended", "added"))
 def test_what_is_mixed_with_an_outline_is_explained_and_what_is_off_is_not(build, tmp_path, blend):
-    """The teal box is mixed with the edges of the golden one behind it, and with its own. accuracy 4.2."""
+    """The teal box is mixed with the edges of the golden one behind it, and with its own. accuracy 4.2b, 4.2g-h."""
     scene = tmp_path / "outlined.toml"
     scene.write_text((BLENDED % "").replace("blend = true", f"blend = {blend}"))
     image_file = built(scene, tmp_path)

@@ -94,7 +94,7 @@ def test_another_visibility_method_draws_own_colours(build, tmp_path):
 @pytest.mark.parametrize("division, offset, explained", [
     ("16", "0", True), ("16", "0.4", False), ("8", "0", True), ("8", "0.1", False), ("1", "0", True), ("1", "0.02", False)])
 def test_the_judge_sees_a_texture_that_is_moved(division, offset, explained, build, tmp_path):
-    """By more than the bound: accuracy 4.2.1."""
+    """By more than the bound: accuracy 4.2.1b, 4.2.1d."""
     image = floor(tmp_path, "judged", f"division = {division}")
     moved = floor(tmp_path, "moved", f"division = {division}\ntexel_offset = [{offset}, 0]")
     verdict = judged(build, image, drawn(build, moved, "moved"))

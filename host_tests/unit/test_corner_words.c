@@ -100,7 +100,7 @@ static void check_words(double spread, bool is_even, word_counts *counts)
     counts->bent += last != o;
 }
 
-/* SPEC 9.1.1s-t */
+/* SPEC 9.1.1s-t, accuracy 5.1.1k, 5.1.1n, 5.1.1u-v */
 void test_words_are_codes_and_light(void)
 {
     word_counts counts = {0, 0, 0, 0, 0, 0};
@@ -169,7 +169,7 @@ static bool check_texels(texel_counts *counts)
     return true;
 }
 
-/* SPEC 9.1.1u */
+/* SPEC 9.1.1u, accuracy 5.1.1k */
 void test_words_are_texels(void)
 {
     texel_counts counts = {0, 0, 0, 0};

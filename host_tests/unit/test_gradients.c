@@ -109,7 +109,7 @@ void setUp(void)
     view = clip_random_view((uint16_t)width, (uint16_t)height);
 }
 
-/* accuracy 5.1, SPEC 9.1b, 9.1d */
+/* SPEC 9.1b, 9.1d, accuracy 5.1a, 5.1d-e */
 void test_attributes_are_those_of_the_point_that_is_seen(void)
 {
     uint32_t checked = 0, tight = 0;
@@ -143,7 +143,7 @@ void test_attributes_are_those_of_the_point_that_is_seen(void)
     TEST_ASSERT_GREATER_THAN(checked / 9, tight); /* the bound says something */
 }
 
-/* accuracy 5.1 */
+/* accuracy 5.1c */
 void test_the_volume_is_exact_but_for_rounding(void)
 {
     const double one = 70368744177664.0;
@@ -226,7 +226,7 @@ static void check_least_weight_of_8(double exact)
 
 /* Over a segment of 16 pixels a line through its ends is off by at most 0.3 of a unit, and
  * its ends are below 2^29 (gradients.c). The bound is at most a step of its own above that. */
-/* accuracy 5.2 */
+/* accuracy 5.2b */
 void test_the_least_weight_is_what_its_two_conditions_ask_for(void)
 {
     uint32_t by_bend = 0, by_far = 0, least = 0;

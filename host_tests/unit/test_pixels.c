@@ -132,7 +132,7 @@ static void assert_converted(const fxl_band *band)
 }
 
 /* The last byte of a row is filled up with zeros, also after seven ones. */
-/* pixels 1.1 */
+/* pixels 1.1a */
 void test_seven_white_pixels(void)
 {
     static const uint8_t white[3] = {255, 255, 255};
@@ -146,7 +146,7 @@ void test_seven_white_pixels(void)
     }
 }
 
-/* pixels 1.1, 1.5 */
+/* pixels 1.1a, 1.5b */
 void test_every_width_at_every_place_of_a_word(void)
 {
     for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
@@ -162,7 +162,7 @@ void test_every_width_at_every_place_of_a_word(void)
     }
 }
 
-/* pixels 1.2 */
+/* pixels 1.2g-h */
 void test_every_width_of_rgb565_at_every_place_of_a_word(void)
 {
     for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
@@ -183,7 +183,7 @@ void test_every_width_of_rgb565_at_every_place_of_a_word(void)
 }
 
 /* Some columns: those of the band of all of them, the dither too. */
-/* formats 4.4, pixels 1.3 */
+/* formats 4.4, pixels 1.3c */
 void test_some_columns(void)
 {
     for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
@@ -213,7 +213,7 @@ void test_some_columns(void)
 }
 
 /* Every colour has the entry that a palette with its three bytes has. */
-/* pixels 1.2 */
+/* pixels 1.2i */
 void test_greys_of_rgb565(void)
 {
     static const uint32_t highests[] = {1, 15, 254, 255};
@@ -236,7 +236,7 @@ void test_greys_of_rgb565(void)
 }
 
 /* Rows that are one run, and rows in which one pixel is another: at each place of a block. */
-/* pixels 1.5 */
+/* pixels 1.5b */
 void test_a_pixel_within_a_run(void)
 {
     const fxl_band band = {.pixels = frame, .width = 48, .stride = 48, .first_row = 0, .rows = 1};
@@ -328,7 +328,7 @@ void test_what_is_refused_changes_nothing(void)
 }
 
 /* A frame in bands that begin at any row, or, of pages of 8 rows, at any page. */
-/* formats 4.4, pixels 1.3 */
+/* formats 4.4, pixels 1.3a-b */
 void test_bands_of_any_rows(void)
 {
     uint32_t cut = 0;

@@ -158,7 +158,7 @@ static void assert_every_format_and_height(void)
     }
 }
 
-/* pixels 2.1, 2.2 */
+/* pixels 2.1b, 2.2a */
 void test_frames_arrive_whole_in_every_format_and_height(void)
 {
     assert_every_format_and_height();
@@ -233,7 +233,7 @@ void test_rows_of_rgb565_from_elsewhere(void)
 }
 
 /* The band that is drawn while another is sent; the frame after it, too. */
-/* pixels 2.1 */
+/* pixels 2.1a-b */
 void test_a_band_is_drawn_while_another_is_sent(void)
 {
     const fxl_band *band;
@@ -306,7 +306,7 @@ void test_rows_from_elsewhere_between_bands(void)
     TEST_ASSERT_EQUAL(WIDTH, taken);
 }
 
-/* pixels 2.3 */
+/* pixels 2.3b-c */
 void test_a_transfer_that_fails_ends_the_frame(void)
 {
     const fxl_pose pose = pose_number(0);

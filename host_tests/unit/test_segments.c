@@ -187,7 +187,7 @@ void test_divided_pixels_are_as_without_a_kernel(void)
 
 /* A chord is off by at most 0.3 of a unit from the exact value, and by 0.075 with
  * FXL_DIVIDE_8, whatever the face. */
-/* accuracy 5.2, surfaces 2.1, SPEC 9.2f-g */
+/* surfaces 2.1, SPEC 9.2f-g, accuracy 5.2a, 5.2c */
 void test_the_rule_bounds_the_error_of_a_chord(void)
 {
     static const int32_t sizes[] = {16, 8, 4};
