@@ -112,8 +112,8 @@ bool fxl_ratio(fxl_q16_16 factor, fxl_q18_46 side, fxl_q18_46 depth, int32_t lim
     int64_t scaled = shift > 0 ? fxl_round_shift(depth, shift) : depth;
     int64_t high = fxl_multiply_s32(factor, (int32_t)(side >> 32));
     int64_t low = fxl_multiply_su32(factor, (uint32_t)side);
-    /* If high is larger than that, the product is above 2^61, while the limit times the
-     * depth is below 2^60. */
+    /* If high is larger than that, the product is above 2^60 in magnitude, also where low takes from
+     * it; the limit times the depth is below 2^60. */
     if (!fxl_within(high, (int64_t)1 << (29 + shift))) {
         return false;
     }

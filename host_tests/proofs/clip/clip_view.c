@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "clip/clip_view.c"
-#include "proof.h"
+#include "products.h"
 
 /* [[row]]
  * function = "project_onto"
@@ -279,5 +279,30 @@ void prove_clip_stats_add(void)
     ANY_CONTENT(distances_of_in);
     ASSUME(measured <= FXL_POLYGON_CAPACITY);
     fxl_clip_stats_add(nondet_bool() ? &stats : NULL, distances_of_in, measured, nondet_u32());
+    PROOF_ENDS();
+}
+
+/* --- results, of products and quotients that may be any ------------------------------------------------- */
+
+
+/* [[row]]
+ * function = "project_onto"
+ * id = "project_onto, its result"
+ * property = "the floor of the two products of three words each, added, over 2^30"
+ * checks = 11
+ * stands_in = { fxl_multiply_u32 = "any_unsigned", fxl_multiply_s32 = "any_signed" }
+ * stubs = { fxl_multiply_u32 = "C's product of two words" }
+ */
+void prove_project_onto_result(void)
+{
+    const int32_t side = nondet_s32(), depth = nondet_s32();
+    const int64_t across = nondet_s64(), along = nondet_s64(), most = ((int64_t)1 << 61) - 1;
+    ASSUME(FXL_SIDE(side, depth) && WITHIN(across, most) && WITHIN(along, most));
+    const int64_t high_across = any_signed(side, (int32_t)(across >> 32)), high_along = any_signed(depth, (int32_t)(along >> 32));
+    const uint64_t low_across = any_unsigned((uint32_t)side, (uint32_t)across), low_along = any_unsigned((uint32_t)depth, (uint32_t)along);
+    ASSUME(WITHIN(high_across, (int64_t)1 << 59) && WITHIN(high_along, (int64_t)1 << 59));
+    ASSUME(low_across < (uint64_t)1 << 62 && low_along < (uint64_t)1 << 62);
+    const wide sum = ((wide)high_across + high_along) * ((wide)1 << 32) + low_across + low_along;
+    ASSERT("the floor", project_onto(side, across, depth, along) == (int64_t)(sum >> 30));
     PROOF_ENDS();
 }

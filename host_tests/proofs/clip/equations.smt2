@@ -45,7 +45,7 @@
 (assert (not (< (- 2147483648 9223372036854775808) (- (div P R) (div Q R)) (- 9223372036854775808 2147483648)))) (check-sat) (pop)
 
 ; [[row]]
-; id = "fxl_intersection_screen exact"
+; id = "fxl_intersection_screen bound"
 ; function = "lib/clip/intersection.h:fxl_intersection_screen"
 ; property = "the quotient is at most the extent, so that the division takes it"
 ; checks = 4

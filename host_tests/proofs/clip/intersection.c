@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "clip/intersection.c"
-#include "proof.h"
+#include "products.h"
 
 /* [[row]]
  * function = "fxl_intersection_fraction"
@@ -109,4 +109,81 @@ int32_t any_part(int64_t numerator, uint32_t denominator)
     ASSERT("a divisor", denominator > 0 && denominator < 1u << 29);
     ASSUME(WITHIN(part, 1 << 29));
     return part;
+}
+
+/* --- results, of products and quotients that may be any ------------------------------------------------- */
+
+
+static int64_t part_of(int64_t from, int64_t to, uint64_t fraction)
+{
+    return to < from ? from - (int64_t)any_high((uint64_t)(from - to), fraction) : from + (int64_t)any_high((uint64_t)(to - from), fraction);
+}
+
+/* [[row]]
+ * function = "interpolate"
+ * property = "from the one end towards the other by the upper word of their distance times the fraction"
+ * checks = 11
+ * stands_in = { fxl_multiply_high = "any_high" }
+ */
+/* [[row]]
+ * function = "fxl_intersection_part"
+ * id = "fxl_intersection_part, its result"
+ * property = "the same"
+ * checks = 11
+ * stands_in = { fxl_multiply_high = "any_high" }
+ */
+void prove_interpolate(void)
+{
+    const int64_t from = nondet_s64(), to = nondet_s64();
+    const uint64_t fraction = nondet_u64();
+    ASSUME(WITHIN(from, (int64_t)1 << 61) && WITHIN(to, (int64_t)1 << 61));
+    const int64_t part = part_of(from, to, fraction);
+    ASSERT("towards the other end", interpolate(from, to, fraction) == part && fxl_intersection_part(from, to, fraction) == part);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "fxl_intersection_varying"
+ * id = "fxl_intersection_varying, its result"
+ * property = "the same, to the nearest: by half of the upper word of twice the distance, and one"
+ * checks = 8
+ * stands_in = { fxl_multiply_high = "any_high" }
+ */
+void prove_intersection_varying_result(void)
+{
+    const int32_t from = nondet_s32(), to = nondet_s32();
+    const uint64_t fraction = nondet_u64(), distance = from < to ? (uint64_t)((int64_t)to - from) : (uint64_t)((int64_t)from - to);
+    const int64_t part = (int64_t)(any_high(2 * distance, fraction) + 1) / 2;
+    ASSERT("to the nearest", fxl_intersection_varying(from, to, fraction) == (to < from ? from - part : from + part));
+    PROOF_ENDS();
+}
+
+uint64_t __CPROVER_uninterpreted_fraction(uint64_t, uint64_t);
+
+/* For fxl_fraction: what it requires. */
+uint64_t any_fraction(uint64_t part, uint64_t whole)
+{
+    ASSERT("a part of a whole", part < whole && whole >> 63 == 0);
+    return __CPROVER_uninterpreted_fraction(part, whole);
+}
+
+/* [[row]]
+ * function = "fxl_intersect_edge"
+ * id = "fxl_intersect_edge, its result"
+ * property = "each coordinate is the same part of the way, that of the inside distance in both distances"
+ * checks = 109
+ * stands_in = { fxl_multiply_high = "any_high", fxl_fraction = "any_fraction" }
+ */
+void prove_intersect_edge_result(void)
+{
+    fxl_view_point from, to, point;
+    const int64_t inside = nondet_s64(), outside = nondet_s64(), most = (int64_t)1 << 61;
+    ASSUME(inside > 0 && inside < (int64_t)1 << 62 && outside < 0 && outside >= -((int64_t)1 << 62));
+    ASSUME(FXL_POINT_BELOW(&from, most) && FXL_POINT_BELOW(&to, most));
+    fxl_intersect_edge(&from, &to, &inside, &outside, &point);
+    const uint64_t fraction = any_fraction((uint64_t)inside, (uint64_t)(inside - outside));
+    ASSERT("x", point.x == part_of(from.x, to.x, fraction));
+    ASSERT("y", point.y == part_of(from.y, to.y, fraction));
+    ASSERT("z", point.z == part_of(from.z, to.z, fraction));
+    PROOF_ENDS();
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "math/arith.c"
-#include "proof.h"
+#include "products.h"
 
 /* [[row]]
  * function = "lib/math/core.h:fxl_leading_zeros"
@@ -237,5 +237,126 @@ void prove_divide_u32(void)
 void prove_multiply_high(void)
 {
     (void)fxl_multiply_high(nondet_u64(), nondet_u64());
+    PROOF_ENDS();
+}
+
+/* --- results, of products and quotients that may be any ------------------------------------------------- */
+
+
+/* [[row]]
+ * id = "fxl_multiply_high, its result"
+ * function = "lib/math/core.h:fxl_multiply_high"
+ * property = "the upper 64 bits of the sum of the four products of the halves, each where it belongs"
+ * checks = 1
+ * stands_in = { fxl_multiply_u32 = "any_unsigned" }
+ * stubs = { fxl_multiply_u32 = "C's product of two words" }
+ */
+void prove_multiply_high_result(void)
+{
+    const uint64_t a = nondet_u64(), b = nondet_u64();
+    const uint32_t a_high = (uint32_t)(a >> 32), b_high = (uint32_t)(b >> 32);
+    const wide_unsigned sum = ((wide_unsigned)any_unsigned(a_high, b_high) << 64) + ((wide_unsigned)any_unsigned(a_high, (uint32_t)b) << 32) +
+                              ((wide_unsigned)any_unsigned((uint32_t)a, b_high) << 32) + any_unsigned((uint32_t)a, (uint32_t)b);
+    ASSERT("the upper half of the product", fxl_multiply_high(a, b) == (uint64_t)(sum >> 64));
+    PROOF_ENDS();
+}
+
+uint32_t __CPROVER_uninterpreted_quotient(uint64_t, uint32_t);
+
+/* For fxl_divide_u64. */
+uint32_t any_quotient(uint64_t numerator, uint32_t denominator, uint32_t *remainder)
+{
+    const uint32_t quotient = __CPROVER_uninterpreted_quotient(numerator, denominator);
+    ASSERT("a quotient that fits", numerator >> 32 < denominator);
+    ASSUME(numerator >> 31 >= denominator || quotient >> 31 == 0);
+    *remainder = nondet_u32();
+    return quotient;
+}
+
+/* [[row]]
+ * id = "fxl_divide_down, its result"
+ * function = "lib/math/arith.h:fxl_divide_down"
+ * property = "the quotient of the numerator; -1 less that of -1 less the numerator where the numerator is below 0"
+ * checks = 11
+ * stands_in = { fxl_divide_u64 = "any_quotient" }
+ */
+void prove_divide_down_result(void)
+{
+    const int64_t numerator = nondet_s64();
+    const uint32_t denominator = nondet_u32();
+    uint32_t rest;
+    ASSUME(denominator > 0 && (uint64_t)(numerator ^ (numerator >> 63)) >> 31 < denominator);
+    const uint32_t magnitude = any_quotient(numerator < 0 ? (uint64_t)(-1 - numerator) : (uint64_t)numerator, denominator, &rest);
+    const int32_t quotient = fxl_divide_down(numerator, denominator);
+    ASSERT("floor", quotient == (numerator < 0 ? -1 - (int32_t)magnitude : (int32_t)magnitude));
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * id = "fxl_divide_round, its result"
+ * function = "lib/math/arith.h:fxl_divide_round"
+ * property = "the floor of the numerator and half the denominator, over the denominator"
+ * checks = 7
+ * stands_in = { fxl_divide_down = "any_down" }
+ */
+void prove_divide_round_result(void)
+{
+    const int64_t numerator = nondet_s64();
+    const uint32_t denominator = nondet_u32();
+    ASSUME(denominator > 0 && WITHIN(numerator, (int64_t)((uint64_t)denominator << 31) - denominator));
+    ASSERT("the nearest", fxl_divide_round(numerator, denominator) == any_down(numerator + denominator / 2, denominator));
+    PROOF_ENDS();
+}
+
+uint32_t __CPROVER_uninterpreted_quotient_32(uint32_t, uint32_t);
+uint32_t __CPROVER_uninterpreted_rest_32(uint32_t, uint32_t);
+
+/* For fxl_divide_u32: its contract. */
+uint32_t any_quotient_32(uint32_t numerator, uint32_t denominator, uint32_t *remainder)
+{
+    const uint32_t quotient = __CPROVER_uninterpreted_quotient_32(numerator, denominator);
+    *remainder = __CPROVER_uninterpreted_rest_32(numerator, denominator);
+    ASSERT("a divisor", denominator > 0);
+    ASSUME(*remainder < denominator && *remainder <= numerator && quotient <= numerator);
+    return quotient;
+}
+
+/* [[row]]
+ * id = "fxl_divide_floor, its result"
+ * function = "lib/math/arith.h:fxl_divide_floor"
+ * property = "quotient and remainder of the magnitude; below 0 those that make the numerator and whose remainder is not below 0"
+ * checks = 34
+ * stands_in = { fxl_divide_u32 = "any_quotient_32" }
+ */
+void prove_divide_floor_result(void)
+{
+    const int32_t numerator = nondet_s32(), denominator = nondet_s32();
+    uint32_t rest;
+    int32_t remainder;
+    ASSUME(denominator > 0 && numerator > INT32_MIN);
+    const int32_t magnitude = (int32_t)any_quotient_32(numerator < 0 ? (uint32_t)-numerator : (uint32_t)numerator, (uint32_t)denominator, &rest);
+    const int32_t quotient = fxl_divide_floor(numerator, denominator, &remainder);
+    /* -n = magnitude d + rest, so n = -magnitude d - rest = (-magnitude - 1) d + d - rest */
+    const bool lower = numerator < 0 && rest != 0;
+    ASSERT("the quotient", quotient == (numerator < 0 ? -magnitude : magnitude) - lower);
+    ASSERT("the remainder", remainder == (lower ? denominator - (int32_t)rest : (int32_t)rest));
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * id = "fxl_dot, its result"
+ * function = "lib/math/arith.h:fxl_dot"
+ * property = "the sum of the three products, each of its own component"
+ * checks = 23
+ * stands_in = { fxl_multiply_s31 = "any_signed" }
+ * stubs = { fxl_multiply_s31 = "C's product of two words" }
+ */
+void prove_dot_result(void)
+{
+    fxl_direction direction;
+    const int32_t x = nondet_s32(), y = nondet_s32(), z = nondet_s32();
+    const int64_t a = any_signed(direction.x, x), b = any_signed(direction.y, y), c = any_signed(direction.z, z);
+    ASSUME(WITHIN(a, (int64_t)1 << 60) && WITHIN(b, (int64_t)1 << 60) && WITHIN(c, (int64_t)1 << 60));
+    ASSERT("the sum", fxl_dot(&direction, x, y, z) == a + b + c);
     PROOF_ENDS();
 }

@@ -57,7 +57,7 @@
 (check-sat) (pop)
 
 ; [[row]]
-; id = "fxl_divide_u32 exact"
+; id = "fxl_divide_u32 remainder"
 ; function = "lib/math/core.h:fxl_divide_u32"
 ; property = "the remainder is below the denominator, and neither it nor the quotient is above the numerator"
 ; checks = 2
@@ -251,7 +251,7 @@
 (check-sat) (pop)
 
 ; [[row]]
-; id = "normalise exact"
+; id = "normalise bound"
 ; function = "lib/math/plane.c:normalise"
 ; property = "each component is at most 1, because the root is at least each component"
 ; checks = 6
@@ -263,7 +263,7 @@
 ; ]
 
 ; [[row]]
-; id = "fxl_square_root exact"
+; id = "fxl_square_root bound"
 ; function = "lib/math/plane.h:fxl_square_root"
 ; property = "at least the floor of the root"
 ; checks = 6

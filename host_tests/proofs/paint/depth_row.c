@@ -111,6 +111,33 @@ void prove_depth_hidden_end(void)
     PROOF_ENDS();
 }
 
+/* Whether a pixel is visible, by the definition: of 16 bits a cell the code's upper half counts. */
+static bool is_visible(const void *cells, int32_t x, uint32_t code, fxl_depth_rule rule)
+{
+    const uint64_t cell = CASE == 32 ? ((const uint32_t *)cells)[x] : (uint64_t)((const uint16_t *)cells)[x] << 16;
+    const uint64_t nearness = CASE == 32 ? code : code - code % 65536u;
+    return nearness > cell || (rule.or_equal && nearness == cell);
+}
+
+/* [[row]]
+ * id = "depth test"
+ * function = "lib/paint/depth_cells.h:fxl_depth_passes"
+ * property = "a pixel is visible where its code is above its cell, or as far and equal ones are; of cells of 16 bits without the lower half"
+ * checks = 108
+ * cases = [16, 32]
+ * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
+ */
+void prove_depth_passes(void)
+{
+    const int32_t x = nondet_s32();
+    const uint32_t code = nondet_u32();
+    const fxl_depth_rule rule = any_rule();
+    any_painting();
+    ASSUME(x >= 0 && x < CELLS);
+    ASSERT("whether it is visible", fxl_depth_passes(memory.cells, x, code, rule) == is_visible(memory.cells, x, code, rule));
+    PROOF_ENDS();
+}
+
 /* [[row]]
  * function = "lib/paint/depth_cells.h:fxl_depth_keep"
  * property = "any cell: no other changes, and the pixel passes again only where equal ones do"

@@ -143,6 +143,21 @@ void prove_scan_next_trapezoid(void)
     PROOF_ENDS();
 }
 
+int32_t __CPROVER_uninterpreted_below(int32_t, uint32_t, int32_t, uint32_t);
+
+static int32_t x_below(const fxl_edge *edge)
+{
+    return __CPROVER_uninterpreted_below(edge->x, edge->fraction, edge->step, edge->step_fraction);
+}
+
+/* For fxl_edge_advance, whose rows say where x is. */
+void a_row_lower(fxl_edge *edge, uint32_t rows)
+{
+    ASSERT("a row", rows == 1);
+    edge->x = x_below(edge);
+    edge->fraction = nondet_u32();
+}
+
 /* For fxl_scan_next_trapezoid: the rows from its end, or none. */
 const fxl_trapezoid *any_trapezoid(fxl_scan *scan)
 {
@@ -172,6 +187,28 @@ void prove_next_row_of_chains(void)
     if (next_row_of_chains(&scan, &span)) {
         ASSERT("a row, left before right", span.y >= 0 && span.y < scan.end_row && scan.row == span.y + 1);
     }
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "lib/raster/scan.c:next_row_of_chains"
+ * id = "a row's ends"
+ * property = "any row within a trapezoid, whose edges differ there: from the lesser x of the two edges, a row lower, to the greater"
+ * checks = 267
+ * unwind = 2
+ * stands_in = { fxl_edge_advance = "a_row_lower", fxl_scan_next_trapezoid = "any_trapezoid" }
+ * stubs = { fxl_active_edges_next = "not called", fxl_active_edges_begin = "not called" }
+ */
+void prove_row_ends(void)
+{
+    fxl_scan scan;
+    fxl_span span;
+    ASSUME(is_scan(&scan) && scan.row >= 0 && scan.row < scan.trapezoid.end_row && scan.trapezoid.end_row <= FXL_SCREEN_MAX);
+    const int32_t row = scan.row, a = x_below(&scan.trapezoid.edges[0]), b = x_below(&scan.trapezoid.edges[1]);
+    ASSUME(a != b && a >= 0 && b >= 0 && a <= FXL_SCREEN_MAX && b <= FXL_SCREEN_MAX);
+    ASSERT("a row", next_row_of_chains(&scan, &span));
+    ASSERT("its ends", span.x0 == (a < b ? a : b) && span.x1 == (a < b ? b : a));
+    ASSERT("that row", span.y == row && scan.row == row + 1 && scan.trapezoid.first_row == row);
     PROOF_ENDS();
 }
 

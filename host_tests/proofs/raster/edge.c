@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "raster/edge.h"
-#include "proof.h"
+#include "products.h"
 
 /* [[row]]
  * function = "lib/raster/edge_divide.h:fxl_edge_dividend"
@@ -231,5 +231,233 @@ void prove_edge_set(void)
     ASSUME(fxl_first_centre_from(top.y) <= row && fxl_first_centre_from(bottom.y) == row + rows);
     const int32_t good = fxl_edge_set(&top, &bottom, row, rows, &edge);
     ASSERT("for some of the rows", good >= 1 && good <= rows);
+    PROOF_ENDS();
+}
+
+/* --- results, of products and quotients that may be any ------------------------------------------------- */
+
+
+/* [[row]]
+ * function = "lib/raster/edge_divide.h:fxl_edge_dividend"
+ * id = "fxl_edge_dividend, its result"
+ * property = "the fraction of the start times the height, and dx times t, less 1, over 2^16, rounded down"
+ * checks = 8
+ * stands_in = { fxl_multiply_u32 = "any_unsigned", fxl_multiply_s32 = "any_signed" }
+ * stubs = { fxl_multiply_u32 = "C's product of two words" }
+ */
+void prove_edge_dividend_result(void)
+{
+    const int32_t start = nondet_s32(), dx = nondet_s32(), height = nondet_s32(), t = nondet_s32();
+    ASSUME(WITHIN(dx, 1 << 29) && height > 0 && height <= 1 << 29 && t >= 0 && t < height);
+    const uint32_t part = (uint32_t)start % 65536u;
+    const int64_t across = any_signed(dx, t), least = (int64_t)any_unsigned(part, (uint32_t)height);
+    ASSUME(WITHIN(across, (int64_t)1 << 58) && least >= 0 && least < (int64_t)1 << 45);
+    const int64_t sum = least + across - 1, dividend = fxl_edge_dividend(start, dx, height, t);
+    ASSERT("the floor", dividend * 65536 <= sum && sum - dividend * 65536 < 65536);
+    PROOF_ENDS();
+}
+
+int64_t __CPROVER_uninterpreted_dividend(int32_t, int32_t, int32_t, int32_t);
+
+/* For fxl_edge_dividend: what its rows and that of Z3 say. */
+int64_t some_dividend(int32_t start, int32_t dx, int32_t height, int32_t t)
+{
+    const int64_t dividend = __CPROVER_uninterpreted_dividend(start, dx, height, t);
+    ASSERT("its range", WITHIN(dx, 1 << 29) && height > 0 && height <= 1 << 29 && t >= 0 && t < height);
+    ASSUME(WITHIN(dividend, (int64_t)height << 14));
+    return dividend;
+}
+
+/* For fxl_divide_down: it is at most 2^14, as the dividend is at most 2^14 heights. */
+int32_t some_quotient(int64_t numerator, uint32_t denominator)
+{
+    const int32_t quotient = any_down(numerator, denominator);
+    ASSUME(WITHIN(quotient, 1 << 14));
+    return quotient;
+}
+
+/* [[row]]
+ * function = "fxl_edge_first_pixel"
+ * id = "fxl_edge_first_pixel, its result"
+ * property = "the start's whole pixels, the floor of the dividend over the height, and 1"
+ * checks = 80
+ * stands_in = { fxl_edge_dividend = "some_dividend", fxl_divide_down = "some_quotient" }
+ */
+/* [[row]]
+ * function = "fxl_edge_first_pixel"
+ * id = "fxl_edge_first_pixel, its remainder"
+ * property = "the error is what the floor leaves of the dividend, for heights of 1, 3, 65,537 and 2^28 + 1 units"
+ * checks = 320
+ * cases = [1, 3, 65537, 268435457]
+ * stands_in = { fxl_edge_dividend = "some_dividend", fxl_divide_down = "some_quotient" }
+ */
+void prove_edge_first_pixel_result(void)
+{
+    fxl_screen_point top, bottom;
+    const int32_t y = nondet_s32();
+    uint32_t error;
+    ASSUME(FXL_ON_SCREEN(&top) && FXL_ON_SCREEN(&bottom) && y >= top.y && y < bottom.y);
+    const int32_t height = bottom.y - top.y, start = top.x - 32768;
+    const int64_t dividend = some_dividend(start, bottom.x - top.x, height, y - top.y);
+    const int32_t quotient = some_quotient(dividend, (uint32_t)height);
+#ifdef CASE
+    bottom.y = top.y + CASE;
+    ASSUME(FXL_ON_SCREEN(&bottom) && height == CASE);
+    (void)fxl_edge_first_pixel(&top, &bottom, y, &error);
+    ASSERT("the remainder", error == (uint32_t)dividend - (uint32_t)quotient * (uint32_t)CASE);
+#else
+    const int32_t whole = fxl_edge_first_pixel(&top, &bottom, y, &error) - quotient - 1;
+    ASSERT("the pixel", whole * (int64_t)65536 <= start && start - whole * (int64_t)65536 < 65536);
+#endif
+    PROOF_ENDS();
+}
+
+int32_t __CPROVER_uninterpreted_pixel(int32_t, int32_t, int32_t, int32_t, int32_t);
+uint32_t __CPROVER_uninterpreted_error(int32_t, int32_t, int32_t, int32_t, int32_t);
+int32_t __CPROVER_uninterpreted_floor(int32_t, int32_t);
+int32_t __CPROVER_uninterpreted_remainder(int32_t, int32_t);
+
+/* For fxl_edge_first_pixel and fxl_divide_floor. */
+int32_t some_pixel(const fxl_screen_point *top, const fxl_screen_point *bottom, int32_t y, uint32_t *error)
+{
+    *error = __CPROVER_uninterpreted_error(top->x, top->y, bottom->x, bottom->y, y);
+    return __CPROVER_uninterpreted_pixel(top->x, top->y, bottom->x, bottom->y, y);
+}
+
+int32_t some_floor(int32_t numerator, int32_t denominator, int32_t *remainder)
+{
+    ASSERT("a divisor", denominator > 0 && numerator > INT32_MIN);
+    *remainder = __CPROVER_uninterpreted_remainder(numerator, denominator);
+    return __CPROVER_uninterpreted_floor(numerator, denominator);
+}
+
+/* [[row]]
+ * function = "fxl_slope_set"
+ * id = "fxl_slope_set, its result"
+ * property = "the first pixel of the row with its error, the floor of dx over the height with its remainder, and the height"
+ * checks = 125
+ * stands_in = { fxl_edge_first_pixel = "some_pixel", fxl_divide_floor = "some_floor" }
+ */
+void prove_slope_set_result(void)
+{
+    fxl_screen_point top, bottom;
+    fxl_slope slope;
+    const int32_t y = nondet_s32();
+    int32_t remainder;
+    uint32_t error;
+    ASSUME(FXL_ON_SCREEN(&top) && FXL_ON_SCREEN(&bottom) && y >= top.y && y < bottom.y);
+    fxl_slope_set(&top, &bottom, y, &slope);
+    ASSERT("the pixel", slope.x == some_pixel(&top, &bottom, y, &error) && slope.error == error);
+    ASSERT("the step", slope.step == some_floor(bottom.x - top.x, bottom.y - top.y, &remainder) && slope.error_step == (uint32_t)remainder);
+    ASSERT("the height", slope.height == (uint32_t)(bottom.y - top.y));
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "fxl_edge_advance"
+ * id = "fxl_edge_advance, its result"
+ * property = "x and fraction, as one number of 64 bits, are larger by so many steps, for 1, 2, 3 and 1,023 rows"
+ * checks = 144
+ * cases = [1, 2, 3, 1023]
+ * stands_in = { fxl_multiply_u32 = "any_unsigned" }
+ * stubs = { fxl_multiply_u32 = "C's product of two words" }
+ */
+#ifdef CASE
+void prove_edge_advance_result(void)
+{
+    fxl_edge edge;
+    const uint32_t rows = CASE;
+    ASSUME(WITHIN(edge.x, 1 << 20) && WITHIN(edge.step, 1026));
+    const fxl_edge before = edge;
+    const uint64_t steps = any_unsigned(edge.step_fraction, rows);
+    ASSUME(steps < (uint64_t)1 << 42);
+    fxl_edge_advance(&edge, rows);
+    ASSERT("the number", edge.x * ((int64_t)1 << 32) + edge.fraction ==
+                             (before.x + (int64_t)(before.step * (int32_t)rows)) * ((int64_t)1 << 32) + before.fraction + (int64_t)steps);
+    ASSERT("the step stays", edge.step == before.step && edge.step_fraction == before.step_fraction);
+    PROOF_ENDS();
+}
+#endif
+
+int32_t __CPROVER_uninterpreted_whole(uint32_t, int32_t);
+uint32_t __CPROVER_uninterpreted_fraction(uint32_t, int32_t);
+unsigned __CPROVER_uninterpreted_shift(uint32_t);
+int32_t __CPROVER_uninterpreted_first(int32_t, int32_t, int32_t, int32_t);
+
+/* For fxl_edge_divide, fxl_edge_divider_shift and fxl_edge_first_dividend. */
+void some_divide(const fxl_edge_divider *divider, int32_t dividend, int32_t *whole, uint32_t *fraction)
+{
+    *whole = __CPROVER_uninterpreted_whole(divider->height, dividend);
+    *fraction = __CPROVER_uninterpreted_fraction(divider->height, dividend);
+    ASSUME(WITHIN(*whole, 1026));
+}
+
+unsigned some_shift(const fxl_edge_divider *divider)
+{
+    const unsigned shift = __CPROVER_uninterpreted_shift(divider->height);
+    ASSUME(shift <= 31);
+    return shift;
+}
+
+int32_t some_first(int32_t start, int32_t dx, int32_t height, int32_t top_y)
+{
+    return __CPROVER_uninterpreted_first(start, dx, height, top_y);
+}
+
+/* [[row]]
+ * function = "fxl_edge_set_near"
+ * id = "fxl_edge_set_near, its result"
+ * property = "on the first row the start's whole pixels, the quotient of the first dividend and 1; the step is the quotient of dx; refused, and untouched, where so many rows need more bits than the shift"
+ * checks = 175
+ * stands_in = { fxl_edge_divide = "some_divide", fxl_edge_divider_shift = "some_shift", fxl_edge_first_dividend = "some_first" }
+ */
+void prove_edge_set_near_result(void)
+{
+    fxl_screen_point top, bottom;
+    fxl_edge edge;
+    const uint32_t last = nondet_u32();
+    ASSUME(is_edge(&top, &bottom) && bottom.y - top.y >= 65536);
+    const fxl_edge before = edge;
+    const int32_t height = bottom.y - top.y, dx = bottom.x - top.x, start = top.x - 32768;
+    const fxl_edge_divider divider = {(uint32_t)height};
+    int32_t first, step;
+    uint32_t first_fraction, step_fraction;
+    some_divide(&divider, some_first(start, dx, height, top.y), &first, &first_fraction);
+    some_divide(&divider, dx, &step, &step_fraction);
+    if (fxl_edge_set_near(&top, &bottom, last, &edge)) {
+        const int32_t whole = edge.x - first - 1;
+        ASSERT("so many rows", last >> some_shift(&divider) == 0);
+        ASSERT("the pixel", whole * (int64_t)65536 <= start && start - whole * (int64_t)65536 < 65536 && edge.fraction == first_fraction);
+        ASSERT("the step", edge.step == step && edge.step_fraction == step_fraction);
+    } else {
+        ASSERT("too many rows", last >> some_shift(&divider) != 0);
+        ASSERT("untouched", edge.x == before.x && edge.fraction == before.fraction && edge.step == before.step &&
+                                edge.step_fraction == before.step_fraction);
+    }
+    PROOF_ENDS();
+}
+
+/* For fxl_edge_dividend, on the first row. */
+int64_t first_of(int32_t start, int32_t dx, int32_t height, int32_t t)
+{
+    const int64_t dividend = __CPROVER_uninterpreted_dividend(start, dx, height, t);
+    ASSUME(WITHIN(dividend, FXL_EDGE_DIVIDEND_MAX));
+    return dividend;
+}
+
+/* [[row]]
+ * function = "lib/raster/edge_divide.h:fxl_edge_first_dividend"
+ * id = "fxl_edge_first_dividend, its result"
+ * property = "the dividend of the first centre at or below the top"
+ * checks = 7
+ * stands_in = { fxl_edge_dividend = "first_of" }
+ */
+void prove_edge_first_dividend_result(void)
+{
+    const int32_t start = nondet_s32(), dx = nondet_s32(), height = nondet_s32(), top_y = nondet_s32();
+    ASSUME(WITHIN(dx, (FXL_SCREEN_MAX + 1) * 65536) && height > 0 && height <= FXL_EDGE_HEIGHT_MAX);
+    ASSUME(WITHIN(top_y, FXL_SCREEN_COORDINATE_MAX));
+    const int32_t below = fxl_centre_of(fxl_first_centre_from(top_y)) - top_y;
+    ASSERT("that row", fxl_edge_first_dividend(start, dx, height, top_y) == first_of(start, dx, height, below));
     PROOF_ENDS();
 }

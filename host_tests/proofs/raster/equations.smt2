@@ -1,21 +1,21 @@
 ; SPDX-License-Identifier: MIT
 
 ; [[row]]
-; id = "fxl_edge_dividend exact"
+; id = "fxl_edge_dividend bound"
 ; function = "lib/raster/edge_divide.h:fxl_edge_dividend"
 ; property = "at most 2^14 heights"
 ; checks = 7
 ; text = ["uint32_t part = (uint32_t)start & 65535;", "int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);", "return (sum - 1) >> 16;"]
 
 ; [[row]]
-; id = "fxl_edge_first_pixel exact"
+; id = "fxl_edge_first_pixel remainder"
 ; function = "lib/raster/edge.h:fxl_edge_first_pixel"
 ; property = "the remainder is below the height"
 ; checks = 7
 ; text = ["int32_t quotient = fxl_divide_down(dividend, (uint32_t)height);", "*error = (uint32_t)dividend - (uint32_t)quotient * (uint32_t)height;", "FXL_LEMMA(*error < (uint32_t)height);"]
 
 ; [[row]]
-; id = "fxl_edge_divide exact"
+; id = "fxl_edge_divide bound"
 ; function = "lib/raster/edge_divide.h:fxl_edge_divide"
 ; property = "a quotient is not larger than its dividend"
 ; checks = 7
@@ -49,3 +49,34 @@
 (echo "proved")
 (push) (assert (<= 65536 h)) (assert (= q (ite (>= n 0) (div n h) (- (div (- n) h)))))
 (assert (not (<= (- (div (ite (< n 0) (- n) n) 65536)) q (div (ite (< n 0) (- n) n) 65536)))) (check-sat) (pop)
+
+; [[row]]
+; id = "first pixel, by formula"
+; function = "lib/raster/edge.h:fxl_edge_first_pixel"
+; property = "what its rows of CBMC say that it is, with a dividend and a quotient rounded down, is the first pixel whose centre is not left of the edge, for every edge"
+; checks = 3
+; text = ["return (start >> 16) + quotient + 1;"]
+
+; The pixel of fxl_edge_first_pixel, as the rows of CBMC state it. X is the top's x, h the height, dx t the way of the edge to the centre.
+(declare-const X Int) (declare-const h Int) (declare-const P Int)
+(assert (< 0 h))
+(define-fun start () Int (- X 32768))
+(define-fun whole () Int (div start 65536))
+(define-fun part () Int (mod start 65536))
+(declare-const partH Int)
+(define-fun dividend () Int (div (- (+ partH P) 1) 65536))
+(declare-const q Int) (declare-const qH Int) (declare-const wholeH Int)
+; How far the centre of pixel whole + q + 1 is to the right of the edge, times the height, and that of the pixel before it.
+(define-fun right () Int (- (+ (* 65536 (+ wholeH qH h)) (* 32768 h)) (+ (* 65536 wholeH) partH (* 32768 h) P)))
+(define-fun before () Int (- right (* 65536 h)))
+
+(echo "possible")
+(push) (assert (= h 70000)) (assert (= P 3)) (assert (= X 40000)) (assert (= partH (* part h))) (assert (= q (div dividend h))) (check-sat) (pop)
+; q is the floor: q h <= dividend < q h + h. The first centre is not left of the edge, and the one before it is.
+(echo "proved")
+(push) (assert (<= qH dividend)) (assert (< dividend (+ qH h))) (assert (not (and (>= right 0) (< before 0)))) (check-sat) (pop)
+; right is (65536 x + 32768 - X) h - P with x = whole + q + 1, where X = 65536 whole + part + 32768.
+(echo "proved")
+(push) (declare-const w Int) (declare-const f Int)
+(assert (not (= (- (* (- (+ (* 65536 (+ w q 1)) 32768) (+ (* 65536 w) f 32768)) h) P)
+  (- (+ (* 65536 (+ (* w h) (* q h) h)) (* 32768 h)) (+ (* 65536 (* w h)) (* f h) (* 32768 h) P))))) (check-sat) (pop)

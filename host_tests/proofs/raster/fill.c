@@ -142,3 +142,21 @@ void prove_edge_step(void)
     ASSERT("by the step or one more", edge.x == x + edge.step || edge.x == x + edge.step + 1);
     PROOF_ENDS();
 }
+
+/* [[row]]
+ * function = "fxl_edge_step"
+ * id = "fxl_edge_step, its result"
+ * property = "x and fraction, as one number of 64 bits, are larger by the step"
+ * checks = 34
+ */
+void prove_edge_step_result(void)
+{
+    fxl_edge edge;
+    ASSUME(WITHIN(edge.x, 1 << 29) && WITHIN(edge.step, 1 << 29));
+    const fxl_edge before = edge;
+    fxl_edge_step(&edge);
+    ASSERT("the sum", edge.x * ((int64_t)1 << 32) + edge.fraction ==
+                          (before.x + (int64_t)before.step) * ((int64_t)1 << 32) + before.fraction + before.step_fraction);
+    ASSERT("the step stays", edge.step == before.step && edge.step_fraction == before.step_fraction);
+    PROOF_ENDS();
+}

@@ -27,6 +27,27 @@ void prove_step(void)
 }
 
 /* [[row]]
+ * function = "step"
+ * id = "step, its result"
+ * property = "a row below: x and the error, over the height, are larger by the step and its error"
+ * checks = 57
+ */
+void prove_step_result(void)
+{
+    fxl_slope slope;
+    ASSUME(FXL_SLOPE(&slope) && WITHIN(slope.x, 1 << 29));
+    const fxl_slope before = slope;
+    const int32_t x = step(&slope);
+    /* x height + error grows by step height + error_step, and the error stays below the height */
+    const uint32_t sum = before.error + before.error_step;
+    const bool carries = sum >= before.height;
+    ASSERT("the pixel", x == before.x + before.step + carries && slope.x == x);
+    ASSERT("the error", slope.error == (carries ? sum - before.height : sum) && slope.error < slope.height);
+    ASSERT("the rest stays", slope.step == before.step && slope.error_step == before.error_step && slope.height == before.height);
+    PROOF_ENDS();
+}
+
+/* [[row]]
  * function = "winding_after"
  * property = "for up to 12 edges: nothing is out of bounds; the next crossing lies to the right"
  * checks = 48

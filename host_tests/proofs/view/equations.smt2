@@ -1,14 +1,14 @@
 ; SPDX-License-Identifier: MIT
 
 ; [[row]]
-; id = "scale_of exact"
+; id = "scale_of bound"
 ; function = "lib/view/project.c:scale_of"
 ; property = "within one unit of the quotient, and at most 2^30; the rest fits 32 bits"
 ; checks = 17
 ; text = ["uint32_t divisor = depth >> 15;", "uint32_t upper = fxl_divide_half(projection->factor_2, divisor);", "int32_t rest = (int32_t)(projection->factor_17 - upper * depth);", "uint32_t lower = fxl_divide_half(rest < 0 ? 0u - (uint32_t)rest : (uint32_t)rest, divisor);", "return (upper << 15) + (rest < 0 ? 0u - lower : lower);"]
 
 ; [[row]]
-; id = "offset_of exact"
+; id = "offset_of bound"
 ; function = "lib/view/project.c:offset_of"
 ; property = "the estimate is the quotient or one less: the remainder is below twice the depth"
 ; checks = 17

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "view/project.c"
-#include "proof.h"
+#include "products.h"
 
 /* [[row]]
  * function = "fxl_projection_from_lens"
@@ -184,5 +184,82 @@ void prove_project_point(void)
     fxl_screen_point screen;
     ASSUME(FXL_POINT_BELOW(&view, ((int64_t)1 << 61) - 1));
     (void)fxl_project_point(&lens, &view, &screen);
+    PROOF_ENDS();
+}
+
+/* --- results, of products and quotients that may be any ------------------------------------------------- */
+
+
+/* [[row]]
+ * function = "scale_depth"
+ * id = "scale_depth, its result"
+ * property = "the depth to the nearest of 2^shift, halves upward, where its highest bit is bit 30"
+ * checks = 9
+ */
+void prove_scale_depth_result(void)
+{
+    const int64_t z = nondet_s64();
+    ASSUME(z >= FXL_PROJECT_DEPTH_MIN && z < (int64_t)1 << 61);
+    const scaled_depth scaled = scale_depth(z);
+    ASSERT("its highest bit", z >> scaled.shift >> 30 == 1);
+    ASSERT("the nearest", scaled.depth == (uint32_t)((z + ((int64_t)1 << (scaled.shift - 1))) >> scaled.shift));
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "scale_product"
+ * property = "the floor of the product of both words, over 2^shift; refused where that has more than 63 bits with its sign, and only there"
+ * checks = 17
+ * stands_in = { fxl_multiply_u32 = "any_unsigned", fxl_multiply_s32 = "any_signed" }
+ * stubs = { fxl_multiply_u32 = "C's product of two words" }
+ */
+void prove_scale_product(void)
+{
+    const int32_t focal = nondet_s32();
+    const int64_t side = nondet_s64();
+    const uint32_t shift = nondet_u32();
+    int64_t product = 7;
+    ASSUME(focal > 0 && focal < 1 << 29 && WITHIN(side, ((int64_t)1 << 61) - 1) && shift >= 2 && shift < 32);
+    const int64_t high = any_signed(focal, (int32_t)(side >> 32));
+    const uint64_t low = any_unsigned((uint32_t)focal, (uint32_t)side);
+    ASSUME(WITHIN(high, (int64_t)1 << 58) && low < (uint64_t)1 << 61);
+    const wide exact = ((wide)high * ((wide)1 << 32) + low) >> shift;
+    const bool fits = exact >= -((wide)1 << 62) && exact < (wide)1 << 62;
+    ASSERT("whether it fits", scale_product(focal, side, shift, &product) == fits);
+    ASSERT("the floor, or untouched", product == (fits ? (int64_t)exact : 7));
+    PROOF_ENDS();
+}
+
+int64_t __CPROVER_uninterpreted_scaled(int32_t, int64_t, unsigned);
+
+/* For scale_product: its row says what it is. */
+bool any_scaled(fxl_q16_16 focal, fxl_q18_46 side, unsigned shift, int64_t *product)
+{
+    ASSERT("its range", focal > 0 && focal < 1 << 29 && WITHIN(side, ((int64_t)1 << 61) - 1) && shift >= 2 && shift < 32);
+    *product = __CPROVER_uninterpreted_scaled(focal, side, shift);
+    return WITHIN(*product, ((int64_t)1 << 62) - 1);
+}
+
+/* [[row]]
+ * function = "project_side"
+ * id = "project_side, its result"
+ * property = "the scaled product and the centre times the depth, over the depth, to the nearest; refused beyond the range of the screen, and only there"
+ * checks = 60
+ * stands_in = { scale_product = "any_scaled", fxl_multiply_su32 = "any_mixed", fxl_divide_round = "any_down" }
+ */
+void prove_project_side_result(void)
+{
+    const int32_t focal = nondet_s32(), centre = nondet_s32();
+    const int64_t side = nondet_s64();
+    scaled_depth scaled;
+    int32_t coordinate = 7;
+    ASSUME(focal > 0 && focal < 1 << 29 && WITHIN(side, ((int64_t)1 << 61) - 1) && WITHIN(centre, 512 * 65536));
+    ASSUME(scaled.depth >= 1u << 30 && scaled.depth <= 1u << 31 && scaled.shift >= 7 && scaled.shift <= 30);
+    const int64_t product = __CPROVER_uninterpreted_scaled(focal, side, scaled.shift), middle = any_mixed(centre, scaled.depth);
+    const int64_t most = any_mixed(FXL_SCREEN_COORDINATE_MAX, scaled.depth);
+    ASSUME(WITHIN(middle, (int64_t)1 << 56) && most > 0 && most < (int64_t)scaled.depth << 29);
+    const bool fits = WITHIN(product, ((int64_t)1 << 62) - 1) && WITHIN(product + middle, most);
+    ASSERT("whether it is on the screen", project_side(focal, side, &scaled, centre, &coordinate) == fits);
+    ASSERT("the nearest, or untouched", coordinate == (fits ? any_down(product + middle, scaled.depth) : 7));
     PROOF_ENDS();
 }

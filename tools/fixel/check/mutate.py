@@ -34,6 +34,7 @@ SWAPS = {
 }
 BINARY_ONLY = {"+", "-", "*", "&"}      # as a sign, a dereference or an address they are not mutated
 HIDDEN = re.compile(r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.DOTALL)
+LINKAGE = re.compile(r"^#ifdef __cplusplus\n.*?^#endif$", re.DOTALL | re.MULTILINE)    # its braces would hide all functions of a header
 PREPROCESSOR = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE)
 ASSERTION = re.compile(r"\b(?:FXL_ASSERT|FXL_STATIC_ASSERT)\s*\([^;]*;")
 TOKEN = re.compile(r"0[xX][0-9a-fA-F]+[uUlL]*|\d+[uUlL]*|[A-Za-z_]\w*|<<=|>>=|->|\+\+|--|<<|>>|<=|>=|==|!=|"
@@ -73,7 +74,7 @@ def _blank(match):
 
 def code_of(text):
     """The text with spaces instead of what no mutant is made of."""
-    for pattern in (HIDDEN, PREPROCESSOR, ASSERTION):
+    for pattern in (HIDDEN, LINKAGE, PREPROCESSOR, ASSERTION):
         text = pattern.sub(_blank, text)
     return text
 

@@ -21,8 +21,8 @@ def make_copy(root, folder):
         shutil.copytree(root / name, folder / name)
 
 
-def try_bug(programs, folder, bug, row, store, versions):
-    """How the row ends with the bug: {"bug", "row", "noticed", "words"}."""
+def fails(programs, folder, bug, row, store, versions):
+    """(whether the row fails with the bug, or mutant, how it ends)."""
     here = proving.placed(row, folder)
     words = "nothing fails"
     with planting.planted(folder, [bug]):
@@ -31,7 +31,12 @@ def try_bug(programs, folder, bug, row, store, versions):
             if "failed" in answer:
                 words = answer["failed"]
                 break
-    noticed = words != "nothing fails" and not any(each in words for each in NOTHING_SHOWN)
+    return words != "nothing fails" and not any(each in words for each in NOTHING_SHOWN), words
+
+
+def try_bug(programs, folder, bug, row, store, versions):
+    """How the row ends with the bug: {"bug", "row", "noticed", "words"}."""
+    noticed, words = fails(programs, folder, bug, row, store, versions)
     return {"bug": bug.id, "row": row.id, "noticed": noticed, "words": words}
 
 

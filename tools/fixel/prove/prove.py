@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Proves properties of the shipped text for every input: the rows above the harnesses of host_tests/proofs.
 
-    fixel prove [--only WORD] [--bugs] [--fresh] [--cluster tcp://HOST:PORT]
+    fixel prove [--only WORD] [--bugs] [--mutants] [--fresh] [--cluster tcp://HOST:PORT]
 
 Every function of the rooms is proved, proved within a row of another, or measured, which host_tests/proofs/ROOM/measured.toml
 says with the reason. Writes DIR/prove/prove.json. With --bugs each seeded bug that names a row must make the row fail.
@@ -27,6 +27,7 @@ def parser():
     made.add_argument("--root", default=str(CHECKOUT), help="the checkout that is proved")
     made.add_argument("--only", default="", help="only rows with this in their id, function or file")
     made.add_argument("--bugs", action="store_true", help="put each seeded bug that names a row into a copy; the row must fail (BUGS=1)")
+    made.add_argument("--mutants", action="store_true", help="put small mistakes into the functions of host_tests/proofs/mutants.toml, or of --only; their rows must fail")
     made.add_argument("--tidy", action="store_true", help="write the numbers of checks into the rows, and take what is proved now, or gone, out of the "
                            "lists of what is measured")
     made.add_argument("--seconds", type=int, default=120, help="of CPU time that a row may take")

@@ -198,10 +198,10 @@ def command(options):
     rows = records.read(root)
     chosen = prove.before(options)
     jobs = runner.jobs_of(options)
-    if options.bugs:
-        from fixel.prove import bugs    # which uses this module
+    if options.bugs or options.mutants:
+        from fixel.prove import bugs, mutants    # which use this module
         cbmc.SECONDS = options.seconds
-        return bugs.command(_programs(options.build)[0], root, jobs, chosen, options, kept.Kept(options.build, options.fresh))
+        return (bugs if options.bugs else mutants).command(_programs(options.build)[0], root, jobs, chosen, options, kept.Kept(options.build, options.fresh))
     if not options.cluster:
         _programs(options.build)    # fetched once, before the processes ask for them
     results = prove_all(root, chosen, options)
