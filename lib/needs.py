@@ -36,7 +36,7 @@ FOR_CPP = re.compile(r'extern\s+"C"\s*\{')
 NAME = re.compile(r"\bfxl_\w+")
 FUNCTION = re.compile(r"\b(fxl_\w+)\s*\([^;{}]*\)\s*\{")
 RECORD = re.compile(r"\b(fxl_\w+)\s*(?:\[[^\]]*\]\s*)*=")
-CALL = re.compile(r"(?<!define )\b(\w+)\((\w+)\)")
+CALL = re.compile(r"(?<!define )\b(\w+)\((\w+)\)")      # of a macro with one name
 NAMED_BY_MACRO = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]+(fxl_\w+)[ \t]*$", re.MULTILINE)
 PASTES = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)\((\w+)\)[ \t]+\(&\2##(\w+)\)", re.MULTILINE)     # FXL_SURFACES_OF
 IN_PLACE = re.compile(r"\bFXL_IN_PLACE(?:_LARGE)?\b[^;{}()]*\b(fxl_\w+)\s*\(")      # lib/math/arith.h
@@ -112,33 +112,20 @@ def parts_of(header):
 
 
 @functools.cache
-def calls_of(text):
-    """(what is called as a macro with one name, the name) of all such in a text, but for the definitions of macros."""
-    return frozenset(CALL.findall(text))
-
-
-@functools.cache
-def pastes_of(text):
-    """The macros of a text that make a name of another."""
-    return PASTES.findall(text)
-
-
-@functools.cache
-def names_of(text):
-    """The names of the library in a text."""
-    return frozenset(NAME.findall(text))
+def found_in(text, pattern):
+    return frozenset(pattern.findall(text))
 
 
 def pasted_names(file):
     """The names that the code of a source, and what it includes, makes of another, as FXL_SURFACES_OF(fxl_palette) does.
     Where a macro passes on an argument of its own, that may be any name in the file."""
     texts = [text_of(each) for each in included(file)]
-    pastes = {macro: end for text in texts for macro, _, end in pastes_of(text)}
+    pastes = {macro: end for text in texts for macro, _, end in found_in(text, PASTES)}
     found = set()
     for text in texts:
-        for macro, argument in calls_of(text):
+        for macro, argument in found_in(text, CALL):
             if macro in pastes:
-                found |= {name + pastes[macro] for name in ([argument] if NAME.fullmatch(argument) else names_of(text))}
+                found |= {name + pastes[macro] for name in ([argument] if NAME.fullmatch(argument) else found_in(text, NAME))}
     return found
 
 
@@ -181,17 +168,13 @@ def definitions(sources):
 
 def closure(names, where, needs):
     """The library's sources that define these names, and those that they need. needs: {source: what it needs}, which is filled in."""
-    needed, waiting = set(), sources_of(names, where)
+    needed, waiting = set(), set().union(*(where[name] for name in names if name in where))
     while waiting:
         needed |= waiting
         for source in waiting - needs.keys():
-            needs[source] = sources_of(names_in(source), where)
+            needs[source] = set().union(*(where[name] for name in names_in(source) if name in where))
         waiting = set().union(*map(needs.get, waiting)) - needed
     return sorted(_name(source) for source in needed)
-
-
-def sources_of(names, where):
-    return set().union(*(where[name] for name in names if name in where))
 
 
 @functools.cache

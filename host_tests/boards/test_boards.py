@@ -15,6 +15,7 @@ from conftest import dry_run, dump_bytes, random_frames, run_cli
 from fixel.base.errors import ToolError
 from fixel.board import dump, fleet, uf2
 
+BUILT_PROGRAMS = ("boards/*",)
 KEYS = {"name": str, "core": str, "flash_bytes": int, "ram_bytes": int, "stack_bytes": int,
         "instructions_per_frame": int, "frames": int, "hash_equal": bool, "unit_tests_passed": int,
         "unit_tests_failed": int}

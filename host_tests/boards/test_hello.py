@@ -18,6 +18,7 @@ from fixel.board import emulator, room
 from fixel.board.wires import rgb565
 from test_displays import read_wires
 
+BUILT_PROGRAMS = ("lib/*",)
 PAGE = (ROOT / "docs" / "hello.md").read_text(encoding="utf-8")
 # A firmware of the reader's own. What the page has in the folder my stands here beside the other files.
 BOARD_PAGE = (ROOT / "docs" / "tutorials" / "board.md").read_text(encoding="utf-8").replace("-Imy", "-I.").replace("my/", "")

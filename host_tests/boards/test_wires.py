@@ -15,6 +15,8 @@ from conftest import assert_one_sentence, dump_bytes, random_frames, run_cli, ru
 from fixel.board import controllers, dump, flash, wires
 from fixel.base.errors import ToolError
 
+BUILT_PROGRAMS = ("boards/*/walk-on-*", "host/judge", "host/raycast")
+
 
 def run_driver(out, driver, screen, board="host", frames=6, more=(), **changes):
     """make run of a few frames of scenes/tiny.toml."""

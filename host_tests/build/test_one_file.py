@@ -16,6 +16,7 @@ from fixel.package import one_file, private_names
 from fixel.scene import making
 from test_compilers import PICTURE, PROGRAM, WARNINGS, clang_named
 
+BUILT_PROGRAMS = ("boards/host/walk", "host/libfixel.a")
 WALK = CHECKOUT / "build" / "boards" / "host"
 LINKED = [("gcc", "c11"), ("g++", "c++11"), (clang_named("clang++"), "c++20")]
 OTHERS = [(clang_named("clang"), "c11"), ("gcc", "c2x"), ("g++", "c++14"), ("g++", "c++17"), ("g++", "c++20"), (clang_named("clang++"), "c++11")]

@@ -13,6 +13,7 @@ from conftest import CHECKOUT, run_make
 
 from fixel.board import methods
 
+BUILT_PROGRAMS = ()
 PAGE = CHECKOUT / "docs" / "seeds.md"
 NUMBERS = [f"{letter}{number}" for letter, count in (("A", 14), ("B", 4), ("C", 8), ("D", 6))
            for number in range(1, count + 1)]

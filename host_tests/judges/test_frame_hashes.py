@@ -14,6 +14,7 @@ from fixel.scene import making
 from fixel.board import dump, emulator, flash_memory
 from fixel.check import frame_hashes
 
+BUILT_PROGRAMS = ("host/frames",)
 MODELS = CHECKOUT.parent / "shared" / "models"
 OWN = sorted((CHECKOUT / "scenes").glob("*.toml"))
 OTHERS = [CHECKOUT / "host_tests" / "judges" / "frames" / f"{name}.toml" for name in ("spot", "teapot")]
