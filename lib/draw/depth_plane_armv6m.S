@@ -7,6 +7,8 @@
 
 #if FXL_KERNELS_ARMV6M && !FXL_IS_COMPACT
 
+#include "../math/reciprocal_armv6m.h"
+
     .syntax unified
     .thumb
 
@@ -97,6 +99,16 @@
     adds    r1, r1, r0
     rsbs    r1, r1, #0
     str     r1, [sp, #NORMAL + 4 * \number]
+    .endm
+
+/* r3:r0 = r2 times the factor, less its 16 lowest bits. */
+    .macro  by_factor
+    ldr     r3, [sp, #FACTOR]
+    multiply
+    lsrs    r0, r0, #16
+    lsls    r2, r3, #16
+    orrs    r0, r0, r2
+    asrs    r3, r3, #16
     .endm
 
 /* Shifts r2, which is not 0, until its highest bit is 1; r4: by how many bits. Overwrites r0. */
@@ -267,25 +279,7 @@ scaled:
     lsrs    r0, r2, #1
     lsrs    r6, r3, #16
     uxth    r5, r3
-    lsrs    r1, r6, #9
-    subs    r1, r1, #64
-    ldr     r4, =fxl_reciprocals_armv6m
-    ldrb    r4, [r4, r1]
-    movs    r7, r4                  /* 2 r - r^2 D, twice: as in project_inside_armv6m.S */
-    muls    r7, r4
-    muls    r7, r6
-    lsrs    r7, r7, #15
-    lsls    r4, r4, #9
-    subs    r4, r4, r7
-    movs    r7, r4
-    muls    r7, r6
-    movs    r2, #1
-    lsls    r2, r2, #31
-    subs    r2, r2, r7
-    asrs    r2, r2, #4
-    muls    r2, r4
-    asrs    r2, r2, #27
-    adds    r4, r4, r2
+    reciprocal
     digit
     lsls    r1, r7, #16
     digit
@@ -331,21 +325,11 @@ scaled:
     ldr     r1, [sp, #PLANE]
     stm     r1!, {r0, r3}
     ldr     r2, [sp, #NORMAL]
-    ldr     r3, [sp, #FACTOR]
-    multiply
-    lsrs    r0, r0, #16
-    lsls    r2, r3, #16
-    orrs    r0, r0, r2
-    asrs    r3, r3, #16
+    by_factor
     stm     r1!, {r0, r3}
     ldr     r2, [sp, #NORMAL + 4]
     rsbs    r2, r2, #0
-    ldr     r3, [sp, #FACTOR]
-    multiply
-    lsrs    r0, r0, #16
-    lsls    r2, r3, #16
-    orrs    r0, r0, r2
-    asrs    r3, r3, #16
+    by_factor
     ldr     r4, [sp, #ONE]
     stm     r1!, {r0, r3, r4}
     add     sp, sp, #FRAME

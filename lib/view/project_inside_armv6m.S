@@ -7,6 +7,7 @@
 
 #if FXL_KERNELS_ARMV6M
 
+#include "../math/reciprocal_armv6m.h"
 
     .syntax unified
     .thumb
@@ -156,25 +157,7 @@ fxl_project_inside:
     str     r5, [sp, #HALF]
 
     lsrs    r6, r3, #15                     /* D */
-    lsrs    r7, r6, #9
-    subs    r7, r7, #64
-    ldr     r4, =fxl_reciprocals_armv6m
-    ldrb    r4, [r4, r7]
-    movs    r7, r4                          /* 2 r - r^2 D, twice */
-    muls    r7, r4
-    muls    r7, r6
-    lsrs    r7, r7, #15
-    lsls    r4, r4, #9
-    subs    r4, r4, r7
-    movs    r7, r4
-    muls    r7, r6
-    movs    r2, #1
-    lsls    r2, r2, #31
-    subs    r2, r2, r7
-    asrs    r2, r2, #4
-    muls    r2, r4
-    asrs    r2, r2, #27
-    adds    r4, r4, r2
+    reciprocal
 
     ldr     r1, [r0, #PROJECTION_FACTOR_17]
     ldr     r0, [r0, #PROJECTION_FACTOR_2]

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/* The reciprocal of 16 bits of core.h, for kernels of Armv6-M. */
+#ifndef FXL_RECIPROCAL_ARMV6M_H
+#define FXL_RECIPROCAL_ARMV6M_H
+
+/* r4 = the reciprocal of r6 = D, which is from 2^15 to 2^16 - 1: r from the table, then 2 r - r^2 D twice.
+ * Overwrites r2 and r7. */
+    .macro  reciprocal
+    lsrs    r7, r6, #9
+    subs    r7, r7, #64
+    ldr     r4, =fxl_reciprocals_armv6m
+    ldrb    r4, [r4, r7]
+    movs    r7, r4
+    muls    r7, r4
+    muls    r7, r6
+    lsrs    r7, r7, #15
+    lsls    r4, r4, #9
+    subs    r4, r4, r7
+    movs    r7, r4
+    muls    r7, r6
+    movs    r2, #1
+    lsls    r2, r2, #31
+    subs    r2, r2, r7
+    asrs    r2, r2, #4
+    muls    r2, r4
+    asrs    r2, r2, #27
+    adds    r4, r4, r2
+    .endm
+
+#endif
