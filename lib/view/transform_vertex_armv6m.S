@@ -105,6 +105,30 @@
     orrs    r6, r6, r7
     .endm
 
+/* Goes on if the position is inside a pair of side planes for sure, else it branches to sides. Of
+ * components, which are from 0 to 2^30, it takes the upper 11 bits, and of coordinates the upper words
+ * without their 9 lowest bits: below 2^20. The term of the depth is rounded down and that of the
+ * side up: both are below 2^31, in units of 2^-15. r7: the inset in these units, rounded up; r12: z;
+ * r2: the entry. Overwrites r3 to r5. */
+    .macro  inside side depth position
+    ldr     r3, [r2, #\position + 4]
+    asrs    r3, r3, #9
+    asrs    r4, r3, #31
+    eors    r3, r3, r4
+    adds    r3, r3, #1
+    ldr     r4, [r1, #\side]
+    asrs    r4, r4, #20
+    adds    r4, r4, #1
+    muls    r3, r4
+    ldr     r4, [r1, #\depth]
+    asrs    r4, r4, #20
+    mov     r5, r12
+    muls    r4, r5
+    subs    r4, r4, r7
+    cmp     r4, r3
+    ble     sides
+    .endm
+
     .section .text.fxl_transform_vertex, "ax", %progbits
     .global fxl_transform_vertex
     .type fxl_transform_vertex, %function
@@ -143,17 +167,6 @@ decided:
     add     sp, sp, #20
     pop     {r4-r7, pc}
 
-undecided:
-    movs    r0, r1
-    ldr     r1, [sp, #MODEL_VIEW]
-    ldrb    r1, [r1, #MODEL_VIEW_PLANES]
-    ldr     r2, [sp, #ENTRY]
-    adds    r2, r2, #POSITION_X
-    bl      fxl_outcode
-    movs    r6, r0
-    ldr     r2, [sp, #ENTRY]
-    b       decided
-
 scaled:
     movs    r0, r1
     movs    r1, r2
@@ -166,9 +179,40 @@ some_planes:
     bmi     scaled
     ldr     r1, [r1]                        /* view */
     adds    r1, r1, #VIEW_FRUSTUM
-    ldr     r0, [r1, #FRUSTUM_INSET_UPPER]
-    asrs    r0, r0, #2
-    subs    r0, r0, #5
+    ldr     r2, [sp, #ENTRY]
+    ldr     r3, [r2, #POSITION_Z + 4]
+    asrs    r3, r3, #9
+    mov     r12, r3
+    ldr     r7, [r1, #FRUSTUM_INSET_UPPER]
+    asrs    r7, r7, #2
+    adds    r7, r7, #1
+    lsls    r7, r7, #3
+    inside  FRUSTUM_X_SIDE, FRUSTUM_X_DEPTH, POSITION_X
+    inside  FRUSTUM_Y_SIDE, FRUSTUM_Y_DEPTH, POSITION_Y
+    movs    r6, #0
+    ldr     r3, [r2, #POSITION_Z + 4]       /* upper words that differ decide */
+    ldr     r4, [r1, #FRUSTUM_NEAR_Z + 4]
+    ldr     r5, [r1, #FRUSTUM_FAR_Z + 4]
+    cmp     r3, r4
+    ble     depths
+    cmp     r3, r5
+    bge     depths
+    b       decided
+
+undecided:
+    movs    r0, r1
+    ldr     r1, [sp, #MODEL_VIEW]
+    ldrb    r1, [r1, #MODEL_VIEW_PLANES]
+    ldr     r2, [sp, #ENTRY]
+    adds    r2, r2, #POSITION_X
+    bl      fxl_outcode
+    movs    r6, r0
+    ldr     r2, [sp, #ENTRY]
+    b       decided
+
+sides:
+    lsrs    r0, r7, #3
+    subs    r0, r0, #6
     str     r0, [sp, #INSET]
     pair    FRUSTUM_X_SIDE, FRUSTUM_X_DEPTH, POSITION_X
     mov     r12, r6
@@ -177,6 +221,7 @@ some_planes:
     mov     r7, r12
     orrs    r6, r6, r7
     ldr     r2, [sp, #ENTRY]
+depths:
     ldr     r3, [r2, #POSITION_Z]
     ldr     r4, [r2, #POSITION_Z + 4]
     ldr     r0, [r1, #FRUSTUM_FAR_Z]
