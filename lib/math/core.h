@@ -10,13 +10,21 @@
 #include "contract.h"
 #include "family.h"
 
-/* Hides from the compiler what it knows of a word, on cores where it makes worse code of it: three
+/* On a core of 32 bits:
+ * FXL_HIDE hides from the compiler what it knows of a word, where it makes worse code of it: three
  * instructions for a mask that is at hand in a register, or a product of 64 by 64 bits for one of
- * 32 by 32 whose signs it knows. */
-#if FXL_CORE_ARMV7M
+ * 32 by 32 whose signs it knows, or a sum for an address beside another one.
+ * FXL_IN_ORDER keeps it from loading what comes after before what comes before is stored: with all
+ * at once it would save registers that their parts do not need. */
+#if !FXL_HAS_LONG_DIVIDER
 #define FXL_HIDE(word) __asm__("" : "+r"(word))
 #else
 #define FXL_HIDE(word) (void)(word)
+#endif
+#if !FXL_HAS_LONG_DIVIDER && !FXL_CORE_ARMV7M /* which stores several at once */
+#define FXL_IN_ORDER() __asm__("" ::: "memory")
+#else
+#define FXL_IN_ORDER() (void)0
 #endif
 
 #if !FXL_CORE_ARMV6M
@@ -239,6 +247,21 @@ static inline uint32_t fxl_divide_half(uint32_t numerator, uint32_t denominator)
 static inline unsigned fxl_leading_zeros(uint32_t value)
 {
     return (unsigned)__builtin_clz(value);
+}
+
+#elif FXL_HAS_LONG_PRODUCT && !FXL_IS_COMPACT
+
+/* Of each byte but 0. */
+extern const uint8_t fxl_zeros_of_byte[256];
+
+/* The number of 0 bits above the highest 1 of value. Requires value > 0. */
+static inline unsigned fxl_leading_zeros(uint32_t value)
+{
+    if (value >> 16 != 0) {
+        return value >> 24 != 0 ? fxl_zeros_of_byte[value >> 24]
+                                : 8u + fxl_zeros_of_byte[value >> 16];
+    }
+    return value >> 8 != 0 ? 16u + fxl_zeros_of_byte[value >> 8] : 24u + fxl_zeros_of_byte[value];
 }
 
 #else

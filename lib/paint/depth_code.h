@@ -138,9 +138,20 @@ static inline void fxl_depth_octave_of(fxl_depth_scale scale, const fxl_depth_pl
 static inline uint32_t fxl_depth_code_at(fxl_depth_scale scale, const fxl_depth_plane *plane,
                                          int64_t depth, int32_t x)
 {
+    const int64_t along = plane->gradient.along;
+    const int64_t value = depth + fxl_multiply_s64_u16(along, (uint32_t)x);
+    const int32_t upper = (int32_t)(value >> 32);
     fxl_depth_octave octave;
-    fxl_depth_octave_of(scale, plane,
-                        depth + fxl_multiply_s64_u16(plane->gradient.along, (uint32_t)x), &octave);
+    if (!FXL_IS_COMPACT && upper > 0) { /* and not beyond an end: as fxl_depth_octave_of finds it */
+        const int32_t length = 64 - (int32_t)fxl_leading_zeros((uint32_t)upper);
+        const uint32_t number = (uint32_t)(plane->one - length);
+        if (number < scale.octaves) {
+            const int32_t drop = length - 17 - scale.mantissa; /* 1..36 */
+            return ((scale.octaves - 2 - number) << (scale.mantissa + 16)) + 65536u +
+                   fxl_depth_shifted(depth, drop) + fxl_depth_shifted(along, drop) * (uint32_t)x;
+        }
+    }
+    fxl_depth_octave_of(scale, plane, value, &octave);
     return octave.is_constant
                ? octave.bias
                : octave.bias + fxl_depth_shifted(depth, octave.drop) + octave.step * (uint32_t)x;

@@ -88,31 +88,49 @@ paint_pixel(uint16_t *cell, void *pixel, uint32_t code, uint32_t filling, uint32
     }
 }
 
-/* count pixels of a row, from 1 on. Four at a time save the test of the end at three of them. */
+#define SHORT 8 /* pixels */
+
+/* count pixels of a row, from 1 on. The last ones, most rows' all, have no test of the end. */
 static inline __attribute__((always_inline)) void paint_codes(uint16_t *cells, uint8_t *pixels,
                                                               uint32_t count, uint32_t code,
                                                               uint32_t step, uint32_t filling,
                                                               uint32_t bits)
 {
     const uint32_t bytes = bits / 8u;
-    for (; count >= 4; count -= 4) {
-        paint_pixel(cells, pixels, code, filling, bits);
-        code += step;
-        paint_pixel(cells + 1, pixels + bytes, code, filling, bits);
-        code += step;
-        paint_pixel(cells + 2, pixels + 2 * bytes, code, filling, bits);
-        code += step;
-        paint_pixel(cells + 3, pixels + 3 * bytes, code, filling, bits);
-        code += step;
+    for (; count > SHORT; count -= 4) {
+        for (uint32_t i = 0; i < 4; i++) {
+            paint_pixel(cells + i, pixels + i * bytes, code, filling, bits);
+            code += step;
+        }
         cells += 4;
         pixels += 4 * bytes;
     }
-    for (; count != 0; count--) {
-        paint_pixel(cells, pixels, code, filling, bits);
-        cells++;
-        pixels += bytes;
-        code += step;
+    /* The row ends SHORT pixels after these; they may lie before its first one. */
+    uintptr_t cell = (uintptr_t)(cells + count) - SHORT * sizeof *cells;
+    uintptr_t pixel = (uintptr_t)(pixels + count * bytes) - SHORT * bytes;
+#if FXL_CORE_ARMV6M /* whose offsets are not below 0 */
+    FXL_HIDE(cell);
+    FXL_HIDE(pixel);
+#endif
+#define PAINT(left) \
+    case left: \
+        paint_pixel((uint16_t *)cell + (SHORT - (left)), \
+                    (uint8_t *)pixel + (SHORT - (left)) * bytes, code, filling, bits); \
+        code += step; \
+        __attribute__((fallthrough))
+    switch (count) {
+        PAINT(8);
+        PAINT(7);
+        PAINT(6);
+        PAINT(5);
+        PAINT(4);
+        PAINT(3);
+        PAINT(2);
+    default:
+        paint_pixel((uint16_t *)cell + (SHORT - 1), (uint8_t *)pixel + (SHORT - 1) * bytes, code,
+                    filling, bits);
     }
+#undef PAINT
 }
 
 /* An edge, or its step, as one number: fxl_edge_step is a sum then, which wraps. */

@@ -17,11 +17,9 @@ typedef struct {
  * there are from it to the greatest. */
 static inline int32_t count_centres(fxl_q16_16 a, fxl_q16_16 b, fxl_q16_16 c, int32_t *first)
 {
-    const int32_t of_a = fxl_first_centre_from(a), of_b = fxl_first_centre_from(b),
-                  of_c = fxl_first_centre_from(c);
-    const int32_t low = of_a < of_b ? of_a : of_b, high = of_a < of_b ? of_b : of_a;
-    *first = of_c < low ? of_c : low;
-    return (of_c > high ? of_c : high) - *first;
+    const fxl_q16_16 low = a < b ? a : b, high = a < b ? b : a;
+    *first = fxl_first_centre_from(c < low ? c : low);
+    return fxl_first_centre_from(c > high ? c : high) - *first;
 }
 
 /* Leaves of centres from *first on those from low to end. */

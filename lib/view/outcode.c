@@ -14,5 +14,11 @@ unsigned fxl_outside_of_pair(const fxl_view_frustum *frustum, int plane,
 fxl_planes fxl_outcode(const fxl_view_frustum *frustum, fxl_planes planes,
                        const fxl_view_point *point)
 {
-    return fxl_outside(frustum, planes, point);
+    unsigned outside = fxl_outside(frustum, planes, point);
+    if ((outside & FXL_OUTSIDE_IS_OPEN) != 0) {
+        outside &= FXL_PLANES_DEPTH;
+        outside |= fxl_outside_of_pair(frustum, FXL_PLANE_LEFT, point) |
+                   fxl_outside_of_pair(frustum, FXL_PLANE_BOTTOM, point);
+    }
+    return (fxl_planes)(outside & planes);
 }

@@ -44,41 +44,61 @@ static inline bool fxl_is_open(int32_t distance)
     return (uint32_t)distance + 4u < 8u;
 }
 
-/* The outcode's bits of a pair of side planes, plane and plane + 1. Their distances are
- * depth + across and depth - across; depth has the inset, rounded downward, subtracted
+/* Beside the bits of planes: upper words do not decide those of a pair of side planes. */
+#define FXL_OUTSIDE_IS_OPEN 0x100u
+
+/* The outcode's bits of a pair of side planes, plane and plane + 1, or FXL_OUTSIDE_IS_OPEN. Their
+ * distances are depth + across and depth - across; depth has the inset, rounded downward, subtracted
  * already. Each true term exceeds the computed one by 0 to 1.25, and the true inset exceeds
  * the rounded one by 0 to 1. So the true distance lies within -2.25..2.5 of the computed
  * one, and the two have the same sign if the computed one is not within -4..3. The sums are
  * below 2^29. */
-static inline unsigned fxl_pair_outside(const fxl_view_frustum *frustum, int plane, int32_t across,
-                                        int32_t depth, const fxl_view_point *point)
+static inline unsigned fxl_pair_outside(int plane, int32_t across, int32_t depth)
 {
     int32_t first = depth + across, second = depth - across;
     if (fxl_is_open(first) || fxl_is_open(second)) {
-        return fxl_outside_of_pair(frustum, plane, point);
+        return FXL_OUTSIDE_IS_OPEN;
     }
     return ((uint32_t)first >> 31 | (uint32_t)second >> 31 << 1) << plane;
 }
 
-/* The same as fxl_outcode. Exact. */
-static inline fxl_planes fxl_outside(const fxl_view_frustum *frustum, fxl_planes planes,
-                                     const fxl_view_point *point)
+/* Whether upper words show that a point is inside all planes, as most are. The inset is rounded
+ * downward, and 4 units larger: distances of 0 and more are then at least 4 without it, and not
+ * open. Between near and far are upper words between theirs, all below 2^29. */
+static inline bool fxl_is_inside(const fxl_view_frustum *frustum, const fxl_view_point *point,
+                                 int32_t inset)
+{
+    const int32_t x_depth = fxl_upper_term(frustum->x_depth, point->z) - inset,
+                  y_depth = fxl_upper_term(frustum->y_depth, point->z) - inset;
+    const int32_t across = fxl_upper_term(frustum->x_side, point->x),
+                  upright = fxl_upper_term(frustum->y_side, point->y);
+    const int32_t z = (int32_t)(point->z >> 32);
+    const int32_t from_near = z - (int32_t)(frustum->near_z >> 32) - 1,
+                  to_far = (int32_t)(frustum->far_z >> 32) - z - 1;
+    return ((x_depth + across) | (x_depth - across) | (y_depth + upright) | (y_depth - upright) |
+            from_near | to_far) >= 0;
+}
+
+/* The same as fxl_outcode, or FXL_OUTSIDE_IS_OPEN and some of its bits. Exact. */
+static inline unsigned fxl_outside(const fxl_view_frustum *frustum, unsigned planes,
+                                   const fxl_view_point *point)
 {
     unsigned outside = 0;
-    int32_t inset = (int32_t)(frustum->inset >> 34);
+    const int32_t inset = (int32_t)(frustum->inset >> 34);
+    if (FXL_HAS_LONG_PRODUCT && !FXL_IS_SMALL && fxl_is_inside(frustum, point, inset + 4)) {
+        return 0;
+    }
     if (planes & FXL_PLANES_ACROSS) {
-        outside |=
-            fxl_pair_outside(frustum, FXL_PLANE_LEFT, fxl_upper_term(frustum->x_side, point->x),
-                             fxl_upper_term(frustum->x_depth, point->z) - inset, point);
+        outside |= fxl_pair_outside(FXL_PLANE_LEFT, fxl_upper_term(frustum->x_side, point->x),
+                                    fxl_upper_term(frustum->x_depth, point->z) - inset);
     }
     if (planes & FXL_PLANES_UPRIGHT) {
-        outside |=
-            fxl_pair_outside(frustum, FXL_PLANE_BOTTOM, fxl_upper_term(frustum->y_side, point->y),
-                             fxl_upper_term(frustum->y_depth, point->z) - inset, point);
+        outside |= fxl_pair_outside(FXL_PLANE_BOTTOM, fxl_upper_term(frustum->y_side, point->y),
+                                    fxl_upper_term(frustum->y_depth, point->z) - inset);
     }
     outside |= (unsigned)(point->z < frustum->near_z) << FXL_PLANE_NEAR;
     outside |= (unsigned)(point->z > frustum->far_z) << FXL_PLANE_FAR;
-    return (fxl_planes)(outside & planes);
+    return outside & (planes | FXL_OUTSIDE_IS_OPEN);
 }
 
 /* The result of fxl_sphere_planes for a sphere that lies outside one of the planes. */

@@ -173,12 +173,14 @@ typedef struct {
 } scaling;
 
 /* floor((P + h) / d). */
-static int32_t offset_of(const scaling *by, int64_t side)
+FXL_ONCE int32_t offset_of(const scaling *by, int64_t side)
 {
-    int64_t shifted = (int64_t)((uint64_t)side << (by->zeros - 3));
-    int32_t upper = (int32_t)(shifted >> 32);
+    const unsigned shift = by->zeros - 3;
+    const uint32_t low = (uint32_t)side;
+    const int32_t upper =
+        (int32_t)((uint32_t)((uint64_t)side >> 32) << shift | low >> 1 >> (31 - shift));
     /* The 32 lowest bits of P: F X' is F upper 2^32 and F times the lower word. */
-    uint32_t product = (uint32_t)(fxl_multiply_u32((uint32_t)shifted, by->factor) >> 32) +
+    uint32_t product = (uint32_t)(fxl_multiply_u32(low << shift, by->factor) >> 32) +
                        (uint32_t)upper * by->factor;
     /* |upper| <= 2^30, G <= 2^30. */
     int32_t quotient = (int32_t)(fxl_multiply_s32(upper, (int32_t)by->scale) >> 32);

@@ -19,10 +19,19 @@ void fxl_transform_point(const fxl_camera *camera, const fxl_point *point, fxl_v
 
 #if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M
 
+/* The clip flags of a vertex whose upper words do not decide. Apart, and called last: what a call
+ * leaves intact would else be saved at each vertex. */
+static __attribute__((noinline)) void decide(const fxl_model_view *model_view,
+                                             fxl_cached_vertex *entry)
+{
+    entry->clip_flags =
+        FXL_VERTEX_UNPROJECTED | fxl_outcode(&model_view->view->view_frustum,
+                                             (fxl_planes)model_view->planes, &entry->position);
+}
+
 void fxl_transform_vertex(const fxl_model_view *model_view, uint32_t number,
                           fxl_cached_vertex *entry)
 {
-    const fxl_view *view = model_view->view;
     fxl_model_view_position(model_view, number, &entry->position);
     entry->tag = model_view->tag + number;
     unsigned outside = 0;
@@ -31,7 +40,12 @@ void fxl_transform_vertex(const fxl_model_view *model_view, uint32_t number,
             (void)model_view->scale_vertex(model_view, entry);
             return;
         }
-        outside = fxl_outside(&view->view_frustum, model_view->planes, &entry->position);
+        outside =
+            fxl_outside(&model_view->view->view_frustum, model_view->planes, &entry->position);
+        if ((outside & FXL_OUTSIDE_IS_OPEN) != 0) {
+            decide(model_view, entry);
+            return;
+        }
     }
     entry->clip_flags = outside | FXL_VERTEX_UNPROJECTED;
 }

@@ -95,6 +95,23 @@ void enumerate_reciprocal_half(void)
     }
 }
 
+#elif !FXL_HAS_LEADING_ZEROS
+
+/* [[row]]
+ * id = "leading zeros by a table of bytes"
+ * function = "lib/math/core.h:fxl_leading_zeros"
+ * property = "the text for cores with long products and without an instruction counts what the compiler counts, for every value above 0"
+ * checks = 4294967295
+ * flags = ["-DFXL_CORE_HAS=3"]
+ */
+void enumerate_zeros_of_bytes(void)
+{
+    uint32_t value = 0;
+    while (++value != 0) {
+        TRY(value, fxl_leading_zeros(value) == (unsigned)__builtin_clz(value));
+    }
+}
+
 #else
 
 #define BLOCK 4096 /* angles that a rotation goes on with before it begins anew */

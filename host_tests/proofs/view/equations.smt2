@@ -12,7 +12,7 @@
 ; function = "lib/view/project.c:offset_of"
 ; property = "the estimate is the quotient or one less: the remainder is below twice the depth"
 ; checks = 17
-; text = ["uint32_t product = (uint32_t)(fxl_multiply_u32((uint32_t)shifted, by->factor) >> 32) + (uint32_t)upper * by->factor;", "int32_t quotient = (int32_t)(fxl_multiply_s32(upper, (int32_t)by->scale) >> 32);", "uint32_t rest = product + (by->depth >> 1) - (uint32_t)quotient * by->depth;", "FXL_LEMMA(rest >> 1 < by->depth && FXL_BELOW(quotient, 1 << 28));"]
+; text = ["uint32_t product = (uint32_t)(fxl_multiply_u32(low << shift, by->factor) >> 32) + (uint32_t)upper * by->factor;", "int32_t quotient = (int32_t)(fxl_multiply_s32(upper, (int32_t)by->scale) >> 32);", "uint32_t rest = product + (by->depth >> 1) - (uint32_t)quotient * by->depth;", "FXL_LEMMA(rest >> 1 < by->depth && FXL_BELOW(quotient, 1 << 28));"]
 
 ; scale_of and offset_of of lib/view/project.c on integers, with the letters of the comment above them.
 (define-fun W () Int 4294967296)
