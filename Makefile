@@ -133,12 +133,12 @@ ifeq ($(BOARD_CHOSEN),)
 $(error there is no board "$(BOARD)"; the boards are: $(ALL_BOARDS))
 endif
 # Boards whose tools make test does not install (BOARD_SETUP). A command has them if BOARD= names one, and make boards and
-# make equality, bench and costs if their tools are there; they say to the make that they call which ones. make profile and make bench
+# make equality, bench, costs and trace RELEASE=1 if their tools are there; they say to the make that they call which ones. make profile and make bench
 # have the one whose core CORE= names.
 EXTRA_BOARDS := $(patsubst boards/%/board.mk,%,$(shell grep -l '^BOARD_SETUP' boards/*/board.mk))
 SETUP_OF = $(shell sed -n 's/^BOARD_SETUP := //p' boards/$(1)/board.mk)
 SETUP_OF_BOARD := $(if $(filter $(EXTRA_BOARDS),$(BOARD_CHOSEN)),$(call SETUP_OF,$(BOARD_CHOSEN)))
-ifneq ($(and $(filter boards equality bench costs,$(MAKECMDGOALS)),$(EXTRA_BOARDS)),)
+ifneq ($(and $(filter boards equality bench costs $(if $(value RELEASE),trace),$(MAKECMDGOALS)),$(EXTRA_BOARDS)),)
 $(foreach board,$(EXTRA_BOARDS),$(eval LACKS.$(board) := $(shell tools/setup.sh --missing $(call SETUP_OF,$(board)))))
 FIXEL_EXTRA_BOARDS := $(foreach board,$(EXTRA_BOARDS),$(if $(LACKS.$(board)),,$(board)))
 export FIXEL_EXTRA_BOARDS
