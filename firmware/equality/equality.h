@@ -56,6 +56,7 @@ extern const equality_test equality_tests[];
     TEST("colour-outlines", test_colour_outlines, SMOOTH)       \
     TEST("texel-outlines", test_texel_outlines, SMOOTH)         \
     TEST("smooth-planes", test_smooth_planes, SMOOTH)           \
+    TEST("colour-planes", test_colour_planes, SMOOTH)           \
     TEST("depth-runs", test_depth_runs, SMOOTH)
 
 #define EQUALITY_TEST(name, test, library) void test(uint32_t rounds);

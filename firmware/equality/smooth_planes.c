@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Compares the planes of depth and light that a small face has in words: which faces have them, and
- * the words. */
+/* Compares the planes of depth and of light, or of colours, that a small face has in words: which
+ * faces have them, and the words. */
 
 #include "equality.h"
-#include "paint/corner_planes.h"
+#include "paint/smooth_outline.h"
 #include "sides.h"
 
 /* From 0 to below `end`. */
@@ -93,3 +93,60 @@ void test_smooth_planes(uint32_t rounds)
                                   core.one == portable.one && is_same(&by_core, &by_portable))));
     }
 }
+
+#if FXL_DRAWS_SMOOTH_OUTLINES
+
+/* A value of a channel below `end`: mostly near `first`. */
+static int32_t any_value(uint32_t first, uint32_t range, uint32_t end)
+{
+    const uint32_t value = first + any_below(range);
+    return (int32_t)(4096u + value % (end - 2u * 4096u + 1u));
+}
+
+static void any_colours(fxl_colour_values *values)
+{
+    static const int32_t limits[4] = {FXL_BEND_NONE, FXL_BEND_NONE, FXL_BEND_FINE, FXL_BEND_ANY};
+    values->limit = limits[any_below(4)];
+    for (uint32_t k = 0; k < 3; k++) {
+        const uint32_t end = (k == 1 ? 64u : 32u) << 16, range = any_size(21) + 1u;
+        const uint32_t first = any_below(4) != 0 ? any_below(end) : 0;
+        for (uint32_t i = 0; i < 3; i++) {
+            values->of[k][i] = any_value(first, range, end);
+        }
+    }
+}
+
+static bool has_same_channels(const fxl_gradients *a, const fxl_gradients *b)
+{
+    return is_same(a, b) && is_gradient(&a->attributes[1], &b->attributes[1]) &&
+           a->shifts[1] == b->shifts[1] && a->shifts[2] == b->shifts[2];
+}
+
+void test_colour_planes(uint32_t rounds)
+{
+    static fxl_lens lens;
+    fxl_screen_corners corners;
+    fxl_gradients by_core, by_portable;
+    fxl_depth_plane core, portable;
+    fxl_corner_planes planes;
+    for (uint32_t i = 0; i < rounds; i++) {
+        fxl_colour_values values, again;
+        any_lens(&lens);
+        any_corners(&lens, &corners);
+        any_colours(&values);
+        again = values;
+        const bool found = fxl_find_colour_planes(&corners, &lens, &values, &by_core, &core);
+        const bool expected =
+            corners.width <= FXL_WORDS_SIDE_MAX && corners.height <= FXL_WORDS_SIDE_MAX &&
+            fxl_corner_planes_begin(&corners, &lens, FXL_COLOURS_SIDE_MAX, &planes) &&
+            fxl_corner_colours_linear(&planes, again.of, again.limit == FXL_BEND_ANY,
+                                      again.limit == FXL_BEND_NONE, &by_portable) &&
+            fxl_corner_planes_depth_words(&planes, &portable);
+        equality_case(found == expected &&
+                      (!found || (is_gradient(&core.gradient, &portable.gradient) &&
+                                  core.one == portable.one &&
+                                  has_same_channels(&by_core, &by_portable))));
+    }
+}
+
+#endif

@@ -190,6 +190,7 @@ AT(fxl_lens, far_z, LENS_NEAR_Z + 4);
 AT(fxl_gradient, at, GRADIENT_AT);
 AT(fxl_gradient, along, GRADIENT_ALONG);
 AT(fxl_gradient, down, GRADIENT_DOWN);
+SIZE(fxl_gradient, GRADIENT_SIZE);
 
 AT(fxl_gradients, weight, 0);
 AT(fxl_gradients, attributes, GRADIENTS_ATTRIBUTES);
@@ -238,6 +239,10 @@ AT(fxl_smooth_outline, limit, SMOOTH_OUTLINE_LIMIT);
 AT(fxl_smooth_outline, last, SMOOTH_OUTLINE_LAST);
 AT(fxl_smooth_outline, border, SMOOTH_OUTLINE_BORDER);
 AT(fxl_smooth_outline, rows, SMOOTH_OUTLINE_ROWS);
+
+#if FXL_DRAWS_SMOOTH_OUTLINES
+AT(fxl_colour_values, limit, COLOUR_VALUES_LIMIT);
+#endif
 
 AT(fxl_colour_outline, at.code, COLOUR_OUTLINE_CODE);
 AT(fxl_colour_outline, at.origin, COLOUR_OUTLINE_ORIGIN);

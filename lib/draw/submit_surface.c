@@ -54,19 +54,6 @@ static void find_even_light(const int32_t light[3], uint32_t *count, fxl_surface
     }
 }
 
-/* Whether all three corners are on the screen, not beside it. */
-static bool are_on_screen(const fxl_screen_corners *corners, const fxl_lens *lens)
-{
-    for (uint32_t i = 0; i < 3; i++) {
-        const fxl_screen_point *point = &corners->points[i];
-        if (point->x < 0 || point->x > lens->width * 65536 || point->y < 0 ||
-            point->y > lens->height * 65536) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /* The least depth of a face: of its corners, whose depths are z, and of the other vertices of the
  * whole face. So it does not depend on which three of them are corners. has_others: false where the
  * corners are known to be all vertices of the face. */
@@ -213,8 +200,8 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
         fxl_corner_planes_begin(&on_screen, &view->lens,
                                 has_colours ? FXL_COLOURS_SIDE_MAX : FXL_SMALL_SIDE_MAX, &planes);
     const bool is_small = has_planes && !planes.is_for_words;
-    const bool is_affine =
-        has_planes && surface->division == FXL_AFFINE && are_on_screen(&on_screen, &view->lens);
+    const bool is_affine = has_planes && surface->division == FXL_AFFINE &&
+                           fxl_corners_are_on_screen(&on_screen, &view->lens);
     bool is_in_words = false;
     const bool is_found =
         has_colours &&

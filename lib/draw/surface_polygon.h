@@ -138,6 +138,20 @@ bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *f
                              const fxl_corner *const of[3], const fxl_traversal *traversal,
                              fxl_screen_corners *corners);
 
+/* Whether all three corners are on the screen, not beside it. */
+static inline bool fxl_corners_are_on_screen(const fxl_screen_corners *corners,
+                                             const fxl_lens *lens)
+{
+    for (uint32_t i = 0; i < 3; i++) {
+        const fxl_screen_point *point = &corners->points[i];
+        if (point->x < 0 || point->x > lens->width * 65536 || point->y < 0 ||
+            point->y > lens->height * 65536) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* Appends a polygon that reaches the given rows of the screen to the display list. Returns false if
  * it does not fit: list untouched. */
 bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon *screen,

@@ -94,20 +94,58 @@ static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_work
     return clear_and_draw_words(surfaces, workspace, polygon, polygon->colour, points, count, band);
 }
 
+/* Whether pixels of a surface are those of the kernel of colours, and need not be divided. */
+static inline bool has_colours_alone(const fxl_surfaces *surfaces, const fxl_surface *surface)
+{
+    const uint32_t other = surface->texture | (surface->opacity ^ 16u) |
+                           ((surface->flags & ~(uint32_t)FXL_SURFACE_LIT) ^ FXL_SURFACE_COLOURS);
+    return FXL_PIXEL_IS_MIXED && other == 0 && surface->division != FXL_DIVIDE_1 &&
+           surfaces->beams == NULL;
+}
+
 /* Whether what the clipper leaves of a mapped face is drawn at once, as one polygon, by the kernel
  * of smooth outlines if its planes are in words. */
 static inline bool may_be_smooth(const fxl_surfaces *surfaces, const fxl_surface *surface,
                                  const fxl_traversal *traversal)
 {
-    return surfaces->light != NULL && fxl_has_light_alone(surfaces, surface) &&
+    return ((surfaces->light != NULL && fxl_has_light_alone(surfaces, surface)) ||
+            has_colours_alone(surfaces, surface)) &&
            traversal->display_list == NULL && traversal->mode != FXL_SUBMIT_MEASURE &&
            traversal->clipper->next == NULL &&
            can_draw_smooth(traversal->workspace, traversal->band);
 }
 
+#if FXL_PIXEL_IS_MIXED
+
+/* The planes of a face with colours at its corners, in words. Not inline: what it has would be on the
+ * stack of others. */
+static __attribute__((noinline)) bool
+find_colour_planes(const fxl_surfaces *surfaces, const fxl_surface *surface,
+                   const fxl_corner *const of[3], const fxl_model_view *model_view,
+                   const fxl_renderer *renderer, const fxl_screen_corners *corners,
+                   fxl_surface_polygon *polygon)
+{
+    const fxl_lens *lens = &model_view->view->lens;
+    fxl_colour_values values;
+    fxl_corner_colours(of, values.of);
+    if (fxl_surface_is_lit(surfaces, surface)) {
+        int32_t light[3];
+        surfaces->light_code->light_corners(surfaces, renderer, model_view->instance, of, light);
+        fxl_corner_colours_light(&surfaces->light->settings, light, values.of);
+    }
+    values.limit = surface->division == FXL_AFFINE && fxl_corners_are_on_screen(corners, lens)
+                       ? FXL_BEND_ANY
+                   : surface->division == FXL_DIVIDE_8 ? FXL_BEND_FINE
+                                                       : FXL_BEND_NONE;
+    return fxl_find_colour_planes(corners, lens, &values, &polygon->gradients, &polygon->depth);
+}
+
+#endif
+
 /* Such a face, from its corners to its pixels. False if its planes are no words, or the kernel
  * cannot scan it: then nothing is drawn or counted. */
 static __attribute__((noinline)) bool draw_smooth_face(const fxl_surfaces *surfaces,
+                                                       const fxl_surface *surface,
                                                        const fxl_corner *const of[3],
                                                        const fxl_model_view *model_view,
                                                        const fxl_face *face,
@@ -127,14 +165,25 @@ static __attribute__((noinline)) bool draw_smooth_face(const fxl_surfaces *surfa
     if (!fxl_find_screen_corners(model_view, face, of, traversal, &corners)) {
         return false;
     }
-    surfaces->light_code->light_corners(surfaces, renderer, model_view->instance, of, light);
-    if (!fxl_find_smooth_planes(&corners, &model_view->view->lens, light, &polygon.gradients,
-                                &polygon.depth)) {
-        return false;
+    fxl_depth_drawn drawn;
+    (void)surface; /* a palette's pixels have no colours of corners */
+#if FXL_PIXEL_IS_MIXED
+    if (surface->flags & FXL_SURFACE_COLOURS) {
+        if (!find_colour_planes(surfaces, surface, of, model_view, renderer, &corners, &polygon)) {
+            return false;
+        }
+        drawn = draw_colours(workspace, &polygon, screen->points, screen->count, traversal->band);
+    } else
+#endif
+    {
+        surfaces->light_code->light_corners(surfaces, renderer, model_view->instance, of, light);
+        if (!fxl_find_smooth_planes(&corners, &model_view->view->lens, light, &polygon.gradients,
+                                    &polygon.depth)) {
+            return false;
+        }
+        drawn = clear_and_draw_words(surfaces, workspace, &polygon, face->material, screen->points,
+                                     screen->count, traversal->band);
     }
-    const fxl_depth_drawn drawn =
-        clear_and_draw_words(surfaces, workspace, &polygon, face->material, screen->points,
-                             screen->count, traversal->band);
     if (drawn == FXL_DEPTH_NOT_DRAWN) {
         return false;
     }

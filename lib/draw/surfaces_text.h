@@ -187,7 +187,7 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face,
         if (may_be_smooth(surfaces, surface, traversal)) {
             const fxl_corner *corners[3];
             fxl_find_mapped_corners(set, surface, mapped, corners);
-            if (draw_smooth_face(surfaces, corners, model_view, face, traversal)) {
+            if (draw_smooth_face(surfaces, surface, corners, model_view, face, traversal)) {
                 return true;
             }
         }

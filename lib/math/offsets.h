@@ -192,12 +192,16 @@
 #define GRADIENT_AT    0
 #define GRADIENT_ALONG 8
 #define GRADIENT_DOWN  16
+#define GRADIENT_SIZE  24
 
 /* fxl_gradients: first the weight */
 #define GRADIENTS_ATTRIBUTES 24
 #define GRADIENTS_SHIFTS     96
 #define GRADIENTS_COUNT      99
 #define GRADIENTS_WEIGHT_MIN 120
+
+/* fxl_colour_values */
+#define COLOUR_VALUES_LIMIT 36
 
 /* fxl_depth_plane */
 #define DEPTH_PLANE_ONE 24

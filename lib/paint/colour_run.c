@@ -10,8 +10,7 @@ void fxl_paint_colour_run(const fxl_colour_words *words, uint16_t *pixels, uint3
     const uint32_t step = words->step, green_step = words->green_step;
     uint32_t both = words->both, green = words->green;
     for (uint16_t *const end = pixels + count; pixels != end; pixels++) {
-        const uint32_t red_and_green = both >> 27 << 6 | green >> 26;
-        *pixels = (uint16_t)(red_and_green << 5 | (both >> 11 & 31u));
+        *pixels = (uint16_t)((both & 0xF800u) | green >> 26 << 5 | both >> 27);
         both += step;
         green += green_step;
     }

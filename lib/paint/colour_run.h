@@ -10,8 +10,8 @@ extern "C" {
 #endif
 
 /* The first pixel, and what a pixel adds, in the order in which the kernel loads them. `both` has
- * red in its upper half and blue in its lower one, each with 11 bits after the point; green has 26.
- * A channel's level is what stands in the uppermost bits. */
+ * blue in its upper half and red in its lower one, each with 11 bits after the point; green has 26.
+ * A channel's level is what stands in the uppermost bits: red's is where a pixel has it. */
 typedef struct {
     uint32_t both, green, step, green_step;
 } fxl_colour_words;
@@ -19,7 +19,7 @@ typedef struct {
 /* Red and blue in 10.22, in one word: each loses 11 bits. */
 static inline uint32_t fxl_colours_both(int32_t red, int32_t blue)
 {
-    return ((uint32_t)(red >> 11) << 16) + (uint32_t)(blue >> 11);
+    return ((uint32_t)(blue >> 11) << 16) + (uint32_t)(red >> 11);
 }
 
 /* Writes count pixels. Sums are modulo 2^32; red and blue of all pixels are from 0 to below 32, or

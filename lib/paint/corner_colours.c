@@ -112,10 +112,7 @@ static inline channel_bend bend_of(const int32_t values[3], const short_weights 
     return bend;
 }
 
-/* Limits of a bend by the least weight, in 2^-10 level, less what its rounding may be: to each side
- * 1/16 of a level, 1/8 and 0.3; and 0.6 from one end to the other. */
-#define BEND_NONE 60
-#define BEND_FINE 124
+/* Limits of a bend beside those of the header: 0.3 to each side, 0.6 from one end to the other. */
 #define BEND_SIDE 300
 #define BEND_BOTH 600
 
@@ -136,7 +133,8 @@ static bool find_means(const fxl_corner_planes *planes, int32_t (*values)[3], bo
                        int32_t means[3])
 {
     const short_weights weights = shorten(planes);
-    const int32_t least = weights.least, none = (is_coarse ? BEND_NONE : BEND_FINE) * least;
+    const int32_t least = weights.least;
+    const int32_t none = (is_coarse ? FXL_BEND_NONE : FXL_BEND_FINE) * least;
     for (uint32_t k = 0; k < 3; k++) {
         const channel_bend bend = bend_of(values[k], &weights);
         const int32_t side = bend.most > -bend.least ? bend.most : -bend.least;

@@ -43,6 +43,13 @@ bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values
 bool fxl_corner_colours_unlit(const fxl_corner *const corners[3], const fxl_corner_planes *planes,
                               bool is_affine, fxl_gradients *gradients);
 
+/* Limits of what a constant weight may take off a channel, by the least weight, in 2^-10 level, less
+ * what its rounding may be: any; 1/8 of a level to each side; 1/16, and of what is more the mean is
+ * added, as where is_coarse. */
+#define FXL_BEND_ANY  0
+#define FXL_BEND_FINE 124
+#define FXL_BEND_NONE 60
+
 /* Such gradients: words of two attributes, each 64 bits from the lower word on. Channels are in
  * 10.22, modulo 2^32, in row 0 of a column of the face. What a column adds is in fxl_colour_words.
  *

@@ -77,9 +77,9 @@ static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row,
 static inline fxl_colour_words words_of(const colour_run *run)
 {
     const unsigned up = 32u - FRACTION - 6u;
-    const fxl_colour_words words = {((uint32_t)run->channels[0] << 16) + (uint32_t)run->channels[2],
+    const fxl_colour_words words = {((uint32_t)run->channels[2] << 16) + (uint32_t)run->channels[0],
                                     (uint32_t)run->channels[1] << up,
-                                    ((uint32_t)run->steps[0] << 16) + (uint32_t)run->steps[2],
+                                    ((uint32_t)run->steps[2] << 16) + (uint32_t)run->steps[0],
                                     (uint32_t)run->steps[1] << up};
     return words;
 }
@@ -197,9 +197,9 @@ static __attribute__((noinline)) void paint_words(const fxl_paint *paint, const 
     while (x0 < x1) {
         const int32_t next = words_at(attributes, &at, x0 - column, false, &words);
         for (const int32_t end = smaller(next + column, x1); x0 < end; x0++) {
-            const int32_t channels[3] = {(int32_t)(words.both >> 16),
+            const int32_t channels[3] = {(int32_t)(words.both & 0xFFFFu),
                                          (int32_t)(words.green >> (32u - 6u - FRACTION)),
-                                         (int32_t)(words.both & 0xFFFFu)};
+                                         (int32_t)(words.both >> 16)};
             show(paint, row, x0, channels);
             words.both += words.step;
             words.green += words.green_step;

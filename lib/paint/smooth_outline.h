@@ -125,6 +125,19 @@ typedef struct {
 
 #if FXL_DRAWS_SMOOTH_OUTLINES
 
+/* What the kernel of their planes begins with. */
+typedef struct {
+    int32_t of[3][3]; /* red, green and blue at the corners */
+    int32_t limit;    /* FXL_BEND_NONE, FXL_BEND_FINE or FXL_BEND_ANY */
+} fxl_colour_values;
+
+/* fxl_corner_planes_begin with FXL_COLOURS_SIDE_MAX, fxl_corner_colours_linear and
+ * fxl_corner_planes_depth_words at once, of a face with sides up to FXL_WORDS_SIDE_MAX. Returns
+ * false where one of them does: *gradients and *depth are undefined then. *values is always. */
+bool fxl_find_colour_planes(const fxl_screen_corners *corners, const fxl_lens *lens,
+                            fxl_colour_values *values, fxl_gradients *gradients,
+                            fxl_depth_plane *depth);
+
 /* Draws an outline of count points, as fxl_draw_smooth_outline_16 does. Writes what
  * fxl_depth_paint_row and fxl_paint_colours_565 write of opaque pixels. Requires points whose
  * columns are within 128 of the face's. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_find_smooth_planes for Armv7-M and Armv8-M Mainline. lib/paint/corner_planes.h states what it
- * requires and returns; it gives the same bits as fxl_corner_planes_begin and
- * fxl_corner_planes_linear in lib/paint/corner_planes.c, which derive the bounds. */
+/* fxl_find_smooth_planes and fxl_find_colour_planes for Armv7-M and Armv8-M Mainline.
+ * lib/paint/corner_planes.h and smooth_outline.h state what they require and return; they give the
+ * same bits as the texts in corner_planes.c and corner_colours.c, which derive the bounds. */
 #include "../math/family.h"
 #include "../math/offsets.h"
 
@@ -19,6 +19,8 @@
 #define APART     CORNERS /* two weights less the first one: in place of corners and lens */
 #define LENS      (OWN_SIZE + 4)
 #define LIGHT     (OWN_SIZE + 8)
+#define VALUES    LIGHT
+#define ROW       CROSSED /* when that is stored */
 #define GRADIENTS (OWN_SIZE + 12)
 #define DEPTH     (OWN_SIZE + 52)
 
@@ -70,25 +72,362 @@
     orr     \low, \low, \high
     .endm
 
-    .section .text.fxl_find_smooth_planes, "ax", %progbits
-    .global fxl_find_smooth_planes
-    .type fxl_find_smooth_planes, %function
-    .thumb_func
+/* Light, if it is nearly affine: r7:r4 and lr:r12 become along and down. */
+    .macro find_light
+    ldr     r7, [sp, #LIGHT]
+    ldm     r7, {r0, r2, r5}
+    extremes r7, r12, r0, r2, r5
+    sub     r7, r7, r12
+    ldrd    r4, r12, [sp, #LEAST]
+    umull   r7, r12, r7, r12
+    sub     r2, r2, r0
+    sub     r5, r5, r0
+    lsl     lr, r4, #15             /* 4 FXL_AFFINE_ERROR_LIGHT */
+    subs    lr, lr, r7
+    lsr     r4, r4, #17
+    sbcs    r4, r4, r12
+    blo     .Ltwisted_light
+.Lbalanced_light:
+    smull   r4, r7, r2, r11
+    smlal   r4, r7, r5, r9
+    smull   r12, lr, r2, r10
+    smlal   r12, lr, r5, r8
+    eor     r2, r7, r7, asr #31
+    eor     r5, lr, lr, asr #31
+    orr     r2, r2, r5
+    sub     r5, r1, #9
+    lsrs    r2, r2, r5
+    bne     .Lrefused_light
+    sub     r1, r1, #8
+    rsb     r2, r1, #32
+    lower_of_shifted r4, r7, r1, r2
+    lower_of_shifted r12, lr, r1, r2
+    smull   r5, r7, r4, r3
+    smlal   r5, r7, r12, r6
+    lsr     r5, r5, #16
+    orr     r5, r5, r7, lsl #16
+    rsb     r0, r5, r0, lsl #8
+    ldr     r5, [sp, #GRADIENTS]
+    asr     r1, r0, #31
+    strd    r0, r1, [r5, #GRADIENTS_ATTRIBUTES + GRADIENT_AT]
+    asr     r1, r4, #31
+    strd    r4, r1, [r5, #GRADIENTS_ATTRIBUTES + GRADIENT_ALONG]
+    asr     r1, r12, #31
+    strd    r12, r1, [r5, #GRADIENTS_ATTRIBUTES + GRADIENT_DOWN]
+    movs    r0, #0
+    mov     r1, #1 << 29            /* FXL_CONSTANT_WEIGHT */
+    strd    r0, r1, [r5, #GRADIENT_AT]
+    strd    r0, r0, [r5, #GRADIENT_ALONG]
+    strd    r0, r0, [r5, #GRADIENT_DOWN]
+    movs    r0, #53
+    strb    r0, [r5, #GRADIENTS_SHIFTS]
+    movs    r0, #1
+    strb    r0, [r5, #GRADIENTS_COUNT]
+    strd    r0, r0, [r5, #GRADIENTS_WEIGHT_MIN]
+    .endm
 
-/* r0: corners, r1: lens, r2: light, r3: gradients; on the stack: depth */
-fxl_find_smooth_planes:
+/* Light at corner 0 gets the mean of the error, as mean_of_error finds it. r12:r7: the product. */
+    .macro find_light_mean
+.Ltwisted_light:
+    ldr     r4, [sp, #LEAST]
+    lsl     lr, r4, #16             /* 4 FXL_WORDS_ERROR_LIGHT */
+    subs    lr, lr, r7
+    lsr     lr, r4, #16
+    sbcs    lr, lr, r12
+    blo     .Lrefused_light
+    ldrd    r7, lr, [sp, #APART]
+    rsb     r4, lr, r7, lsl #1
+    rsb     r7, r7, lr, lsl #1
+    smull   r12, lr, r2, r4
+    smlal   r12, lr, r5, r7
+    lsr     r12, r12, #24
+    orr     r12, r12, lr, lsl #8
+    ldrd    r4, r7, [sp, #LEAST]
+    add     r7, r7, r4, lsl #1
+    add     r7, r7, r7, lsr #1
+    lsr     r7, r7, #22
+    sdiv    r12, r12, r7
+    add     r0, r0, r12
+    b       .Lbalanced_light
+    .endm
+
+/* The differences of two weights from the first one, r3, r6, r12, of which the least has 15 bits. */
+    .macro shorten_weights
+    ldr     r1, [sp, #LEAST]
+    clz     r2, r1
+    rsb     r2, r2, #17
+    lsr     r1, r3, r2
+    lsr     r5, r6, r2
+    lsr     r2, r12, r2
+    subs    r5, r5, r1
+    subs    r2, r2, r1
+    strd    r5, r2, [sp, #APART]
+    .endm
+
+/* A channel of the values at r7, in r0, along, in r4, and down, in r1. r3, r6: where corner 0 is,
+ * lr: what moves a difference up. */
+    .macro find_channel offset
+    ldr     r0, [r7, #\offset]
+    ldrd    r1, r2, [r7, #\offset + 4]
+    lsl     r1, r1, lr
+    lsl     r2, r2, lr
+    smull   r5, r4, r1, r11
+    smlal   r5, r4, r2, r9
+    smull   r5, r1, r1, r10
+    smlal   r5, r1, r2, r8
+    smull   r5, r2, r4, r3
+    smlal   r5, r2, r1, r6
+    ldr     r5, [sp, #ROW]
+    rsb     r0, r2, r0, lsl #6
+    mls     r0, r1, r5, r0
+    .endm
+
+#define FIRST  GRADIENTS_ATTRIBUTES
+#define SECOND (GRADIENTS_ATTRIBUTES + GRADIENT_SIZE)
+
+/* The three channels, if a constant weight changes none too much. r7: the values of a channel,
+ * whose second and third become differences from the first; r12: their end. */
+    .macro find_channels
+    ldr     r7, [sp, #VALUES]
+    ldrd    r4, r5, [sp, #LEAST]
+    add     r12, r7, #COLOUR_VALUES_LIMIT
+    ldr     r2, [r12]
+    cmp     r5, r4, lsr #7
+    it      hi
+    cmphi   r2, #0
+    bls     .Lany_bend              /* weights are near, or are not asked for */
+    clz     r0, r4
+    rsb     r0, r0, #17
+    lsrs    r4, r4, r0
+    mul     r5, r2, r4
+    ldrd    r3, r6, [sp, #APART]
+
+    /* r4: the least weight, r3, r6: the others less the first one, r5: what needs no mean. */
+.Lbend:
+    ldm     r7, {r0, r1, r2}
+    subs    r1, r1, r0
+    subs    r2, r2, r0
+    strd    r1, r2, [r7, #4]
+    asrs    r1, r1, #8
+    asrs    r2, r2, #8
+    subs    r0, r2, r1
+    sub     lr, r6, r3
+    mul     r1, r3, r1
+    mul     r2, r6, r2
+    mul     r0, lr, r0
+    add     lr, r1, r5
+    cmp     lr, r5, lsl #1
+    itt     ls
+    addls   lr, r2, r5
+    cmpls   lr, r5, lsl #1
+    itt     ls
+    addls   lr, r0, r5
+    cmpls   lr, r5, lsl #1
+    bhi     .Lmean
+.Lbalanced:
+    adds    r7, r7, #12
+    cmp     r7, r12
+    bne     .Lbend
+.Ldifferences:
+    ldr     r7, [sp, #VALUES]
+    ldr     r0, [sp, #EXPONENT]
+    mov     lr, #9
+    subs    r0, r0, #29
+    blt     .Lshort_side
+    asr     r8, r8, r0
+    asr     r9, r9, r0
+    asr     r10, r10, r0
+    asr     r11, r11, r0
+.Lscaled:
+    ldrd    r3, r6, [sp, #X]
+    ldr     r12, [sp, #GRADIENTS]
+    add     r0, r6, #32768
+    add     r1, r3, #32768
+    asrs    r0, r0, #16
+    asrs    r1, r1, #16
+    str     r0, [sp, #ROW]
+    str     r1, [r12, #FIRST + GRADIENT_AT + 4]
+    lsls    r3, r3, #16
+    lsls    r6, r6, #16
+    find_channel 0
+    add     r0, r0, #1024
+    str     r0, [r12, #FIRST + GRADIENT_AT]
+    str     r1, [r12, #FIRST + GRADIENT_DOWN]
+    str     r4, [r12, #SECOND + GRADIENT_ALONG]
+    add     r4, r4, #1024
+    asrs    r4, r4, #11
+    str     r4, [r12, #FIRST + GRADIENT_ALONG]
+    find_channel 12
+    lsls    r4, r4, #4
+    str     r0, [r12, #SECOND + GRADIENT_AT]
+    str     r1, [r12, #FIRST + GRADIENT_DOWN + 4]
+    str     r4, [r12, #FIRST + GRADIENT_ALONG + 4]
+    find_channel 24
+    add     r0, r0, #1024
+    ldr     r2, [r12, #FIRST + GRADIENT_ALONG]
+    str     r0, [r12, #SECOND + GRADIENT_AT + 4]
+    str     r4, [r12, #SECOND + GRADIENT_ALONG + 4]
+    add     r4, r4, #1024
+    asrs    r4, r4, #11
+    add     r2, r2, r4, lsl #16
+    asrs    r5, r1, #31
+    str     r2, [r12, #FIRST + GRADIENT_ALONG]
+    strd    r1, r5, [r12, #SECOND + GRADIENT_DOWN]
+    movs    r0, #0
+    mov     r1, #1 << 29            /* FXL_CONSTANT_WEIGHT */
+    strd    r0, r1, [r12, #GRADIENT_AT]
+    strd    r0, r0, [r12, #GRADIENT_ALONG]
+    strd    r0, r0, [r12, #GRADIENT_DOWN]
+    movs    r0, #1
+    strd    r0, r0, [r12, #GRADIENTS_WEIGHT_MIN]
+    mov     r1, #0x7f7f7f7f         /* FXL_SHIFT_OF_WORDS */
+    movs    r2, #2                  /* FXL_GRADIENTS_OF_WORDS */
+    str     r1, [r12, #GRADIENTS_SHIFTS]
+    strb    r2, [r12, #GRADIENTS_COUNT]
+    .endm
+
+/* What find_channels does in other faces. */
+    .macro find_channel_mean
+.Lany_bend:
+    ldm     r7, {r0, r1, r2}
+    subs    r1, r1, r0
+    subs    r2, r2, r0
+    strd    r1, r2, [r7, #4]
+    adds    r7, r7, #12
+    cmp     r7, r12
+    bne     .Lany_bend
+    b       .Ldifferences
+
+    /* A channel bends by r1, r2 and r0: as find_means and mean_of have it. r5: the most, r6: the
+     * least, r3: the sum, then the mean; lr: what the most may be above the least. */
+.Lmean:
+    ldr     lr, [r12]
+    cmp     lr, #60                 /* FXL_BEND_NONE */
+    bne     .Lrefused_colours
+    push    {r3, r5, r6}
+    adds    r3, r1, r2
+    adds    r3, r3, r0
+    cmp     r1, r2
+    itete   lt
+    movlt   r5, r2
+    movge   r5, r1
+    movlt   r6, r1
+    movge   r6, r2
+    cmp     r0, r5
+    it      gt
+    movgt   r5, r0
+    cmp     r0, r6
+    it      lt
+    movlt   r6, r0
+    bic     r5, r5, r5, asr #31
+    and     r6, r6, r6, asr #31
+    mov     lr, #600                /* BEND_BOTH */
+    mul     lr, lr, r4
+    subs    r0, r5, r6
+    cmp     r0, lr
+    bhi     .Ltoo_bent
+    sub     r0, r5, lr, lsr #1
+    add     r0, r0, r0, lsl #1
+    add     r1, r6, lr, lsr #1
+    add     r1, r1, r1, lsl #1
+    cmp     r3, r0
+    it      lt
+    movlt   r3, r0
+    cmp     r3, r1
+    it      gt
+    movgt   r3, r1
+    lsls    r3, r3, #4
+    sdiv    r3, r3, r4
+    lsls    r3, r3, #2
+    movs    r0, #3
+    sdiv    r3, r3, r0
+    rsbs    r6, r6, #0
+    cmp     r6, r5
+    it      hi
+    movhi   r5, r6                  /* to the farther side */
+    ldm     r7, {r0, r1, r2}
+    adds    r0, r0, r3
+    add     r1, r1, r0
+    add     r2, r2, r0
+    sub     r6, r12, r7
+    cmp     r6, #24                 /* green */
+    ite     eq
+    moveq   r6, #64 << 16
+    movne   r6, #32 << 16
+    sub     r6, r6, #2 * 4096
+    sub     r3, r0, #4096
+    cmp     r3, r6
+    itt     ls
+    subls   r1, r1, #4096
+    cmpls   r1, r6
+    itt     ls
+    subls   r2, r2, #4096
+    cmpls   r2, r6
+    itt     ls
+    strls   r0, [r7]
+    movls   r5, #0
+    cmp     r5, lr, lsr #1
+    bhi     .Ltoo_bent
+    pop     {r3, r5, r6}
+    b       .Lbalanced
+.Ltoo_bent:
+    add     sp, sp, #12
+    b       .Lrefused_colours
+
+    /* A side of the face is short: coefficients and differences share the shift, -r0. */
+.Lshort_side:
+    rsbs    r0, r0, #0
+    eor     r1, r8, r8, asr #31
+    .irp    coefficient, r9, r10, r11
+    eor     r2, \coefficient, \coefficient, asr #31
+    orrs    r1, r1, r2
+    .endr
+    clz     r1, r1
+    subs    r1, r1, #1
+    cmp     r1, r0
+    it      hi
+    movhi   r1, r0
+    .irp    coefficient, r8, r9, r10, r11
+    lsl     \coefficient, \coefficient, r1
+    .endr
+    subs    r0, r0, r1
+    beq     .Lscaled
+    cmp     r0, #4                  /* LESS_MAX */
+    bhi     .Lrefused_colours
+    add     lr, lr, r0
+    movs    r5, #0
+.Lfits:
+    ldrd    r1, r2, [r7, #4]
+    eor     r1, r1, r1, asr #31
+    eor     r2, r2, r2, asr #31
+    orrs    r1, r1, r2
+    orrs    r5, r5, r1
+    adds    r7, r7, #12
+    cmp     r7, r12
+    bne     .Lfits
+    ldr     r7, [sp, #VALUES]
+    add     r5, r5, #1 << 14
+    rsb     r0, r0, #22
+    lsrs    r5, r5, r0
+    bne     .Lrefused_colours
+    b       .Lscaled
+    .endm
+
+/* The planes of a face; kind: _light or _colours. r0: corners, r1: lens, r2: light or values, r3:
+ * gradients; on the stack: depth. */
+    .macro find_planes kind, thin
     push    {r0-r11, lr}
     sub     sp, sp, #OWN_SIZE
     ldrb    r6, [r0, #SCREEN_CORNERS_IS_TRIANGLE]
     ldrd    r4, r5, [r0, #SCREEN_CORNERS_WIDTH]
     cmp     r6, #0
-    beq     .Lrefused
+    beq     .Lrefused\kind
     sub     r6, r4, #1 << 14
     sub     r7, r5, #1 << 14
     cmp     r6, #127 << 16          /* FXL_WORDS_SIDE_MAX, less the least */
     it      ls
     cmpls   r7, #127 << 16
-    bhi     .Lrefused
+    bhi     .Lrefused\kind
 
     /* The edges: r8: x1, r9: y1, r10: x2, r11: y2; the area. */
     ldm     r0, {r6-r11}
@@ -115,19 +454,19 @@ fxl_find_smooth_planes:
     cmp     r7, r1
     sbcs    r6, r6, r2
     sbc     r0, r0, r0              /* all ones: it is thin, so may be steep */
-    bcc     .Lthin_area
-.Lfilled:
+    bcc     .Lthin_area\kind
+.Lfilled\kind:
 
     /* r1: the exponent, r6: the reciprocal of the area, r8-r11: the coefficients. */
     cmp     lr, #0
-    beq     .Lsmall_area
+    beq     .Lsmall_area\kind
     clz     r1, lr
     rsb     r2, r1, #32
     lsl     lr, lr, r1
     lsr     r12, r12, r2
     orr     r12, r12, lr
     rsb     r1, r1, #46
-.Lmantissa:
+.Lmantissa\kind:
     bic     r6, r12, #1
     orr     r6, r6, #2
     reciprocal r6, r2, r7
@@ -153,7 +492,7 @@ fxl_find_smooth_planes:
     ldm     r0, {r2, r3, r5, r6, r7, r12}
     orr     r0, r3, r6
     orrs    r0, r0, r12
-    beq     .Lrefused
+    beq     .Lrefused\kind
     clz     r0, r0
     rsb     lr, r0, #32
     lower_of_shifted r2, r3, lr, r0
@@ -163,7 +502,7 @@ fxl_find_smooth_planes:
     itt     hs
     cmphs   r5, #1 << 30
     cmphs   r7, #1 << 30
-    blo     .Lrefused
+    blo     .Lrefused\kind
     umull   lr, r3, r5, r7
     umull   lr, r6, r2, r7
     umull   lr, r12, r2, r5
@@ -197,8 +536,8 @@ fxl_find_smooth_planes:
     umull   lr, r7, r5, r4
     subs    lr, lr, r1, lsl #20
     sbcs    r7, r7, r1, lsr #12
-    blo     .Lsteep                 /* they differ much for the shorter side */
-.Lmay_be_steep:
+    blo     .Lsteep\kind                 /* they differ much for the shorter side */
+.Lmay_be_steep\kind:
 
     /* The octave r0 of the lens's, r1, and at most the one beyond it; r2: bits of a code, lr: zeros of the weights. */
     clz     lr, r5
@@ -206,7 +545,7 @@ fxl_find_smooth_planes:
     add     r0, r0, lr
     sub     r7, r7, lr
     cmp     r7, #1                  /* octaves that it crosses */
-    bhi     .Lrefused
+    bhi     .Lrefused\kind
     ite     eq
     addeq   r7, r0, #1
     movne   r7, #0
@@ -218,18 +557,18 @@ fxl_find_smooth_planes:
     clz     r1, r5
     clz     r2, r7
     subs    r1, r1, r2
-    beq     .Lrefused               /* a single octave: codes of 15 bits */
+    beq     .Lrefused\kind               /* a single octave: codes of 15 bits */
     lsl     r5, r5, r1
     cmp     r5, r7
     it      lo
     addlo   r1, r1, #1
     cmp     r1, #1
-    beq     .Lrefused
+    beq     .Lrefused\kind
     cmp     r0, r1
-    bhs     .Lrefused
+    bhs     .Lrefused\kind
     ldr     r2, [sp, #CROSSED]
     cmp     r2, r1
-    bhs     .Lrefused
+    bhs     .Lrefused\kind
     clz     r2, r1
     add     r2, r2, #1
     sub     r1, r1, r0
@@ -246,9 +585,14 @@ fxl_find_smooth_planes:
     add     r0, r0, #65536          /* the code of corner 0 */
 
     /* The plane of depth: r3:r2 and r6:r5 become along and down. */
+    .ifc    \kind, _colours
+    shorten_weights
+    .endif
     sub     r6, r6, r3
     sub     r12, r12, r3
+    .ifc    \kind, _light
     strd    r6, r12, [sp, #APART]
+    .endif
     smull   r2, r3, r6, r11
     smlal   r2, r3, r12, r9
     smull   r5, r6, r6, r10
@@ -256,13 +600,13 @@ fxl_find_smooth_planes:
     ldr     r1, [sp, #EXPONENT]
     add     r7, r7, r1
     cmp     r4, #0
-    bmi     .Lsteep_depth
-.Lnot_steep:
+    bmi     .Lsteep_depth\kind
+.Lnot_steep\kind:
     rsbs    r12, r7, #32
-    ble     .Lupper_words
+    ble     .Lupper_words\kind
     lower_of_shifted r2, r3, r7, r12
     lower_of_shifted r5, r6, r7, r12
-.Lsteps:
+.Lsteps\kind:
     ldrd    r3, r6, [sp, #X]
     smull   r7, r12, r2, r3
     smlal   r7, r12, r5, r6
@@ -280,127 +624,79 @@ fxl_find_smooth_planes:
     orr     r0, r0, #1 << 31        /* FXL_DEPTH_IS_LINEAR, or FXL_DEPTH_IS_BENT and the octave */
     str     r0, [r7, #DEPTH_PLANE_ONE]
 
-    /* Light, if it is nearly affine: r7:r4 and lr:r12 become along and down. */
-    ldr     r7, [sp, #LIGHT]
-    ldm     r7, {r0, r2, r5}
-    extremes r7, r12, r0, r2, r5
-    sub     r7, r7, r12
-    ldrd    r4, r12, [sp, #LEAST]
-    umull   r7, r12, r7, r12
-    sub     r2, r2, r0
-    sub     r5, r5, r0
-    lsl     lr, r4, #15             /* 4 FXL_AFFINE_ERROR_LIGHT */
-    subs    lr, lr, r7
-    lsr     r4, r4, #17
-    sbcs    r4, r4, r12
-    blo     .Ltwisted
-.Lbalanced:
-    smull   r4, r7, r2, r11
-    smlal   r4, r7, r5, r9
-    smull   r12, lr, r2, r10
-    smlal   r12, lr, r5, r8
-    eor     r2, r7, r7, asr #31
-    eor     r5, lr, lr, asr #31
-    orr     r2, r2, r5
-    sub     r5, r1, #9
-    lsrs    r2, r2, r5
-    bne     .Lrefused
-    sub     r1, r1, #8
-    rsb     r2, r1, #32
-    lower_of_shifted r4, r7, r1, r2
-    lower_of_shifted r12, lr, r1, r2
-    smull   r5, r7, r4, r3
-    smlal   r5, r7, r12, r6
-    lsr     r5, r5, #16
-    orr     r5, r5, r7, lsl #16
-    rsb     r0, r5, r0, lsl #8
-    ldr     r5, [sp, #GRADIENTS]
-    asr     r1, r0, #31
-    strd    r0, r1, [r5, #GRADIENTS_ATTRIBUTES + GRADIENT_AT]
-    asr     r1, r4, #31
-    strd    r4, r1, [r5, #GRADIENTS_ATTRIBUTES + GRADIENT_ALONG]
-    asr     r1, r12, #31
-    strd    r12, r1, [r5, #GRADIENTS_ATTRIBUTES + GRADIENT_DOWN]
-    movs    r0, #0
-    mov     r1, #1 << 29            /* FXL_CONSTANT_WEIGHT */
-    strd    r0, r1, [r5, #GRADIENT_AT]
-    strd    r0, r0, [r5, #GRADIENT_ALONG]
-    strd    r0, r0, [r5, #GRADIENT_DOWN]
-    movs    r0, #53
-    strb    r0, [r5, #GRADIENTS_SHIFTS]
-    movs    r0, #1
-    strb    r0, [r5, #GRADIENTS_COUNT]
-    strd    r0, r0, [r5, #GRADIENTS_WEIGHT_MIN]
-.Lreturn:
+    .ifc    \kind, _light
+    find_light
+    .else
+    find_channels
+    .endif
+.Lreturn\kind:
     add     sp, sp, #OWN_SIZE + 16
     pop     {r4-r11, pc}
 
-.Lrefused:
+.Lrefused\kind:
     movs    r0, #0
-    b       .Lreturn
+    b       .Lreturn\kind
 
-    /* The triangle fills less than 1/16 of the box. It has to fill 1/1024. */
-.Lthin_area:
-    lsl     r6, lr, #9
-    orr     r6, r6, r12, lsr #23
-    lsl     r7, r12, #9
+    /* The triangle fills less than 1/16 of the box. It has to fill 1/2^(\thin + 1). */
+.Lthin_area\kind:
+    lsl     r6, lr, #\thin
+    orr     r6, r6, r12, lsr #32 - \thin
+    lsl     r7, r12, #\thin
     cmp     r7, r1
     sbcs    r6, r6, r2
-    blo     .Lrefused
-    b       .Lfilled
+    blo     .Lrefused\kind
+    b       .Lfilled\kind
 
-.Lsmall_area:
+.Lsmall_area\kind:
     clz     r1, r12
     lsl     r12, r12, r1
     rsb     r1, r1, #14
-    b       .Lmantissa
+    b       .Lmantissa\kind
 
-.Lsteep:
+.Lsteep\kind:
     mvn     r4, #0
-    b       .Lmay_be_steep
+    b       .Lmay_be_steep\kind
 
-    /* Light at corner 0 gets the mean of the error, as mean_of_error finds it. r12:r7: the product. */
-.Ltwisted:
-    ldr     r4, [sp, #LEAST]
-    lsl     lr, r4, #16             /* 4 FXL_WORDS_ERROR_LIGHT */
-    subs    lr, lr, r7
-    lsr     lr, r4, #16
-    sbcs    lr, lr, r12
-    blo     .Lrefused
-    ldrd    r7, lr, [sp, #APART]
-    rsb     r4, lr, r7, lsl #1
-    rsb     r7, r7, lr, lsl #1
-    smull   r12, lr, r2, r4
-    smlal   r12, lr, r5, r7
-    lsr     r12, r12, #24
-    orr     r12, r12, lr, lsl #8
-    ldrd    r4, r7, [sp, #LEAST]
-    add     r7, r7, r4, lsl #1
-    add     r7, r7, r7, lsr #1
-    lsr     r7, r7, #22
-    sdiv    r12, r12, r7
-    add     r0, r0, r12
-    b       .Lbalanced
+    .ifc    \kind, _light
+    find_light_mean
+    .else
+    find_channel_mean
+    .endif
 
     /* The depth may change by the largest weight a pixel. */
-.Lsteep_depth:
+.Lsteep_depth\kind:
     rsb     lr, lr, #32
     add     lr, lr, r1
     sub     lr, lr, #33
     eor     r12, r3, r3, asr #31
     lsrs    r12, r12, lr
-    bne     .Lrefused
+    bne     .Lrefused\kind
     eor     r12, r6, r6, asr #31
     lsrs    r12, r12, lr
-    bne     .Lrefused
-    b       .Lnot_steep
+    bne     .Lrefused\kind
+    b       .Lnot_steep\kind
 
-.Lupper_words:
+.Lupper_words\kind:
     sub     r7, r7, #32
     asr     r2, r3, r7
     asr     r5, r6, r7
-    b       .Lsteps
+    b       .Lsteps\kind
+    .endm
 
+    .section .text.fxl_find_smooth_planes, "ax", %progbits
+    .global fxl_find_smooth_planes
+    .type fxl_find_smooth_planes, %function
+    .thumb_func
+fxl_find_smooth_planes:
+    find_planes _light, 9
     .size fxl_find_smooth_planes, . - fxl_find_smooth_planes
+
+    .section .text.fxl_find_colour_planes, "ax", %progbits
+    .global fxl_find_colour_planes
+    .type fxl_find_colour_planes, %function
+    .thumb_func
+fxl_find_colour_planes:
+    find_planes _colours, 6
+    .size fxl_find_colour_planes, . - fxl_find_colour_planes
 
 #endif

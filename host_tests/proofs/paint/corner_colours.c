@@ -345,8 +345,8 @@ void prove_paint_colour_run(void)
     fxl_paint_colour_run(&words, pixels, count);
     ASSERT("no pixel behind the last one", pixels[count] == behind);
     ASSERT("the first one's levels",
-           count == 0 || pixels[0] == (uint16_t)(words.both >> 27 << 11 | words.green >> 26 << 5 |
-                                                 (words.both >> 11 & 31u)));
+           count == 0 || pixels[0] == (uint16_t)((words.both >> 11 & 31u) << 11 |
+                                                 words.green >> 26 << 5 | words.both >> 27));
     PROOF_ENDS();
 }
 
