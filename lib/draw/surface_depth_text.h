@@ -271,11 +271,6 @@ static __attribute__((noinline)) bool paint_plain(const fxl_paint *paint,
 
 #endif
 
-static inline bool is_blended(const fxl_surface *surface)
-{
-    return (surface->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) != 0;
-}
-
 /* Clears the cells of the rows of a polygon. */
 static void clear_under(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                         const fxl_band *band)
@@ -358,7 +353,7 @@ static ROWS_APART bool paint_by_rows(const fxl_surfaces *surfaces, fxl_workspace
     fxl_segment_face face;
     paint_of(surfaces, polygon, band, &paint);
     fxl_depth_begin(&depth, workspace->target_memory, &polygon->depth, band);
-    if (is_blended(surface)) {
+    if (fxl_surface_is_blended(surface)) {
         depth.keeps = FXL_DEPTH_KEEPS_NONE;
     } else if (paint.opacity < 16 || (paint.level.flags & FXL_TEXTURE_KEYED)) {
         depth.keeps = FXL_DEPTH_KEEPS_DRAWN;

@@ -61,6 +61,18 @@ static inline bool fxl_has_light_alone(const fxl_surfaces *surfaces, const fxl_s
 #define FXL_NO_SURFACE UINT16_MAX
 FXL_STATIC_ASSERT(FXL_SURFACES_MAX <= FXL_NO_SURFACE, "no surface has this number");
 
+static inline bool fxl_surface_is_blended(const fxl_surface *surface)
+{
+    return (surface->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) != 0;
+}
+
+/* Whether a depth buffer's band is drawn in two passes, and what has this surface in the other one. */
+/* SPEC 10.5, surfaces 4.4 */
+static inline bool fxl_is_of_other_pass(const fxl_depth_head *head, const fxl_surface *surface)
+{
+    return head->pass == (fxl_surface_is_blended(surface) ? FXL_DEPTH_OPAQUE : FXL_DEPTH_BLENDED);
+}
+
 /* What a polygon has beside its outline. */
 typedef struct {
     fxl_gradients gradients; /* where it has a surface */

@@ -80,7 +80,7 @@ static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_work
                                           const fxl_band *band)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
-    if (surface->opacity != 16 || is_blended(surface) || !can_draw_smooth(workspace, band)) {
+    if (surface->opacity != 16 || fxl_surface_is_blended(surface) || !can_draw_smooth(workspace, band)) {
         return FXL_DEPTH_NOT_DRAWN;
     }
 #if FXL_PIXEL_IS_MIXED
@@ -94,12 +94,12 @@ static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_work
     return clear_and_draw_words(surfaces, workspace, polygon, polygon->colour, points, count, band);
 }
 
-/* Whether pixels of a surface are those of the kernel of colours, and need not be divided. */
+/* Whether pixels of a surface are those of the kernel of colours, which have no texture, and need not
+ * be divided. */
 static inline bool has_colours_alone(const fxl_surfaces *surfaces, const fxl_surface *surface)
 {
-    const uint32_t other = surface->texture | (surface->opacity ^ 16u) |
-                           ((surface->flags & ~(uint32_t)FXL_SURFACE_LIT) ^ FXL_SURFACE_COLOURS);
-    return FXL_PIXEL_IS_MIXED && other == 0 && surface->division != FXL_DIVIDE_1 &&
+    const uint32_t flags = surface->flags & ~(uint32_t)FXL_SURFACE_LIT;
+    return FXL_PIXEL_IS_MIXED && flags == FXL_SURFACE_COLOURS && surface->opacity == 16 && surface->division != FXL_DIVIDE_1 &&
            surfaces->beams == NULL;
 }
 
@@ -108,8 +108,9 @@ static inline bool has_colours_alone(const fxl_surfaces *surfaces, const fxl_sur
 static inline bool may_be_smooth(const fxl_surfaces *surfaces, const fxl_surface *surface,
                                  const fxl_traversal *traversal)
 {
-    return ((surfaces->light != NULL && fxl_has_light_alone(surfaces, surface)) ||
-            has_colours_alone(surfaces, surface)) &&
+    return surface->texture == 0 &&
+           (has_colours_alone(surfaces, surface) ||
+            (surfaces->light != NULL && fxl_has_light_alone(surfaces, surface))) &&
            traversal->display_list == NULL && traversal->mode != FXL_SUBMIT_MEASURE &&
            traversal->clipper->next == NULL &&
            can_draw_smooth(traversal->workspace, traversal->band);

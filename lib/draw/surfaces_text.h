@@ -74,8 +74,7 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
             return drawn == FXL_DEPTH_DRAWN;
         }
     }
-    if (((const fxl_depth_head *)workspace->target_memory)->pass ==
-        (is_blended(surface) ? FXL_DEPTH_OPAQUE : FXL_DEPTH_BLENDED)) {
+    if (fxl_is_of_other_pass((const fxl_depth_head *)workspace->target_memory, surface)) {
         return false;
     }
     if (polygon->gradients.count == 1) {
@@ -104,12 +103,24 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
 
 /* --- a face --------------------------------------------------------------------------------- */
 
-/* fxl_polygon_finder. */
+/* fxl_polygon_finder. Of a face that is in the other pass only what paint_surface asks for before it
+ * knows that: it has no words. */
 static inline __attribute__((always_inline)) void
 find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
      const fxl_traversal *traversal, fxl_surface_polygon *polygon)
 {
     const fxl_mapped_surface *of = (const fxl_mapped_surface *)what;
+#if FXL_TARGET_DEPTH_BITS != 0
+    const fxl_depth_head *head = (const fxl_depth_head *)traversal->workspace->target_memory;
+    if (head->pass != FXL_DEPTH_ALL && traversal->display_list == NULL &&
+        traversal->mode != FXL_SUBMIT_MEASURE &&
+        fxl_is_of_other_pass(head, &of->surfaces->set->surfaces[of->mapped->surface])) {
+        polygon->surface = of->mapped->surface;
+        polygon->gradients.shifts[0] = 0;
+        polygon->depth.one = 0;
+        return;
+    }
+#endif
     fxl_surface_find(of->surfaces, of->mapped, model_view, face, traversal, FIND_DEPTH, FIND_LINEAR,
                      FIND_TEXELS, polygon);
 }

@@ -71,3 +71,59 @@ void prove_surface_polygon_read(void)
     ASSERT("the record's points", count == fxl_surface_polygon_points(screen));
     PROOF_ENDS();
 }
+
+/* [[row]]
+ * function = "lib/draw/surface_polygon.h:fxl_corners_are_on_screen"
+ * property = "exactly where no corner is beside the screen, for all lenses, and nothing overflows"
+ * checks = 49
+ * unwind = 4
+ */
+void prove_corners_are_on_screen(void)
+{
+    fxl_screen_corners corners;
+    fxl_lens lens;
+    ASSUME(lens.width >= 1 && lens.width <= FXL_SCREEN_MAX && lens.height >= 1 && lens.height <= FXL_SCREEN_MAX);
+    const uint32_t i = nondet_u32();
+    ASSUME(i < 3);
+    const fxl_screen_point point = corners.points[i];
+    const bool is_on = point.x >= 0 && point.y >= 0 && point.x <= lens.width << 16 && point.y <= lens.height << 16;
+    corners.points[0] = corners.points[1] = corners.points[2];
+    corners.points[i] = point;
+    const fxl_screen_point other = corners.points[(i + 1) % 3];
+    const bool others = other.x >= 0 && other.y >= 0 && other.x <= lens.width << 16 && other.y <= lens.height << 16;
+    ASSERT("all or not", fxl_corners_are_on_screen(&corners, &lens) == (is_on && others));
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "lib/draw/surface_polygon.h:fxl_surface_is_blended"
+ * property = "exactly where it blends or adds, for all flags"
+ * checks = 7
+ */
+void prove_surface_is_blended(void)
+{
+    fxl_surface surface;
+    surface.flags = (uint8_t)nondet_u32();
+    const bool mixes = (surface.flags & FXL_SURFACE_BLEND) != 0 || (surface.flags & FXL_SURFACE_ADD) != 0;
+    ASSERT("blends or adds", fxl_surface_is_blended(&surface) == mixes);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "lib/draw/surface_polygon.h:fxl_is_of_other_pass"
+ * property = "of two passes exactly one has a surface, and where there is one pass it has all, for all flags"
+ * checks = 15
+ */
+void prove_is_of_other_pass(void)
+{
+    fxl_depth_head opaque, blended, all;
+    fxl_surface surface;
+    surface.flags = (uint8_t)nondet_u32();
+    opaque.pass = FXL_DEPTH_OPAQUE;
+    blended.pass = FXL_DEPTH_BLENDED;
+    all.pass = FXL_DEPTH_ALL;
+    ASSERT("opaque ones first", fxl_is_of_other_pass(&opaque, &surface) == fxl_surface_is_blended(&surface));
+    ASSERT("then the others", fxl_is_of_other_pass(&blended, &surface) != fxl_surface_is_blended(&surface));
+    ASSERT("all at once", !fxl_is_of_other_pass(&all, &surface));
+    PROOF_ENDS();
+}
