@@ -191,6 +191,43 @@ static void compare(const fxl_face *face)
                            by_core.screen.count * sizeof by_core.screen.points[0]) == 0)));
 }
 
+#if !FXL_IS_COMPACT
+
+/* A walk over copies of a face that look anywhere, along either direction. */
+static void compare_walk(const fxl_face *face)
+{
+    fxl_face faces[4];
+    const uint32_t count = 1u + (any_32() >> 9 & 3u);
+    const bool is_reverse = (any_32() & 64u) != 0;
+    for (uint32_t i = 0; i < count; i++) {
+        faces[i] = *face;
+        faces[i].normal = any_normal();
+    }
+    fxl_face_walk core = {.face = &faces[is_reverse ? count - 1u : 0],
+                          .step = is_reverse ? -1 : 1,
+                          .left = count,
+                          .drops = (any_32() & 128u) != 0};
+    fxl_face_walk portable = core;
+    const fxl_face *found;
+    bool same = true;
+    do {
+        found = fxl_next_front_face(&by_core.placed, &core);
+        same = same && found == portable_next_front_face(&by_portable.placed, &portable) &&
+               core.left == portable.left && core.outside == portable.outside;
+    } while (found != NULL && same);
+    equality_case(
+        same && memcmp(by_core.entries, by_portable.entries, sizeof by_core.entries) == 0);
+}
+
+#else
+
+static void compare_walk(const fxl_face *face)
+{
+    (void)face;
+}
+
+#endif
+
 void test_clip_by_view(uint32_t rounds)
 {
     for (uint32_t i = 0; i < rounds / 32u + 8u; i++) {
@@ -211,6 +248,7 @@ void test_clip_by_view(uint32_t rounds)
                 }
                 fxl_face_take_indices(&face, corners, first);
                 compare(&face);
+                compare_walk(&face);
             }
         }
     }

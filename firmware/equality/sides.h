@@ -53,6 +53,7 @@ fxl_clip_result portable_clip_by_view(const fxl_model_view *placed, const fxl_fa
 fxl_draw_entry *portable_front_faces(const fxl_face *faces, const fxl_face_bounds *keys,
                                      const fxl_point *from, fxl_draw_entry *entry, uint32_t count,
                                      uint32_t end);
+const fxl_face *portable_next_front_face(const fxl_model_view *placed, fxl_face_walk *walk);
 void portable_row_to_16(const uint8_t *pixels, uint32_t count, const uint16_t *table,
                         uint16_t *out);
 void portable_paint_segments(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,

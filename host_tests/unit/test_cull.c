@@ -109,6 +109,89 @@ void test_facing_is_exact_everywhere(void)
     }
 }
 
+static const fxl_face *next_face(const fxl_model_view *model_view, fxl_face_walk *walk)
+{
+#if FXL_IS_COMPACT
+    return fxl_next_face_by(model_view, walk, fxl_model_view_face_is_front);
+#else
+    return fxl_next_front_face(model_view, walk);
+#endif
+}
+
+/* Compares a walk over the cube's faces, whose first vertices are fetched or not, with each face asked
+ * for itself. Returns how many are found. */
+static uint32_t check_walk(tiny_scene *tiny, const fxl_view *view, int32_t step, bool drops,
+                           bool is_fetched)
+{
+    static fxl_cached_vertex entries[16];
+    fxl_vertex_cache cache = {0};
+    fxl_model_view model_view;
+    fxl_vertex_cache_init(&cache, entries, 16);
+    fxl_model_view_of_instance(&model_view, &tiny->scene, &tiny->instances[0], view, &cache);
+    for (uint32_t i = 0; is_fetched && i < 8; i++) {
+        (void)fxl_fetch_vertex(&model_view, i);
+    }
+    fxl_face_walk walk = {
+        .face = &tiny->faces[step > 0 ? 0 : 5], .step = step, .left = 6, .drops = drops};
+    const fxl_face *found[6], *last = NULL;
+    uint32_t left[6], count = 0, outside = 0, at = 0;
+    while (count < 6 && (last = next_face(&model_view, &walk)) != NULL) {
+        left[count] = walk.left;
+        found[count++] = last;
+    }
+    TEST_ASSERT_TRUE(count == 6 || walk.left == 0);
+    for (uint32_t i = 0; i < 6; i++) {
+        const fxl_face *face = &tiny->faces[step > 0 ? i : 5 - i];
+        if (!fxl_model_view_face_is_front(&model_view, face)) {
+            continue;
+        }
+        if (drops && fxl_face_is_outside(&model_view, face)) {
+            outside++;
+            continue;
+        }
+        TEST_ASSERT_TRUE(at < count);
+        TEST_ASSERT_EQUAL_PTR(face, found[at]);
+        TEST_ASSERT_EQUAL_UINT32(5 - i, left[at]);
+        at++;
+    }
+    TEST_ASSERT_EQUAL_UINT32(count, at);
+    TEST_ASSERT_EQUAL_UINT32(outside, walk.outside);
+    return count;
+}
+
+/* In both directions, with faces outside dropped and not, of squares and of triangles. */
+void test_a_walk_finds_the_faces_that_face_the_eye(void)
+{
+    tiny_scene *tiny = tiny_make();
+    fxl_view view;
+    fxl_lens lens;
+    uint32_t found = 0, kept = 0;
+    fxl_lens_from_fov(64, 48, FXL_DEGREES(60), FXL_RATIO(1, 4), Q16(100), 4, &lens);
+    fxl_view_set_lens(&view, &lens);
+    tiny->instances[0].centre = (fxl_point){0, 0, 0};
+    for (uint32_t i = 0; i < 64; i++) {
+        const fxl_pose pose = {unit_point(Q16(5)), (fxl_angle)(i << 28), 0, 0};
+        const bool is_square = i % 2 == 0;
+        fxl_view_set_pose(&view, &pose);
+        for (uint32_t f = 0; f < 6; f++) {
+            if (!is_square) {
+                memcpy(tiny->faces[f].indices, fxl_face_indices(tiny->corners, &tiny->faces[f]),
+                       sizeof tiny->faces[f].indices);
+                tiny->faces[f].count = 3;
+            }
+        }
+        for (uint32_t way = 0; way < 8; way++) {
+            const uint32_t count = check_walk(tiny, &view, way & 1 ? -1 : 1, (way & 2) != 0,
+                                              (way & 4) != 0);
+            found += way & 2 ? 0 : count;
+            kept += way & 2 ? count : 0;
+        }
+        tiny = tiny_make();
+        tiny->instances[0].centre = (fxl_point){0, 0, 0};
+    }
+    TEST_ASSERT_TRUE(kept > 0 && kept < found);
+}
+
 void test_a_face_becomes_a_polygon_of_the_world(void)
 {
     tiny_scene *tiny = tiny_make();

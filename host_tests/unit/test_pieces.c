@@ -258,8 +258,10 @@ static bool split(const fxl_shader *light, fxl_pieces *pieces, const fxl_face *f
            fxl_submit_piece(pieces, second, 3, face->material);
 }
 
-static const fxl_shader_code splitting = {reaches, fxl_submit_split_face, split,
-                                          NULL,    &fxl_rounded_faces,    NULL};
+static const fxl_shader_code splitting = {.reaches = reaches,
+                                          .face = fxl_submit_split_face,
+                                          .split = split,
+                                          .in_world = &fxl_rounded_faces};
 
 void test_light_splits_the_faces_that_it_reaches(void)
 {

@@ -121,8 +121,10 @@ static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *
     return true;
 }
 
-static const fxl_shader_code code = {reaches, fxl_submit_split_face, split,
-                                     NULL,    &fxl_rounded_faces,    NULL};
+static const fxl_shader_code code = {.reaches = reaches,
+                                     .face = fxl_submit_split_face,
+                                     .split = split,
+                                     .in_world = &fxl_rounded_faces};
 
 /* Builds the record in the workspace; its tables follow. */
 static fxl_shader *build(const fxl_beam_set *set, uint8_t *workspace)

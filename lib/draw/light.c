@@ -102,10 +102,10 @@ static uint8_t shade(const fxl_shader *shader, const fxl_traversal *traversal,
 fxl_status fxl_attach_light(fxl_renderer *renderer, fxl_light *light,
                             const fxl_light_settings *settings)
 {
-    static const fxl_shader_code of_table = {reaches, fxl_submit_coloured_face, NULL, colour, NULL,
-                                             NULL};
-    static const fxl_shader_code of_mixed = {reaches, fxl_submit_coloured_face, NULL, shade, NULL,
-                                             NULL};
+    static const fxl_shader_code of_table = {
+        .reaches = reaches, .face = fxl_submit_coloured_face, .colour = colour};
+    static const fxl_shader_code of_mixed = {
+        .reaches = reaches, .face = fxl_submit_coloured_face, .colour = shade};
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }

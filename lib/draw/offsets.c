@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Asserts what offsets.h says of the records. No code. */
 #include "../math/offsets.h"
+#include "../view/cull.h"
 #include "../view/model_view.h"
 #include "../view/outcode.h"
 
@@ -72,6 +73,12 @@ AT(fxl_face_bounds, box_y, FACE_BOUNDS_BOX_Y);
 AT(fxl_face_bounds, box_z, FACE_BOUNDS_BOX_Z);
 SIZE(fxl_face_bounds, FACE_BOUNDS_SIZE);
 
+AT(fxl_face_walk, face, FACE_WALK_FACE);
+AT(fxl_face_walk, step, FACE_WALK_FACE + 4);
+AT(fxl_face_walk, left, FACE_WALK_LEFT);
+AT(fxl_face_walk, outside, FACE_WALK_OUTSIDE);
+AT(fxl_face_walk, drops, FACE_WALK_DROPS);
+
 AT(fxl_draw_entry, distance_low, ORDER_DISTANCE_LOW);
 AT(fxl_draw_entry, distance_high, ORDER_DISTANCE_HIGH);
 AT(fxl_draw_entry, index, ORDER_INDEX);
@@ -92,6 +99,7 @@ AT(fxl_model_view, indices, MODEL_VIEW_INDICES);
 AT(fxl_model_view, planes, MODEL_VIEW_PLANES);
 AT(fxl_model_view, axes, MODEL_VIEW_AXES);
 AT(fxl_model_view, translation, MODEL_VIEW_TRANSLATION);
+AT(fxl_model_view, offset, MODEL_VIEW_OFFSET);
 AT(fxl_model_view, scale_vertex, MODEL_VIEW_SCALE_VERTEX);
 VALUE(FXL_MODEL_VIEW_SCALED, 0x80); /* the sign of the planes' byte */
 AT(fxl_view, lens.near_z, VIEW_NEAR_Z);

@@ -46,9 +46,15 @@ bool fxl_submit_instance(const fxl_traversal *traversal, const fxl_draw_entry *e
     FXL_ALIGN_8 fxl_model_view model_view; /* its pairs of words are loaded at once */
     const fxl_instance *instance = view_instance(traversal, entry, &model_view);
     const fxl_model *model = &traversal->renderer->scene->models[instance->model];
-    return fxl_lists_faces(traversal->renderer, model)
-               ? fxl_submit_sorted_once(traversal, &model_view, model, fxl_list_model)
-               : fxl_submit_convex(traversal, &model_view, model, fxl_model_view_face_is_front);
+    if (fxl_lists_faces(traversal->renderer, model)) {
+        return fxl_submit_sorted_once(traversal, &model_view, model, fxl_list_model);
+    }
+#if FXL_WALKS_FACES
+    if (fxl_walks_faces(&model_view, model)) {
+        return fxl_submit_walk(traversal, &model_view, model, fxl_next_front_face);
+    }
+#endif
+    return fxl_submit_convex(traversal, &model_view, model, fxl_model_view_face_is_front);
 }
 
 bool fxl_submit_by_distance(const fxl_traversal *traversal)

@@ -27,15 +27,13 @@ static inline bool fxl_submit_sorted_once(const fxl_traversal *traversal,
 }
 #endif
 
-/* Whether a face is turned towards the eye. */
-typedef bool fxl_facing_test(const fxl_model_view *model_view, const fxl_face *face);
-
 /* fxl_submit_instance. */
 typedef bool fxl_instance_submit(const fxl_traversal *traversal, const fxl_draw_entry *entry);
 
 /* A convex instance: none of its faces hides another, so any order will do. Front to back
  * they come in reverse, so that the first face to cover a pixel is the one that would cover it
- * last back to front. Or one whose faces a depth buffer orders: of these, many may lie outside. */
+ * last back to front. Where faces are not walked, also one whose faces a depth buffer orders: of
+ * these, many may lie outside. */
 /* SPEC 6.2, 6.4 */
 static inline bool fxl_submit_convex(const fxl_traversal *traversal,
                                      const fxl_model_view *model_view, const fxl_model *model,
@@ -44,8 +42,8 @@ static inline bool fxl_submit_convex(const fxl_traversal *traversal,
     const fxl_face *faces = traversal->renderer->scene->faces;
     const bool reverse = traversal->renderer->near_first;
     const uint32_t first = traversal->resume->faces, step = reverse ? UINT32_MAX : 1;
-    const bool drops =
-        model->kind == FXL_MODEL_SORTED && fxl_drops_outside(traversal, model_view, model);
+    const bool drops = !FXL_WALKS_FACES && model->kind == FXL_MODEL_SORTED &&
+                       fxl_drops_outside(traversal, model_view, model);
     uint32_t left = model->face_count - first, backfacing = 0, outside = 0;
     uint32_t at = reverse ? left - 1 : first;
     at += model->first_face; /* not before: a scene without faces may have no table */
@@ -66,6 +64,57 @@ static inline bool fxl_submit_convex(const fxl_traversal *traversal,
     traversal->counters->outside += outside;
     return left == 0;
 }
+
+#if FXL_WALKS_FACES
+
+/* Whether the faces of an instance are walked: those of a sorted model, of which many may be turned
+ * away or lie outside, and those that the shader takes at once. */
+static inline bool fxl_walks_faces(const fxl_model_view *model_view, const fxl_model *model)
+{
+    const fxl_shader *shader = model_view->shader;
+    return model->kind == FXL_MODEL_SORTED || (shader != NULL && shader->code->faces != NULL);
+}
+
+/* fxl_submit_convex of an instance whose faces are walked. */
+/* SPEC 6.4 */
+static inline bool fxl_submit_walk(const fxl_traversal *traversal,
+                                   const fxl_model_view *model_view, const fxl_model *model,
+                                   fxl_next_face *next)
+{
+    const bool reverse = traversal->renderer->near_first;
+    const uint32_t first = traversal->resume->faces;
+    const fxl_shader *shader = model_view->shader;
+    fxl_face_walk walk;
+    walk.next = next;
+    walk.left = model->face_count - first;
+    walk.face = traversal->renderer->scene->faces;
+    if (walk.left != 0) { /* a scene without faces may have no table */
+        walk.face += model->first_face + (reverse ? walk.left - 1 : first);
+    }
+    walk.step = reverse ? -1 : 1;
+    walk.outside = walk.submitted = 0;
+    walk.drops =
+        model->kind == FXL_MODEL_SORTED && fxl_drops_outside(traversal, model_view, model);
+    if (shader == NULL || shader->code->faces == NULL ||
+        !shader->code->faces(model_view, traversal, &walk)) {
+        const fxl_face *face;
+        while ((face = next(model_view, &walk)) != NULL) {
+            if (!fxl_submit_face(model_view, face, traversal)) {
+                walk.left++;
+                break;
+            }
+            walk.submitted++;
+        }
+    }
+    const uint32_t number = model->face_count - walk.left;
+    traversal->resume->faces = (uint16_t)number;
+    traversal->counters->in += number - first;
+    traversal->counters->backfacing += number - first - walk.outside - walk.submitted;
+    traversal->counters->outside += walk.outside;
+    return walk.left == 0;
+}
+
+#endif
 
 /* fxl_submit_all. */
 static inline bool fxl_submit_all_by(const fxl_traversal *traversal, fxl_instance_submit *submit)

@@ -275,6 +275,20 @@ static void set_shader(const fxl_traversal *traversal, const fxl_draw_entry *ent
     }
 }
 
+#if FXL_WALKS_FACES
+
+static const fxl_face *next_face_to_near(const fxl_model_view *model_view, fxl_face_walk *walk)
+{
+    return fxl_next_face_by(model_view, walk, face_is_front_to_near);
+}
+
+static const fxl_face *next_face_to_any(const fxl_model_view *model_view, fxl_face_walk *walk)
+{
+    return fxl_next_face_by(model_view, walk, face_is_front_to_any);
+}
+
+#endif
+
 static bool submit_turned(const fxl_traversal *traversal, const fxl_draw_entry *entry,
                           const fxl_shader_code *rounded)
 {
@@ -290,6 +304,12 @@ static bool submit_turned(const fxl_traversal *traversal, const fxl_draw_entry *
     if (fxl_lists_faces(renderer, model)) {
         return fxl_submit_sorted_once(traversal, &view.model_view, model, order_faces);
     }
+#if FXL_WALKS_FACES
+    if (fxl_walks_faces(&view.model_view, model)) {
+        return fxl_submit_walk(traversal, &view.model_view, model,
+                               view.eye_shift == 0 ? next_face_to_near : next_face_to_any);
+    }
+#endif
     return !FXL_IS_COMPACT && view.eye_shift == 0
                ? fxl_submit_convex(traversal, &view.model_view, model, face_is_front_to_near)
                : fxl_submit_convex(traversal, &view.model_view, model, face_is_front_to_any);

@@ -222,8 +222,10 @@ static void draw(const fxl_surfaces *surfaces, fxl_workspace *workspace,
     (void)paint_surface(surfaces, workspace, &polygon, record->points, count, band);
 }
 
-static const fxl_shader_code code = {fxl_surfaces_reach, submit, fxl_surfaces_split, NULL, NULL,
-                                     fxl_surfaces_map};
+static const fxl_shader_code code = {.reaches = fxl_surfaces_reach,
+                                     .face = submit,
+                                     .split = fxl_surfaces_split,
+                                     .takes = fxl_surfaces_map};
 
 const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET,  &code,      draw,
                                          submit_piece, find_whole, FIND_COLOURS};

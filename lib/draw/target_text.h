@@ -360,6 +360,77 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face,
     return fxl_count_outcome(traversal, submit_polygons(model_view, face, traversal), used);
 }
 
+#if FXL_WALKS_FACES && FXL_TARGET_DEPTH_BITS == 16
+
+/* Draws the polygon that the clipper has left of a face by the kernel of outlines, of which *outline
+ * has what all faces of a band share. As draw_polygon, whose usual case this is. */
+static inline __attribute__((always_inline)) bool
+draw_by_outline(const fxl_model_view *model_view, const fxl_face *face, fxl_workspace *workspace,
+                const fxl_band *band, fxl_depth_outline *outline)
+{
+    const fxl_screen_polygon *screen = &workspace->screen;
+    const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
+    fxl_depth_drawn drawn = FXL_DEPTH_NOT_DRAWN;
+    fxl_find_depth_plane(&face->normal, model_view->axes,
+                         &fxl_fetch_vertex(model_view, face->indices[0])->position,
+                         model_view->view, &outline->plane);
+    const uint8_t colour = face->material;
+    const uint8_t shade = FXL_PIXEL_IS_MIXED ? screen->shade : 0;
+    if (fxl_depth_outline_of_plane(head, outline)) {
+        outline->filling = fxl_filling_word(fxl_filling_of(band, colour, shade, workspace->dark));
+        drawn = FXL_DRAW_DEPTH_OUTLINE(screen->points, screen->count, band, outline);
+    }
+    if (drawn == FXL_DEPTH_NOT_DRAWN) {
+        paint_by_rows(workspace, &outline->plane, screen->points, screen->count, colour, shade,
+                      band);
+    }
+    return drawn == FXL_DEPTH_DRAWN ||
+           fxl_outline_has_rows(screen, model_view->view->lens.height);
+}
+
+/* fxl_shader_code.faces: straight from the clipper to the kernel of outlines. */
+static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *traversal,
+                         fxl_face_walk *walk)
+{
+    fxl_workspace *workspace = traversal->workspace;
+    const fxl_clipper *clipper = traversal->clipper;
+    const fxl_band *band = traversal->band;
+    uint32_t submitted = 0, others = 0, without_rows = 0;
+    fxl_depth_outline outline;
+    if (!traversal->draws_one || !workspace->draws_outlines || !clipper->by_clip_flags ||
+        model_view->view->lens.off_centre != NULL) {
+        return false;
+    }
+    const fxl_face *face = walk->next(model_view, walk);
+    if (face != NULL) {
+        fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+        fxl_depth_outline_of_band((const fxl_depth_head *)workspace->target_memory, band,
+                                  FXL_PIXEL_BITS / 8, &outline);
+    }
+    for (; face != NULL; face = walk->next(model_view, walk)) {
+        const fxl_clip_result cut =
+            clipper->clip(model_view, face, &workspace->work.clip, &workspace->screen);
+        submitted++;
+        if (cut != FXL_CLIP_INSIDE) {
+            if (cut != FXL_CLIP_CUT) {
+                others++;
+                (void)fxl_count_outcome(traversal, (fxl_outcome)1 << cut, 0);
+                continue;
+            }
+            traversal->counters->clipped++;
+        }
+        if (!draw_by_outline(model_view, face, workspace, band, &outline)) {
+            without_rows++;
+        }
+    }
+    walk->submitted = submitted;
+    traversal->counters->drawn += submitted - others;
+    traversal->counters->spilled += submitted - others - without_rows;
+    return true;
+}
+
+#endif
+
 static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
                   const fxl_point *points, uint32_t count)
 {
@@ -383,7 +454,14 @@ static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_
     return true;
 }
 
-static const fxl_shader_code code = {reaches, submit, split, NULL, NULL, NULL};
+static const fxl_shader_code code = {
+    .reaches = reaches,
+    .face = submit,
+    .split = split,
+#if FXL_WALKS_FACES && FXL_TARGET_DEPTH_BITS == 16
+    .faces = submit_faces,
+#endif
+};
 static const fxl_shader last = {NULL, FXL_SHADER_TARGET, &code};
 static const fxl_target_extras extras = {fxl_mixed_draw_list, flat_with_depth, &last, NULL, NULL};
 

@@ -357,7 +357,8 @@ static const fxl_target *target_of(const fxl_renderer *renderer)
 /* pick 2.5 */
 static void begin_probe(probe *of, fxl_renderer *renderer, uint16_t x, uint16_t y)
 {
-    static const fxl_shader_code code = {reaches, take_face, take_piece, NULL, NULL, NULL};
+    static const fxl_shader_code code = {
+        .reaches = reaches, .face = take_face, .split = take_piece};
     static const fxl_picked none = {FXL_PICK_NONE, 0, 0};
     const fxl_shader shader = {renderer->shader, FXL_SHADER_TARGET, &code};
     const fxl_target *target = renderer->target;

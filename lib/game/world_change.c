@@ -367,8 +367,8 @@ static uint8_t colour(const fxl_shader *shader, const fxl_traversal *traversal,
 fxl_status fxl_world_set_colours(fxl_world *world, fxl_renderer *renderer,
                                  fxl_world_colours *colours)
 {
-    static const fxl_shader_code code = {reaches, fxl_submit_coloured_face, NULL, colour, NULL,
-                                         NULL};
+    static const fxl_shader_code code = {
+        .reaches = reaches, .face = fxl_submit_coloured_face, .colour = colour};
     fxl_status status;
     if (fxl_world_find_attached(world, renderer, &status) == NULL) {
         return status;

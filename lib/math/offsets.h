@@ -68,6 +68,12 @@
 #define FACE_BOUNDS_BOX_Z       16
 #define FACE_BOUNDS_SIZE        20
 
+/* fxl_face_walk */
+#define FACE_WALK_FACE    0 /* then step and left */
+#define FACE_WALK_LEFT    8
+#define FACE_WALK_OUTSIDE 12
+#define FACE_WALK_DROPS   24
+
 /* fxl_draw_entry */
 #define ORDER_DISTANCE_LOW  0
 #define ORDER_DISTANCE_HIGH 4
@@ -91,6 +97,7 @@
 #define MODEL_VIEW_AXES         24
 #define MODEL_VIEW_PLANES       28
 #define MODEL_VIEW_TRANSLATION  32
+#define MODEL_VIEW_OFFSET       56
 #define MODEL_VIEW_SCALE_VERTEX 76
 
 /* fxl_view */

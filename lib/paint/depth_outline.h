@@ -77,23 +77,37 @@ static inline uintptr_t fxl_depth_outline_pixels(const fxl_depth_head *head, con
     return pixel_bytes == 1 ? pixels - cells / 2 : pixels - cells;
 }
 
-/* Prepares a polygon whose pixels have `pixel_bytes` bytes, and whose plane *outline has. Returns
- * false if the kernel cannot draw it: it draws planes of which a value whose upper word is not above
- * 0 is beyond the last octave. Requires fxl_depth_outline_can_draw. */
-static inline bool fxl_depth_outline_begin(const void *memory, const fxl_band *band,
-                                           uint32_t pixel_bytes, fxl_depth_outline *outline)
+/* Sets what all polygons of a band share whose pixels have `pixel_bytes` bytes. */
+static inline void fxl_depth_outline_of_band(const fxl_depth_head *head, const fxl_band *band,
+                                             uint32_t pixel_bytes, fxl_depth_outline *outline)
 {
-    const fxl_depth_head *head = (const fxl_depth_head *)memory;
+    outline->cells = (uint16_t *)(uintptr_t)(head + 1);
+    outline->pixels = fxl_depth_outline_pixels(head, band, pixel_bytes);
+}
+
+/* Sets what follows from the plane, which *outline has. Returns false if the kernel cannot draw it: it
+ * draws planes of which a value whose upper word is not above 0 is beyond the last octave. */
+static inline bool fxl_depth_outline_of_plane(const fxl_depth_head *head,
+                                              fxl_depth_outline *outline)
+{
     if (outline->plane.one < 32 + head->scale.octaves) {
         return false;
     }
-    outline->cells = (uint16_t *)(uintptr_t)(head + 1);
-    outline->pixels = fxl_depth_outline_pixels(head, band, pixel_bytes);
     outline->zeros = UINT32_MAX;
     outline->one = outline->plane.one;
     outline->octaves = head->scale.octaves;
     outline->mantissa = head->scale.mantissa;
     return true;
+}
+
+/* Prepares a polygon whose pixels have `pixel_bytes` bytes, and whose plane *outline has. Returns
+ * false as fxl_depth_outline_of_plane does. Requires fxl_depth_outline_can_draw. */
+static inline bool fxl_depth_outline_begin(const void *memory, const fxl_band *band,
+                                           uint32_t pixel_bytes, fxl_depth_outline *outline)
+{
+    const fxl_depth_head *head = (const fxl_depth_head *)memory;
+    fxl_depth_outline_of_band(head, band, pixel_bytes, outline);
+    return fxl_depth_outline_of_plane(head, outline);
 }
 
 #ifdef __cplusplus

@@ -140,3 +140,12 @@ uint32_t fxl_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *fru
                                    FXL_PLANE_BOTTOM, FXL_PLANE_TOP);
     return upright == FXL_SPHERE_OUTSIDE ? FXL_SPHERE_OUTSIDE : planes | across | upright;
 }
+
+#if !FXL_IS_COMPACT && !FXL_KERNELS_ARMV7M
+
+const fxl_face *fxl_next_front_face(const fxl_model_view *model_view, fxl_face_walk *walk)
+{
+    return fxl_next_face_by(model_view, walk, fxl_model_view_face_is_front);
+}
+
+#endif

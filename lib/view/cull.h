@@ -169,6 +169,64 @@ static inline bool fxl_model_view_face_is_front(const fxl_model_view *model_view
     return fxl_dot_is_negative(&face->normal, first.x, first.y, first.z);
 }
 
+/* The faces of a model that are left to be submitted. */
+typedef struct fxl_face_walk fxl_face_walk;
+
+/* The next face that is turned to the eye and not dropped; null: none is left. It takes those that it
+ * passes over off the walk, and the one that it returns. */
+typedef const fxl_face *fxl_next_face(const fxl_model_view *model_view, fxl_face_walk *walk);
+
+struct fxl_face_walk {
+    const fxl_face *face; /* the next one, */
+    int32_t step;         /* to the one after it: 1 or -1, */
+    uint32_t left;        /* and how many are left */
+    uint32_t outside;     /* faces that were dropped */
+    uint32_t submitted;
+    fxl_next_face *next;
+    bool drops; /* faces whose vertices all lie outside one plane */
+};
+
+/* fxl_next_face of an instance that is not turned, a kernel of Armv7-M: fxl_next_face_by with
+ * fxl_model_view_face_is_front. Requires what that requires, and face->count vertices of each face. */
+fxl_next_face fxl_next_front_face;
+
+/* Whether a face is turned towards the eye. */
+typedef bool fxl_facing_test(const fxl_model_view *model_view, const fxl_face *face);
+
+/* Whether the first vertex of a face is known to lie inside all planes. */
+static inline bool fxl_starts_inside(const fxl_model_view *model_view, const fxl_face *face)
+{
+    const uint32_t number = face->indices[0];
+    const fxl_cached_vertex *entry = &model_view->entries[number & model_view->mask];
+    return face->count == 3 && entry->tag == model_view->tag + number &&
+           (entry->clip_flags & FXL_PLANES_ALL) == 0;
+}
+
+/* fxl_next_face by a test of facing. */
+static inline const fxl_face *fxl_next_face_by(const fxl_model_view *model_view,
+                                               fxl_face_walk *walk, fxl_facing_test *is_front)
+{
+    const fxl_face *next = walk->face;
+    while (walk->left != 0) {
+        const fxl_face *face = next;
+        walk->left--;
+        if (walk->left != 0) {
+            next += walk->step;
+        }
+        if (!is_front(model_view, face)) {
+            continue;
+        }
+        if (walk->drops && !fxl_starts_inside(model_view, face) &&
+            fxl_face_is_outside(model_view, face)) {
+            walk->outside++;
+            continue;
+        }
+        walk->face = next;
+        return face;
+    }
+    return NULL;
+}
+
 /* Below 2^62 for |value| < 2^31. */
 static inline uint64_t fxl_square(int32_t value)
 {

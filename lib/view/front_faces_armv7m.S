@@ -72,4 +72,111 @@ fxl_front_faces:
 
     .size fxl_front_faces, . - fxl_front_faces
 
+#if !FXL_IS_COMPACT
+    .section .text.fxl_next_front_face, "ax", %progbits
+    .global fxl_next_front_face
+    .type fxl_next_front_face, %function
+    .thumb_func
+
+    .unreq  face
+    .unreq  left
+face    .req r4
+step    .req r5             /* in bytes */
+left    .req r6
+#define AT_WALK 4
+
+/* The vertex whose number is at \offset of the face: if it is in the cache, r12 keeps the planes that
+ * all vertices so far are outside of. r1: entries, r2: mask, r3: tag. */
+    .macro  vertex_planes offset
+    ldrh    lr, [face, #\offset]
+    and     r0, lr, r2
+    add     r0, r0, r0, lsl #2              /* 40 bytes each */
+    add     r0, r1, r0, lsl #3
+    ldrd    r0, r11, [r0]
+    add     lr, lr, r3
+    cmp     r0, lr
+    bne     .Lask
+    ands    r12, r12, r11
+    beq     .Lreturn
+    .endm
+
+/* r0: model_view, r1: walk. A vertex relative to the eye is below 2^30, so the sum is below 2^62
+ * (fxl_dot). */
+fxl_next_front_face:
+    push    {r0, r1, r3-r11, lr}
+    ldm     r1, {face, step, left}
+    cbz     left, .Lnone
+    ldr     r7, [r0, #MODEL_VIEW_VERTICES]
+    add     r0, r0, #MODEL_VIEW_OFFSET
+    ldm     r0, {r8-r10}
+    add     step, step, step, lsl #2
+    lsl     step, step, #2                  /* FACE_SIZE each */
+.Lnext:
+    ldrh    r12, [face, #FACE_INDICES]
+    ldm     face, {r0-r2}
+    add     r12, r12, r12, lsl #1
+    add     r12, r7, r12, lsl #2
+    ldm     r12, {r3, r11, r12}
+    add     r3, r3, r8
+    add     r11, r11, r9
+    add     r12, r12, r10
+    smull   r0, lr, r0, r3
+    smlal   r0, lr, r1, r11
+    smlal   r0, lr, r2, r12
+    cmp     lr, #0
+    blt     .Lfront
+.Lpassed:
+    add     face, face, step
+    subs    left, left, #1
+    bne     .Lnext
+    ldr     r1, [sp, #AT_WALK]
+    str     left, [r1, #FACE_WALK_LEFT]
+.Lnone:
+    movs    r0, #0
+    add     sp, sp, #12
+    pop     {r4-r11, pc}
+
+.Lfront:
+    ldr     r1, [sp, #AT_WALK]
+    ldrb    r2, [r1, #FACE_WALK_DROPS]
+    cmp     r2, #0
+    beq     .Lleave
+    ldrb    r11, [face, #FACE_COUNT]
+    ldr     r0, [sp]
+    ldrd    r1, r2, [r0, #MODEL_VIEW_ENTRIES]
+    ldr     r3, [r0, #MODEL_VIEW_TAG]
+    mov     r12, #PLANES_ALL
+    cmp     r11, #3
+    bne     .Lask
+    vertex_planes FACE_INDICES
+    vertex_planes FACE_INDICES + 2
+    vertex_planes FACE_INDICES + 4
+.Loutside:
+    ldr     r1, [sp, #AT_WALK]
+    ldr     r0, [r1, #FACE_WALK_OUTSIDE]
+    adds    r0, r0, #1
+    str     r0, [r1, #FACE_WALK_OUTSIDE]
+    b       .Lpassed
+
+.Lask:
+    ldr     r0, [sp]
+    mov     r1, face
+    bl      fxl_face_is_outside
+    cmp     r0, #0
+    bne     .Loutside
+.Lreturn:
+    ldr     r1, [sp, #AT_WALK]
+.Lleave:
+    mov     r0, face
+    subs    left, left, #1
+    it      ne
+    addne   face, face, step
+    str     face, [r1, #FACE_WALK_FACE]
+    str     left, [r1, #FACE_WALK_LEFT]
+    add     sp, sp, #12
+    pop     {r4-r11, pc}
+
+    .size fxl_next_front_face, . - fxl_next_front_face
+#endif
+
 #endif

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "view/model_view.c"
+#include "view/cull.h"
+#include "view/order.h"
 #include "proof.h"
 
 #define ENTRIES 8
@@ -169,5 +171,56 @@ void prove_set_face_of_points(void)
     fxl_set_face_of_points(&face, count);
     ASSERT("as many", face.count == count && face.indices[0] == 0);
     ASSERT("of a triangle, or none", count == 3 ? face.indices[1] == 1 && face.indices[2] == 2 : face.indices[1] == 0 && face.indices[2] == 0);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "lib/view/order.h:fxl_draw_entry_of"
+ * property = "any distance, index and layer: each member has its part"
+ * checks = 2
+ */
+void prove_draw_entry_of(void)
+{
+    const uint64_t distance = nondet_u64();
+    const uint16_t index = nondet_u16();
+    const uint8_t layer = nondet_u8();
+    const fxl_draw_entry entry = fxl_draw_entry_of(distance, index, layer);
+    ASSERT("the distance in two words", entry.distance_high == distance >> 32 && entry.distance_low == (distance & 0xFFFFFFFF));
+    ASSERT("index and layer", entry.index == index && entry.instance.layer == layer && entry.instance.planes == 0);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "lib/view/order.h:fxl_draw_entry_distance"
+ * property = "any entry: its two words"
+ * checks = 13
+ */
+void prove_draw_entry_distance(void)
+{
+    fxl_draw_entry entry;
+    ANY_CONTENT(&entry);
+    const uint64_t distance = fxl_draw_entry_distance(&entry);
+    ASSERT("both words", distance >> 32 == entry.distance_high && (distance & 0xFFFFFFFF) == entry.distance_low);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "lib/view/cull.h:fxl_starts_inside"
+ * property = "caches of up to 8 entries, any state: the entry is one of them, and a face of other than three corners is never known to be inside"
+ * checks = 102
+ */
+void prove_starts_inside(void)
+{
+    fxl_model_view model_view;
+    fxl_face face;
+    ANY_CONTENT(&model_view);
+    ANY_CONTENT(&face);
+    any_cache();
+    model_view.entries = entries;
+    model_view.mask = cache.mask;
+    const bool inside = fxl_starts_inside(&model_view, &face);
+    const fxl_cached_vertex *entry = &entries[face.indices[0] & cache.mask];
+    ASSERT("three corners", !inside || face.count == 3);
+    ASSERT("of the vertex, and inside", !inside || (entry->tag == model_view.tag + face.indices[0] && (entry->clip_flags & FXL_PLANES_ALL) == 0));
     PROOF_ENDS();
 }
