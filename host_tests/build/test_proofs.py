@@ -9,7 +9,7 @@ import pytest
 from conftest import CHECKOUT
 from fixel.base.errors import ToolError
 from fixel.check import planting
-from fixel.prove import cbmc, exact, functions, others, proving, recomputed, rows
+from fixel.prove import cbmc, exact, functions, mutants, others, proving, recomputed, rows
 
 BUILT_PROGRAMS = ()
 ARITH = """/* lib/math/arith.h:40:NC */ extern uint32_t fxl_divide_u64 (uint64_t, uint32_t, uint32_t *);
@@ -91,6 +91,15 @@ def test_each_room_with_rows_has_a_seeded_bug_and_there_are_thirty():
 def test_seeded_bugs_name_rows():
     known = {row.id for row in rows.read(CHECKOUT)}
     assert {row for bug in planting.of_rows(CHECKOUT) for row in bug.rows} <= known
+
+
+def test_rows_state_results_of_functions_as_they_are():
+    """The record of fixel prove --mutants is of today's text, and no seed has fewer than four of five."""
+    kept = mutants.load(CHECKOUT)
+    assert len(kept) >= 12
+    for function, entry in kept.items():
+        assert entry["text"] == mutants.text_of(CHECKOUT, function), f"{function} has changed: fixel prove --mutants --only {function}"
+        assert len(entry["noticed"]) == len(mutants.SEEDS) and min(entry["noticed"]) >= mutants.LEAST, function
 
 
 # --- verdicts ------------------------------------------------------------------------------

@@ -101,6 +101,7 @@ def command(programs, root, jobs, rows, options, store):
             return None
 
         answers = list(zip(some, planting.try_all("mutants of proofs", some, copies, attempt)))
+    kept = load(root)       # as another command may have left it meanwhile
     for function in by_function:
         own = [(seed, mutant, by) for (of, seed, mutant), by in answers if of == function]
         kept[function] = {"text": text_of(root, function), "noticed": [sum(at == seed and by is not None for at, _, by in own) for seed in SEEDS],

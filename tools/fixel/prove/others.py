@@ -13,7 +13,8 @@ from fixel.base import limits, scratch
 from fixel.prove import cbmc
 from fixel.prove.cbmc import Failed, TooLong
 
-C_FLAGS = ("-std=gnu11", "-O2", "-Wall", "-Wextra", "-Werror", "-fsanitize=undefined", "-fsanitize-undefined-trap-on-error",
+# No warning is an error: a mutant that leaves something unused must run.
+C_FLAGS = ("-std=gnu11", "-O2", "-w", "-fsanitize=undefined", "-fsanitize-undefined-trap-on-error",
            "-Ilib/include", "-Ilib", "-Ihost_tests/proofs")
 COMMENT = re.compile(r"#.*")
 BOUND = re.compile(r"\bin \[|<=|>=")
