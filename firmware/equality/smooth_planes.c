@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Compares the planes of depth and of light, or of colours, that a small face has in words: which
- * faces have them, and the words. */
+/* Compares the planes of depth and of light, of colours, or of texels, that a small face has in words:
+ * which faces have them, and the words. */
 
 #include "equality.h"
 #include "paint/smooth_outline.h"
@@ -61,6 +61,32 @@ static void any_light(int32_t light[3])
     }
 }
 
+/* u and v of three corners, mostly within 128 texels, and light. */
+static void any_values(int32_t (*values)[3])
+{
+    const uint32_t bits = any_below(8) != 0 ? 23u : 30u;
+    for (uint32_t i = FXL_ATTRIBUTE_U; i <= FXL_ATTRIBUTE_V; i++) {
+        const int32_t first = (int32_t)any_32() >> 2;
+        for (uint32_t k = 0; k < 3; k++) {
+            const int32_t change = (int32_t)any_size(bits);
+            values[i][k] = first + (any_below(2) != 0 ? change : -change);
+        }
+    }
+    any_light(values[FXL_SEGMENT_LIGHT]);
+}
+
+static bool has_same_texels(const fxl_screen_corners *corners, const fxl_lens *lens)
+{
+    fxl_texel_planes core = {{0}, {0}, {0}}, portable = core;
+    int32_t values[FXL_ATTRIBUTES][3];
+    const uint32_t count = 2u + any_below(2);
+    const bool is_affine = any_below(4) == 0;
+    any_values(values);
+    const int32_t one = fxl_find_texel_planes(corners, lens, values, &core, count, is_affine);
+    return one == portable_find_texel_planes(corners, lens, values, &portable, count, is_affine) &&
+           (one == 0 || equality_same_words(&core, &portable, sizeof core));
+}
+
 static bool is_gradient(const fxl_gradient *a, const fxl_gradient *b)
 {
     return a->at == b->at && a->along == b->along && a->down == b->down;
@@ -91,6 +117,7 @@ void test_smooth_planes(uint32_t rounds)
         equality_case(found == expected &&
                       (!found || (is_gradient(&core.gradient, &portable.gradient) &&
                                   core.one == portable.one && is_same(&by_core, &by_portable))));
+        equality_case(has_same_texels(&corners, &lens));
     }
 }
 

@@ -121,6 +121,24 @@ typedef struct {
     uint32_t checked, bent, far_apart, steep;
 } texel_counts;
 
+/* The same planes from the corners, in one call. */
+static void check_texel_planes(int32_t (*values)[3], bool is_found, const fxl_gradients *gradients,
+                               const fxl_depth_plane *plane)
+{
+    const fxl_lens *lens = &triangle.view.lens;
+    fxl_texel_planes expected, found;
+    const int32_t one = fxl_find_texel_planes(&triangle.corners, lens, values, &found, 3, false);
+    TEST_ASSERT_EQUAL_INT32(is_found ? plane->one : 0, one);
+    if (is_found) {
+        fxl_texel_words_of(gradients, plane, &expected);
+        TEST_ASSERT_EQUAL_MEMORY(&expected, &found, sizeof expected);
+        values[FXL_ATTRIBUTE_V][2] += 192 << 16;
+        TEST_ASSERT_EQUAL_INT32(0, fxl_find_texel_planes(&triangle.corners, lens, values, &found, 3,
+                                                         true));
+        values[FXL_ATTRIBUTE_V][2] -= 192 << 16;
+    }
+}
+
 /* u, v and light of a small triangle, at a place in it. Returns whether they are words. */
 static bool check_texels(texel_counts *counts)
 {
@@ -148,6 +166,7 @@ static bool check_texels(texel_counts *counts)
     const bool is_found =
         fxl_find_texels(&triangle.planes, values, 3, false, &gradients, &plane);
     TEST_ASSERT_FALSE(is_far && is_found);
+    check_texel_planes(values, is_found, &gradients, &plane);
     counts->far_apart += is_far;
     counts->steep += !is_far && !is_found;
     if (!is_found) {

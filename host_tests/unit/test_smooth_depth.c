@@ -29,7 +29,11 @@ static const fxl_instance instance = {{0, 0, 0}, 0, 0, 0};
 static const fxl_direction normals[] = {
     {0, 0, -FXL_Q2_30_ONE}, {0, FXL_Q2_30_ONE, 0}, {FXL_Q2_30_ONE, 0, 0}};
 static const fxl_mapped_face mapped = {.corners = {0, 1, 2}};
-static const fxl_corner mapped_corners[3] = {{{0, 0}, 0, 0}, {{0, 0}, 1, 1}, {{0, 0}, 2, 2}};
+static const fxl_corner mapped_corners[3] = {
+    {{-9000, 70000}, 0, 0}, {{900000, 500000}, 1, 1}, {{300000, -2000000}, 2, 2}};
+static const uint8_t texels[8 * 4] = {3, 14, 15, 92, 65, 35, 89, 79, 32, 38, 46, 26, 43, 38, 32, 79,
+                                      50, 28, 84, 19, 71, 69, 39, 93, 75, 10, 58, 20, 97, 49, 44, 59};
+static fxl_texture texture = {.texels = texels, .log_width = 3, .log_height = 2, .levels = 1};
 
 /* The ramp is the blend table too: what is blended hides what is beneath. */
 static uint8_t ramp[FXL_LIGHT_RAMP_BYTES(LEVELS)], lit[256];
@@ -41,13 +45,21 @@ static fxl_lit_surfaces lit_surfaces;
 static uint64_t memory[300], cells[FXL_DEPTH_BYTES(WIDTH, HEIGHT, 16) / 8], room[256];
 static const fxl_point *corners;
 static uint32_t cells_size;
+static const fxl_target *target;
+static const fxl_painter *painter;
+static uint16_t colours[256];
+static bool by_list; /* the frame is drawn from a display list */
 
 void setUp(void)
 {
     corners = in_one_octave;
     cells_size = FXL_DEPTH_BYTES(WIDTH, 10, 16);
+    target = &fxl_palette_depth_16;
+    painter = FXL_SURFACES_OF(fxl_palette_depth_16);
+    by_list = false;
     for (uint32_t i = 0; i < 256; i++) {
         lit[i] = (uint8_t)(i + IN_BEAM);
+        colours[i] = (uint16_t)(i * 31153u);
         for (uint32_t level = 0; level < LEVELS; level++) {
             ramp[256 * level + i] = (uint8_t)level;
         }
@@ -55,7 +67,7 @@ void setUp(void)
 }
 
 /* The frame of the triangle with a surface, and in beams or without. */
-static void draw(const fxl_surface *surface, const fxl_beam *beam, uint8_t *frame)
+static void draw(const fxl_surface *surface, const fxl_beam *beam, void *frame)
 {
     fxl_face face = {{0, 0, 0}, 3, COLOUR, {0, 1, 2}};
     fxl_plane plane;
@@ -69,7 +81,9 @@ static void draw(const fxl_surface *surface, const fxl_beam *beam, uint8_t *fram
                        .face_count = 1,
                        .model_count = 1,
                        .instance_count = 1};
-    const fxl_surface_set set = {.surfaces = surface,
+    const fxl_surface_set set = {.textures = &texture,
+                                 .texture_count = 1,
+                                 .surfaces = surface,
                                  .faces = &mapped,
                                  .face_map = face_map,
                                  .corners = mapped_corners,
@@ -87,7 +101,8 @@ static void draw(const fxl_surface *surface, const fxl_beam *beam, uint8_t *fram
                                      .ramp = ramp,
                                      .levels = LEVELS};
     const fxl_pose eye = {{0, 0, 0}, 0, 0, 0};
-    fxl_config config = fxl_config_for(WIDTH, HEIGHT, &fxl_palette_depth_16);
+    fxl_config config = fxl_config_for(WIDTH, HEIGHT, target);
+    config.palette = target->pixel_bits == 16 ? colours : NULL;
     config.background = BACKGROUND;
     config.depth = cells;
     config.depth_size = cells_size;
@@ -95,14 +110,22 @@ static void draw(const fxl_surface *surface, const fxl_beam *beam, uint8_t *fram
     face.normal = plane.normal;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &set,
-                                                  FXL_SURFACES_OF(fxl_palette_depth_16)));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &set, painter));
     if (beam != NULL) {
         TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&renderer, &beams, room, sizeof room));
     }
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &lamp));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lit(&renderer, &lit_surfaces));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
+    if (by_list) {
+        const fxl_band band = {
+            .pixels = frame, .width = WIDTH, .stride = WIDTH, .rows = HEIGHT, .palette = colours};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
+        TEST_ASSERT_GREATER_THAN(0, renderer.frame.display_list.used);
+        fxl_frame_fill(&renderer, &band, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    } else {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
+    }
 }
 
 /* Draws the triangle by rows, and with another surface; counts pixels that the other one leaves. */
@@ -220,4 +243,52 @@ void test_a_steep_face_has_the_light_of_one_divided_at_each_pixel(void)
     const fxl_surface exact = {.opacity = 16, .flags = FXL_SURFACE_LIT, .division = FXL_DIVIDE_1};
     corners = steep;
     TEST_ASSERT_EQUAL(0, left_by(&exact));
+}
+
+/* A triangle with texels, which is drawn from its corners to its pixels, and from a display list. */
+static void check_texels_of_list(const fxl_surface *surface)
+{
+    static uint16_t frames[2][PIXELS], codes[2][PIXELS];
+    fxl_counters counters[2];
+    uint32_t covered = 0;
+    for (int i = 0; i < 2; i++) {
+        by_list = i == 1;
+        draw(surface, NULL, frames[i]);
+        memcpy(codes[i], cells + 1, sizeof codes[i]);
+        counters[i] = renderer.workspace.counters;
+    }
+    for (uint32_t i = 0; i < PIXELS; i++) {
+        covered += frames[0][i] != colours[BACKGROUND];
+    }
+    TEST_ASSERT_GREATER_THAN(100, covered);
+    TEST_ASSERT_EQUAL_MEMORY(frames[1], frames[0], sizeof frames[0]);
+    TEST_ASSERT_EQUAL_MEMORY(codes[1], codes[0], sizeof codes[0]);
+    TEST_ASSERT_EQUAL(counters[1].drawn, counters[0].drawn);
+    TEST_ASSERT_EQUAL(counters[1].clipped, counters[0].clipped);
+    TEST_ASSERT_EQUAL(counters[1].outside, counters[0].outside);
+}
+
+/* In one octave, across the end of one, partly beside the screen, too steep for words, and beside the
+ * screen. */
+/* SPEC 9.1.1 */
+void test_texels_drawn_at_once_are_those_of_a_display_list(void)
+{
+    static const fxl_point across[] = {
+        {-90000, -80000, 249000}, {-60000, 90000, 288000}, {100000, -60000, 268000}};
+    static const fxl_point cut[] = {
+        {-190000, -60000, 200000}, {-40000, 70000, 210000}, {80000, -50000, 204000}};
+    static const fxl_point steep[] = {
+        {-70000, -60000, 200000}, {-60000, 110000, 390000}, {90000, -50000, 204000}};
+    static const fxl_point *const triangles[] = {in_one_octave, across, cut, steep};
+    target = &fxl_rgb565_depth_16;
+    painter = FXL_SURFACES_OF(fxl_rgb565_depth_16);
+    cells_size = sizeof cells;
+    for (uint32_t kind = 0; kind < 16; kind++) {
+        const fxl_surface surface = {.texture = 1,
+                                     .opacity = 16,
+                                     .flags = (kind & 1u) != 0 ? FXL_SURFACE_LIT : 0,
+                                     .division = (kind & 2u) != 0 ? FXL_AFFINE : FXL_DIVIDE_16};
+        corners = triangles[kind >> 2];
+        check_texels_of_list(&surface);
+    }
 }

@@ -259,9 +259,9 @@ AT(fxl_colour_outline, cells, COLOUR_OUTLINE_CELLS);
 AT(fxl_colour_outline, border, COLOUR_OUTLINE_BORDER);
 AT(fxl_colour_outline, rows, COLOUR_OUTLINE_ROWS);
 
-AT(fxl_texel_outline, at, 0);
-AT(fxl_texel_outline, down, TEXEL_OUTLINE_DOWN);
-AT(fxl_texel_outline, along, TEXEL_OUTLINE_ALONG);
+AT(fxl_texel_outline, planes.at, 0);
+AT(fxl_texel_outline, planes.down, TEXEL_OUTLINE_DOWN);
+AT(fxl_texel_outline, planes.along, TEXEL_OUTLINE_ALONG);
 AT(fxl_texel_outline, cells, TEXEL_OUTLINE_CELLS);
 AT(fxl_texel_outline, pixels, TEXEL_OUTLINE_PIXELS);
 AT(fxl_texel_outline, texels, TEXEL_OUTLINE_TEXELS);
@@ -269,13 +269,14 @@ AT(fxl_texel_outline, palette, TEXEL_OUTLINE_TEXELS + 4);
 AT(fxl_texel_outline, columns_mask, TEXEL_OUTLINE_MASKS);
 AT(fxl_texel_outline, rows_mask, TEXEL_OUTLINE_MASKS + 4);
 AT(fxl_texel_outline, part_of_level, TEXEL_OUTLINE_PART_OF_LEVEL);
-AT(fxl_texel_outline, is_wide, TEXEL_OUTLINE_PART_OF_LEVEL + 4);
+AT(fxl_texel_outline, kind, TEXEL_OUTLINE_KIND);
 AT(fxl_texel_outline, mixture.red_dark, TEXEL_OUTLINE_RED_DARK);
 AT(fxl_texel_outline, mixture.red_step, TEXEL_OUTLINE_RED_STEP);
 AT(fxl_texel_outline, mixture.green_dark, TEXEL_OUTLINE_GREEN_DARK);
 AT(fxl_texel_outline, mixture.green_step, TEXEL_OUTLINE_GREEN_STEP);
 AT(fxl_texel_outline, end, TEXEL_OUTLINE_END);
 AT(fxl_texel_outline, rows, TEXEL_OUTLINE_ROWS);
+AT(fxl_texel_outline, border, TEXEL_OUTLINE_BORDER);
 
 VALUE(FXL_VERTEX_UNPROJECTED, VERTEX_UNPROJECTED);
 VALUE(FXL_DEPTH_NOT_DRAWN, DEPTH_NOT_DRAWN);

@@ -139,30 +139,6 @@ static uint8_t find_large(const fxl_surface *surface, const fxl_texture *texture
         gradients);
 }
 
-/* Whether u and v differ by less than 128 texels from those of the first corner. Coordinates are
- * within FXL_TEXEL_MAX, so differences are below 2^31. */
-static bool has_few_texels(int32_t (*values)[3])
-{
-    int32_t bits = 0;
-    for (uint32_t i = FXL_ATTRIBUTE_U; i <= FXL_ATTRIBUTE_V; i++) {
-        const int32_t d1 = values[i][1] - values[i][0], d2 = values[i][2] - values[i][0];
-        bits |= (d1 ^ (d1 >> 31)) | (d2 ^ (d2 >> 31));
-    }
-    return bits >> 23 == 0;
-}
-
-/* Whether texels of a small triangle may be found as words: opaque ones, repeated and without a key,
- * in no beam. */
-/* SPEC 9.1.1 */
-static inline bool may_have_words(const fxl_surfaces *surfaces, const fxl_surface *surface,
-                                  const fxl_texture *texture)
-{
-    const uint32_t other = (surface->opacity ^ 16u) |
-                           (surface->flags & ~(uint32_t)FXL_SURFACE_LIT) | texture->flags;
-    return other == 0 && texture->format != FXL_TEXTURE_4 && surfaces->beams == NULL &&
-           (surface->division == FXL_DIVIDE_16 || surface->division == FXL_AFFINE);
-}
-
 /* surfaces 6.1 */
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,
@@ -210,14 +186,14 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
             is_affine, surface->division != FXL_DIVIDE_8, &corners, &polygon->gradients);
     /* What is divided at each pixel, or has more texels, keeps the exact planes. */
     const bool has_small_planes = is_small && surface->division != FXL_DIVIDE_1 &&
-                                  (texture == NULL || has_few_texels(corners.values));
+                                  (texture == NULL || fxl_has_few_texels(corners.values));
     if (is_found) {
         polygon->level = 0;
     } else if (has_small_planes) {
         polygon->level =
             find_small(texture, model_view, face, of, traversal,
                        texture != NULL && on_screen.is_triangle &&
-                               may_have_words(surfaces, surface, texture)
+                               fxl_may_have_words(surfaces, surface, texture)
                            ? find_texels
                            : NULL,
                        &planes, &corners, is_affine, polygon, &is_in_words);

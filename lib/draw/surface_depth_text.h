@@ -286,6 +286,19 @@ static void clear_under(fxl_workspace *workspace, const fxl_screen_point *points
 
 #define DRAWS_TEXELS 1
 
+static inline void paint_texels_of(const fxl_surfaces *surfaces, const fxl_surface *surface,
+                                   const fxl_band *band, fxl_paint *paint)
+{
+    paint->of_565.palette = band->palette;
+    paint->of_565.part_of_level = 0;
+    paint->of_565.dark = 0;
+    paint->levels_less_1 = 0;
+    if (fxl_surface_is_lit(surfaces, surface)) {
+        fxl_surface_light_of(surfaces, paint);
+        mix_light(surfaces, band, paint);
+    }
+}
+
 static __attribute__((noinline)) bool
 draw_texels(const fxl_surfaces *surfaces, fxl_workspace *workspace,
             const fxl_surface_polygon *polygon, const fxl_screen_point *points, uint32_t count,
@@ -302,12 +315,7 @@ draw_texels(const fxl_surfaces *surfaces, fxl_workspace *workspace,
                            &paint.level);
     paint.is_evenly_lit = polygon->is_evenly_lit;
     paint.light = polygon->light;
-    paint.of_565.palette = band->palette;
-    paint.of_565.part_of_level = 0;
-    if (fxl_surface_is_lit(surfaces, surface)) {
-        fxl_surface_light_of(surfaces, &paint);
-        mix_light(surfaces, band, &paint);
-    }
+    paint_texels_of(surfaces, surface, band, &paint);
     return fxl_draw_texels(&paint, &polygon->depth, workspace->target_memory, points, count, band,
                            &workspace->work.scan);
 }

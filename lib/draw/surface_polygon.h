@@ -58,6 +58,18 @@ static inline bool fxl_has_light_alone(const fxl_surfaces *surfaces, const fxl_s
     return other == 0 && surface->division != FXL_DIVIDE_1 && surfaces->beams == NULL;
 }
 
+/* Whether texels of a small triangle may be found as words: opaque ones, repeated and without a key,
+ * in no beam. */
+/* SPEC 9.1.1 */
+static inline bool fxl_may_have_words(const fxl_surfaces *surfaces, const fxl_surface *surface,
+                                      const fxl_texture *texture)
+{
+    const uint32_t other = (surface->opacity ^ 16u) |
+                           (surface->flags & ~(uint32_t)FXL_SURFACE_LIT) | texture->flags;
+    return other == 0 && texture->format != FXL_TEXTURE_4 && surfaces->beams == NULL &&
+           (surface->division == FXL_DIVIDE_16 || surface->division == FXL_AFFINE);
+}
+
 #define FXL_NO_SURFACE UINT16_MAX
 FXL_STATIC_ASSERT(FXL_SURFACES_MAX <= FXL_NO_SURFACE, "no surface has this number");
 

@@ -194,13 +194,8 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face,
     if (number != 0) {
         mapped = &set->faces[number - 1];
 #if FXL_DRAWS_SMOOTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
-        const fxl_surface *surface = &set->surfaces[mapped->surface];
-        if (may_be_smooth(surfaces, surface, traversal)) {
-            const fxl_corner *corners[3];
-            fxl_find_mapped_corners(set, surface, mapped, corners);
-            if (draw_smooth_face(surfaces, surface, corners, model_view, face, traversal)) {
-                return true;
-            }
+        if (draw_at_once(surfaces, mapped, model_view, face, traversal)) {
+            return true;
         }
 #endif
     } else {

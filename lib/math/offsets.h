@@ -270,12 +270,14 @@
 #define TEXEL_OUTLINE_TEXELS        56
 #define TEXEL_OUTLINE_MASKS         64
 #define TEXEL_OUTLINE_PART_OF_LEVEL 72
+#define TEXEL_OUTLINE_KIND          76
 #define TEXEL_OUTLINE_RED_DARK      80
 #define TEXEL_OUTLINE_RED_STEP      84
 #define TEXEL_OUTLINE_GREEN_DARK    88
 #define TEXEL_OUTLINE_GREEN_STEP    92
 #define TEXEL_OUTLINE_END           96
 #define TEXEL_OUTLINE_ROWS          100
+#define TEXEL_OUTLINE_BORDER        104
 
 /* FXL_VERTEX_UNPROJECTED, FXL_PLANES_ALL, some of fxl_depth_drawn and of fxl_clip_result */
 #define PLANES_ALL         0x3F

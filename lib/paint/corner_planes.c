@@ -280,8 +280,24 @@ bool fxl_find_texels(const fxl_corner_planes *planes, int32_t (*values)[3], uint
     return fxl_corner_planes_depth_words(planes, depth);
 }
 
-/* The portable text of fxl_find_smooth_planes. */
+/* The portable texts of fxl_find_smooth_planes and fxl_find_texel_planes. */
 #if !FXL_KERNELS_ARMV7M || FXL_IS_COMPACT
+
+int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_lens *lens,
+                              int32_t (*values)[3], fxl_texel_planes *texels, uint32_t count,
+                              bool is_affine)
+{
+    fxl_corner_planes planes;
+    fxl_gradients gradients;
+    fxl_depth_plane depth;
+    if (!corners->is_triangle || !fxl_has_few_texels(values) ||
+        !fxl_corner_planes_begin(corners, lens, FXL_SMALL_SIDE_MAX, &planes) ||
+        !fxl_find_texels(&planes, values, count, is_affine, &gradients, &depth)) {
+        return 0;
+    }
+    fxl_texel_words_of(&gradients, &depth, texels);
+    return depth.one;
+}
 
 bool fxl_find_smooth_planes(const fxl_screen_corners *corners, const fxl_lens *lens,
                             const int32_t light[3], fxl_gradients *gradients,

@@ -59,11 +59,16 @@ static inline bool fxl_depth_is_in_words(const fxl_depth_plane *plane)
 
 /* Of a plane in words: the code of the end of the octave that it crosses, at most 2^32 - 2^26 +
  * 2^16; 0: it crosses none. */
-static inline uint32_t fxl_depth_border(fxl_depth_scale scale, const fxl_depth_plane *plane)
+static inline uint32_t fxl_depth_border_of(fxl_depth_scale scale, int32_t one)
 {
-    const int32_t number = plane->one - FXL_DEPTH_IS_BENT;
+    const int32_t number = one - FXL_DEPTH_IS_BENT;
     return number < 0 ? 0
                       : ((uint32_t)(scale.octaves - 1 - number) << (scale.mantissa + 16)) + 65536u;
+}
+
+static inline uint32_t fxl_depth_border(fxl_depth_scale scale, const fxl_depth_plane *plane)
+{
+    return fxl_depth_border_of(scale, plane->one);
 }
 
 /* The depths of a stretch of a row that have one octave. */

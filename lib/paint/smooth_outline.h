@@ -12,6 +12,7 @@
 #include "depth_outline.h"
 #include "light_row.h"
 #include "rgb565_colour.h"
+#include "segments.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -208,28 +209,123 @@ typedef struct {
     uint32_t code, u, v, light;
 } fxl_texel_words;
 
+/* The words of a triangle: in column 0 of row 0, what a row adds, and what a column adds. */
+typedef struct {
+    fxl_texel_words at, down, along;
+} fxl_texel_planes;
+
+/* Those of such gradients, v in 8.24. */
+static inline void fxl_texel_words_of(const fxl_gradients *gradients, const fxl_depth_plane *depth,
+                                      fxl_texel_planes *planes)
+{
+    const fxl_gradient *u = &gradients->attributes[FXL_ATTRIBUTE_U];
+    const fxl_gradient *v = &gradients->attributes[FXL_ATTRIBUTE_V];
+    planes->at.code = (uint32_t)depth->gradient.at;
+    planes->down.code = (uint32_t)depth->gradient.down;
+    planes->along.code = (uint32_t)depth->gradient.along;
+    planes->at.u = (uint32_t)u->at;
+    planes->down.u = (uint32_t)u->down;
+    planes->along.u = (uint32_t)u->along;
+    planes->at.v = (uint32_t)v->at;
+    planes->down.v = (uint32_t)v->down;
+    planes->along.v = (uint32_t)v->along;
+    planes->at.light = planes->down.light = planes->along.light = 0;
+    if (gradients->count > FXL_SEGMENT_LIGHT) {
+        const fxl_gradient *light = &gradients->attributes[FXL_SEGMENT_LIGHT];
+        planes->at.light = (uint32_t)light->at;
+        planes->down.light = (uint32_t)light->down;
+        planes->along.light = (uint32_t)light->along;
+    }
+}
+
+/* Whether u and v differ by less than 128 texels from those of corner 0. Coordinates are within
+ * FXL_TEXEL_MAX, so differences are below 2^31. */
+static inline bool fxl_has_few_texels(int32_t (*values)[3])
+{
+    int32_t bits = 0;
+    for (uint32_t i = FXL_ATTRIBUTE_U; i <= FXL_ATTRIBUTE_V; i++) {
+        const int32_t d1 = values[i][1] - values[i][0], d2 = values[i][2] - values[i][0];
+        bits |= (d1 ^ (d1 >> 31)) | (d2 ^ (d2 >> 31));
+    }
+    return bits >> 23 == 0;
+}
+
+/* The words of a small triangle, which fxl_corner_planes_begin and fxl_find_texels find. Where count
+ * is 2, light is undefined. Returns fxl_depth_plane.one; 0 where the face is not such a triangle, or
+ * u or v differ by 128 texels or more from those of corner 0: *planes is undefined then. It is a
+ * kernel: Armv7-M has its own. */
+int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_lens *lens,
+                              int32_t (*values)[3], fxl_texel_planes *planes, uint32_t count,
+                              bool is_affine);
+
+/* What pixels there are. */
+#define FXL_TEXELS_WIDE 1u /* of texels of 16 bits */
+#define FXL_TEXELS_LIT  2u
+#define FXL_TEXELS_BENT 4u /* codes have a border */
+
 /* What the pixels of a polygon depend on, and what the kernel keeps from row to row. */
 typedef struct {
-    fxl_texel_words at;    /* of column 0 of row 0. For the kernel: of cell 0 of the band in row 0, less its change a
-                              row; then of a row */
-    fxl_texel_words down;  /* what a row adds. For the kernel: a row of cells less */
-    fxl_texel_words along; /* what a column adds */
+    fxl_texel_planes planes; /* once the kernel draws: at: of cell 0 of the band, as if it were in
+                                the row; down: a row of cells less */
     uint16_t *cells;       /* of the band */
     uintptr_t pixels;      /* as of fxl_depth_outline: of the cell after the pixel's */
     const uint8_t *texels;
     const uint16_t *palette;          /* of texels of 8 bits */
     uint32_t columns_mask, rows_mask; /* of u / 2^24, and of v / 2^16 */
     uint32_t part_of_level;           /* 0: unlit */
-    uint32_t is_wide;                 /* texels of 16 bits */
+    uint32_t kind;                    /* FXL_TEXELS_WIDE, _LIT, _BENT */
     fxl_mixture_565 mixture;          /* of the colour 0 */
     uint32_t end, rows;               /* the kernel's own */
     uint32_t border;                  /* fxl_depth_border */
     bool or_equal;
 } fxl_texel_outline;
 
+/* The words of a level, from those of fxl_texel_words_of: coordinates are shifted by the bits that the
+ * level leaves out, v by at most 16 with those that its columns leave out. What wraps wraps by a
+ * whole number of textures. */
+static inline void fxl_texel_planes_scale(fxl_texel_planes *of, uint32_t u_drop, uint32_t v_drop)
+{
+    of->at.u = (uint32_t)((int32_t)of->at.u >> u_drop);
+    of->down.u = (uint32_t)((int32_t)of->down.u >> u_drop);
+    of->along.u = (uint32_t)((int32_t)of->along.u >> u_drop);
+    of->at.v = (uint32_t)((int32_t)of->at.v >> v_drop);
+    of->down.v = (uint32_t)((int32_t)of->down.v >> v_drop);
+    of->along.v = (uint32_t)((int32_t)of->along.v >> v_drop);
+}
+
+/* All but the planes, and their light where it is the same everywhere. paint: as of fxl_draw_texels, but
+ * for the gradients. one: of the depth plane. */
+static inline void fxl_texel_outline_set(const fxl_depth_head *head, const fxl_paint *paint,
+                                         int32_t one, fxl_texel_outline *of)
+{
+    const fxl_texture_level *level = &paint->level;
+    const fxl_paint_565 *colours = &paint->of_565;
+    of->cells = (uint16_t *)(uintptr_t)(head + 1);
+    of->texels = level->texels;
+    of->palette = colours->palette;
+    of->columns_mask = level->columns_less_1;
+    of->rows_mask = level->rows_less_1 << level->log_width;
+    of->border = fxl_depth_border_of(head->scale, one);
+    of->or_equal = head->or_equal;
+    of->part_of_level = colours->part_of_level;
+    of->kind = ((level->flags & FXL_LEVEL_565) != 0 ? FXL_TEXELS_WIDE : 0u) |
+               (of->part_of_level != 0 ? FXL_TEXELS_LIT : 0u) |
+               (of->border != 0 ? FXL_TEXELS_BENT : 0u);
+    of->mixture.red_dark = of->mixture.red_step = 0;
+    of->mixture.green_dark = of->mixture.green_step = 0;
+    if (paint->is_evenly_lit || of->part_of_level == 0) {
+        of->planes.at.light = paint->is_evenly_lit ? (uint32_t)paint->light << 16 : 0;
+        of->planes.down.light = of->planes.along.light = 0;
+    }
+    if (of->part_of_level != 0) {
+        of->mixture = fxl_mixture_of_565(0, colours->dark);
+        of->planes.at.light += fxl_half_part_565(paint->levels_less_1) - (1u << 23);
+    }
+}
+
 #if FXL_DRAWS_SMOOTH_OUTLINES
 
-/* Draws an outline of count points, of one octave, front to back. Requires what
+/* Draws an outline of count points, front to back. Requires what
  * fxl_draw_smooth_outline_16 does, and cleared cells. */
 fxl_depth_drawn fxl_draw_texel_outline(const fxl_screen_point *points, uint32_t count,
                                        const fxl_band *band, fxl_texel_outline *outline);
@@ -243,6 +339,11 @@ fxl_depth_drawn fxl_draw_texel_outline(const fxl_screen_point *points, uint32_t 
 bool fxl_draw_texels(const fxl_paint *paint, const fxl_depth_plane *depth, const void *memory,
                      const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                      fxl_scan *scan);
+
+/* The same of an outline with all that it draws, whose planes it changes. */
+bool fxl_draw_texel_words(fxl_texel_outline *outline, const void *memory,
+                          const fxl_screen_point *points, uint32_t count, const fxl_band *band,
+                          fxl_scan *scan);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_find_smooth_planes and fxl_find_colour_planes for Armv7-M and Armv8-M Mainline.
+/* fxl_find_smooth_planes, fxl_find_colour_planes and fxl_find_texel_planes for Armv7-M and Armv8-M Mainline.
  * lib/paint/corner_planes.h and smooth_outline.h state what they require and return; they give the
  * same bits as the texts in corner_planes.c and corner_colours.c, which derive the bounds. */
 #include "../math/family.h"
@@ -23,6 +23,9 @@
 #define ROW       CROSSED /* when that is stored */
 #define GRADIENTS (OWN_SIZE + 12)
 #define DEPTH     (OWN_SIZE + 52)
+#define WORDS     GRADIENTS       /* of fxl_find_texel_planes */
+#define COUNT     (OWN_SIZE + 52)
+#define IS_AFFINE (OWN_SIZE + 56)
 
 /* \value, whose highest bit is set, becomes the value of its reciprocal as of fxl_reciprocal_of.
  * Overwrites \spare and \other. */
@@ -149,6 +152,96 @@
     sdiv    r12, r12, r7
     add     r0, r0, r12
     b       .Lbalanced_light
+    .endm
+
+/* The words of attribute \number; chord: a macro that leaves the product of the least weight, r7, and
+ * four times what the chord may be off by in r7 and lr. r1: the drop; r3, r6: x, y; r8-r11: the
+ * coefficients. Overwrites the others. */
+    .macro texel_words number, chord, has_texels
+    ldr     r7, [sp, #VALUES]
+    ldrd    r0, r2, [r7, #12 * \number]
+    ldr     r5, [r7, #12 * \number + 8]
+    sub     r2, r2, r0
+    sub     r5, r5, r0
+    .if     \has_texels
+    eor     r4, r2, r2, asr #31
+    eor     r7, r5, r5, asr #31
+    orr     r4, r4, r7
+    lsrs    r4, r4, #23             /* 128 texels */
+    bne     .Lrefused_texels
+    .endif
+    cmp     r2, r5
+    ittee   gt
+    movgt   r4, r2
+    movgt   r12, r5
+    movle   r4, r5
+    movle   r12, r2
+    bic     r4, r4, r4, asr #31
+    and     r12, r12, r12, asr #31
+    sub     r4, r4, r12             /* the range */
+    ldrd    r7, r12, [sp, #LEAST]
+    umull   r4, r12, r4, r12
+    \chord
+    subs    r7, r7, r4
+    sbcs    lr, lr, r12
+    blo     .Lrefused_texels
+    smull   r4, r7, r2, r11
+    smlal   r4, r7, r5, r9
+    smull   r12, lr, r2, r10
+    smlal   r12, lr, r5, r8
+    eor     r2, r7, r7, asr #31
+    eor     r5, lr, lr, asr #31
+    orr     r2, r2, r5
+    sub     r5, r1, #1
+    lsrs    r2, r2, r5
+    bne     .Lrefused_texels
+    rsb     r2, r1, #32
+    lower_of_shifted r4, r7, r1, r2
+    lower_of_shifted r12, lr, r1, r2
+    smull   r5, r7, r4, r3
+    smlal   r5, r7, r12, r6
+    lsr     r5, r5, #16
+    orr     r5, r5, r7, lsl #16
+    rsb     r0, r5, r0, lsl #8
+    ldr     r5, [sp, #WORDS]
+    str     r0, [r5, #4 + 4 * \number]
+    str     r12, [r5, #TEXEL_OUTLINE_DOWN + 4 + 4 * \number]
+    str     r4, [r5, #TEXEL_OUTLINE_ALONG + 4 + 4 * \number]
+    .endm
+
+    .macro chord_of_texels
+    movw    lr, #(4 * 19660) & 0xFFFF /* 4 FXL_WORDS_ERROR_TEXEL */
+    movt    lr, #(4 * 19660) >> 16
+    umull   r7, lr, r7, lr
+    .endm
+
+    .macro chord_of_light
+    lsr     lr, r7, #16             /* 4 FXL_WORDS_ERROR_LIGHT */
+    lsl     r7, r7, #16
+    .endm
+
+/* Code r0 and its changes r2, r5, texels, and light where it is a third attribute. Where the face is
+ * affine its weights count as equal. */
+    .macro find_texels
+    ldr     r7, [sp, #WORDS]
+    str     r0, [r7]
+    str     r5, [r7, #TEXEL_OUTLINE_DOWN]
+    str     r2, [r7, #TEXEL_OUTLINE_ALONG]
+    ldr     r7, [sp, #IS_AFFINE]
+    cbz     r7, .Lperspective
+    movs    r7, #0
+    str     r7, [sp, #LEAST + 4]
+.Lperspective:
+    sub     r1, r1, #8
+    texel_words 0, chord_of_texels, 1
+    texel_words 1, chord_of_texels, 1
+    ldr     r0, [sp, #COUNT]
+    cmp     r0, #3
+    bne     .Lhave_words
+    texel_words 2, chord_of_light, 0
+.Lhave_words:
+    ldr     r0, [sp, #CROSSED]
+    orr     r0, r0, #1 << 31
     .endm
 
 /* The differences of two weights from the first one, r3, r6, r12, of which the least has 15 bits. */
@@ -413,9 +506,10 @@
     b       .Lscaled
     .endm
 
-/* The planes of a face; kind: _light or _colours. r0: corners, r1: lens, r2: light or values, r3:
- * gradients; on the stack: depth. */
-    .macro find_planes kind, thin
+/* The planes of a face; kind: _light, _colours or _texels; range: the longest side less the least; thin:
+ * 0: it may be neither thin nor steep. r0: corners, r1: lens, r2: light or values, r3: gradients; on
+ * the stack: depth; of texels r3: words; on the stack: count, is_affine. */
+    .macro find_planes kind, range, thin
     push    {r0-r11, lr}
     sub     sp, sp, #OWN_SIZE
     ldrb    r6, [r0, #SCREEN_CORNERS_IS_TRIANGLE]
@@ -424,9 +518,9 @@
     beq     .Lrefused\kind
     sub     r6, r4, #1 << 14
     sub     r7, r5, #1 << 14
-    cmp     r6, #127 << 16          /* FXL_WORDS_SIDE_MAX, less the least */
+    cmp     r6, #\range
     it      ls
-    cmpls   r7, #127 << 16
+    cmpls   r7, #\range
     bhi     .Lrefused\kind
 
     /* The edges: r8: x1, r9: y1, r10: x2, r11: y2; the area. */
@@ -599,8 +693,10 @@
     smlal   r5, r6, r12, r8
     ldr     r1, [sp, #EXPONENT]
     add     r7, r7, r1
+    .if     \thin
     cmp     r4, #0
     bmi     .Lsteep_depth\kind
+    .endif
 .Lnot_steep\kind:
     rsbs    r12, r7, #32
     ble     .Lupper_words\kind
@@ -613,6 +709,9 @@
     lsr     r7, r7, #16
     orr     r7, r7, r12, lsl #16
     sub     r0, r0, r7
+    .ifc    \kind, _texels
+    find_texels
+    .else
     ldr     r7, [sp, #DEPTH]
     asr     lr, r0, #31
     strd    r0, lr, [r7, #GRADIENT_AT]
@@ -629,6 +728,7 @@
     .else
     find_channels
     .endif
+    .endif
 .Lreturn\kind:
     add     sp, sp, #OWN_SIZE + 16
     pop     {r4-r11, pc}
@@ -639,6 +739,9 @@
 
     /* The triangle fills less than 1/16 of the box. It has to fill 1/2^(\thin + 1). */
 .Lthin_area\kind:
+    .if     \thin == 0
+    b       .Lrefused\kind
+    .else
     lsl     r6, lr, #\thin
     orr     r6, r6, r12, lsr #32 - \thin
     lsl     r7, r12, #\thin
@@ -646,6 +749,7 @@
     sbcs    r6, r6, r2
     blo     .Lrefused\kind
     b       .Lfilled\kind
+    .endif
 
 .Lsmall_area\kind:
     clz     r1, r12
@@ -654,15 +758,21 @@
     b       .Lmantissa\kind
 
 .Lsteep\kind:
+    .if     \thin == 0
+    b       .Lrefused\kind
+    .else
     mvn     r4, #0
     b       .Lmay_be_steep\kind
+    .endif
 
     .ifc    \kind, _light
     find_light_mean
-    .else
+    .endif
+    .ifc    \kind, _colours
     find_channel_mean
     .endif
 
+    .if     \thin
     /* The depth may change by the largest weight a pixel. */
 .Lsteep_depth\kind:
     rsb     lr, lr, #32
@@ -675,6 +785,7 @@
     lsrs    r12, r12, lr
     bne     .Lrefused\kind
     b       .Lnot_steep\kind
+    .endif
 
 .Lupper_words\kind:
     sub     r7, r7, #32
@@ -688,7 +799,7 @@
     .type fxl_find_smooth_planes, %function
     .thumb_func
 fxl_find_smooth_planes:
-    find_planes _light, 9
+    find_planes _light, 127 << 16, 9 /* FXL_WORDS_SIDE_MAX */
     .size fxl_find_smooth_planes, . - fxl_find_smooth_planes
 
     .section .text.fxl_find_colour_planes, "ax", %progbits
@@ -696,7 +807,15 @@ fxl_find_smooth_planes:
     .type fxl_find_colour_planes, %function
     .thumb_func
 fxl_find_colour_planes:
-    find_planes _colours, 6
+    find_planes _colours, 127 << 16, 6
     .size fxl_find_colour_planes, . - fxl_find_colour_planes
+
+    .section .text.fxl_find_texel_planes, "ax", %progbits
+    .global fxl_find_texel_planes
+    .type fxl_find_texel_planes, %function
+    .thumb_func
+fxl_find_texel_planes:
+    find_planes _texels, 255 << 14, 0 /* FXL_SMALL_SIDE_MAX */
+    .size fxl_find_texel_planes, . - fxl_find_texel_planes
 
 #endif

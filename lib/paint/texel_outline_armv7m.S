@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_draw_texel_outline for Armv7-M and Armv8-M Mainline. lib/paint/smooth_outline.h states what it
- * requires and does; lib/paint/texel_outline.c paints the same pixels, by paint_near. A row takes 40
+ * requires and does; lib/paint/texel_outline.c paints the same pixels, by paint_any. A row takes 40
  * instructions before its pixels, a visible pixel 21, with light 43, and a hidden one 9 or 10. */
 #include "../math/family.h"
 
@@ -21,25 +21,41 @@
     .type fxl_draw_texel_outline, %function
     .thumb_func
 
-/* At the first row, r6: its words, less the change from row to row. */
+/* At the first row, r6: the words of cell 0 of the band, as if it were in that row, less their change
+ * from row to row, which is less a row of cells. r12: the band's first row. */
     .macro begin_filling
-    ldm     r3, {r4, r5, r8, r10}
-    .irp    number, r4, r5, r8, r10
-    ldr     lr, [r3, #TEXEL_OUTLINE_DOWN + .Lword]
-    mla     \number, lr, r6, \number
-    .set    .Lword, .Lword + 4
+    ldrh    r10, [r2, #BAND_WIDTH]
+    sub     r11, r6, r12
+    mul     r11, r11, r10           /* the row's first cell */
+    .irp    word, 0, 4, 8, 12
+    ldr     r4, [r3, #\word]
+    ldr     r5, [r3, #TEXEL_OUTLINE_DOWN + \word]
+    ldr     r8, [r3, #TEXEL_OUTLINE_ALONG + \word]
+    mla     r4, r5, r6, r4
+    mls     r4, r8, r11, r4
+    mls     r5, r8, r10, r5
+    sub     r4, r4, r5
+    str     r4, [r3, #\word]
+    str     r5, [r3, #TEXEL_OUTLINE_DOWN + \word]
     .endr
-    stm     r3, {r4, r5, r8, r10}
     .endm
-    .set    .Lword, 0
 
     .macro  fill_rows
     b       .Lrow
     .endm
 
 /* The pixel is tested. r3: the code, r11: the cell, which becomes the next one. */
-    .macro  test_pixel text
+    .macro  test_pixel text, bent
+    .if     \bent
+    ldr     r1, [lr, #OF(BORDER)]
+    subs    r1, r3, r1
+    ite     lo
+    addlo   r1, r1, r3
+    movhs   r1, r3
+    lsr     r1, r1, #16
+    .else
     lsr     r1, r3, #16
+    .endif
     ldrh    r0, [r11], #2
     cmp     r1, r0
     bls     .Lhidden\text
@@ -62,11 +78,11 @@
     .endm
 
 /* Pixels without light. r2: to the pixel, r6: texels, r10: palette, r12: the end of the cells. */
-    .macro  paint_row text, wide
+    .macro  paint_row text, wide, bent
     ldrd    r6, r10, [lr, #OF(TEXELS)]
     ldr     r2, [lr, #OF(PIXELS)]
 .Lpixel\text:
-    test_pixel \text
+    test_pixel \text, \bent
     find_place
     .if     \wide
     ldrh    r0, [r6, r0, lsl #1]
@@ -82,10 +98,10 @@
     .endm
 
 /* The same with light, r6, and its step, r10; the end of the cells is in the record too. */
-    .macro  paint_lit_row text, wide
+    .macro  paint_lit_row text, wide, bent
     str     r12, [lr, #OF(END)]
 .Lpixel\text:
-    test_pixel \text
+    test_pixel \text, \bent
     find_place
     ldrd    r1, r2, [lr, #OF(TEXELS)]
     .if     \wide
@@ -165,20 +181,28 @@ fxl_draw_texel_outline:
     mla     r6, r10, r2, r6
     add     r11, r11, r2, lsl #1
     add     r12, r11, r0, lsl #1
-    ldrd    r1, r2, [lr, #OF(PART_OF_LEVEL)] /* and is_wide */
-    cmp     r1, #0
-    beq     .Lunlit
-    cmp     r2, #0
-    bne     .Lpixel_row_lit_wide
-    paint_lit_row _lit, 0
-.Lpixel_row_lit_wide:
-    paint_lit_row _lit_wide, 1
-.Lunlit:
-    cmp     r2, #0
-    bne     .Lpixel_row_wide
-    paint_row _plain, 0
-.Lpixel_row_wide:
-    paint_row _wide, 1
+    ldr     r1, [lr, #OF(KIND)]
+    tbh     [pc, r1, lsl #1]
+.Lkinds:
+    .irp    number, 0, 1, 2, 3, 4, 5, 6, 7
+    .short  (.Lkind\number - .Lkinds) / 2
+    .endr
+.Lkind0:
+    paint_row 0, 0, 0
+.Lkind1:
+    paint_row 1, 1, 0
+.Lkind2:
+    paint_lit_row 2, 0, 0
+.Lkind3:
+    paint_lit_row 3, 1, 0
+.Lkind4:
+    paint_row 4, 0, 1
+.Lkind5:
+    paint_row 5, 1, 1
+.Lkind6:
+    paint_lit_row 6, 0, 1
+.Lkind7:
+    paint_lit_row 7, 1, 1
 
     .size fxl_draw_texel_outline, . - fxl_draw_texel_outline
 

@@ -76,7 +76,6 @@ uint8_t fxl_texture_level_choose(const fxl_texture *texture, const fxl_texel_den
     return (uint8_t)level;
 }
 
-/* place sampling: the masks of a level */
 /* surfaces 3.1 */
 void fxl_texture_level_find(const fxl_texture *texture, uint32_t number, fxl_texture_level *level)
 {
@@ -89,11 +88,5 @@ void fxl_texture_level_find(const fxl_texture *texture, uint32_t number, fxl_tex
         log_width = fxl_level_log(texture->log_width, i + 1, least);
         log_height = fxl_level_log(texture->log_height, i + 1, 0);
     }
-    level->texels = texels;
-    level->colours = texture->format == FXL_TEXTURE_4 ? texture->colours : NULL;
-    level->columns_less_1 = (1u << log_width) - 1u;
-    level->rows_less_1 = (1u << log_height) - 1u;
-    level->log_width = (uint8_t)log_width;
-    level->flags = (uint8_t)(texture->flags | (is_565 ? FXL_LEVEL_565 : 0u));
-    level->key = texture->key;
+    fxl_texture_level_set(texture, texels, log_width, log_height, level);
 }

@@ -50,6 +50,22 @@ bool fxl_texel_density_find(int64_t depth, const fxl_view *view, const fxl_gradi
 uint8_t fxl_texture_level_choose(const fxl_texture *texture, const fxl_texel_density *density,
                                  fxl_gradients *gradients);
 
+/* place sampling: the masks of a level */
+/* The level of a texture that has these texels and sides. */
+static inline void fxl_texture_level_set(const fxl_texture *texture, const uint8_t *texels,
+                                         uint32_t log_width, uint32_t log_height,
+                                         fxl_texture_level *level)
+{
+    const bool is_565 = texture->format == FXL_TEXTURE_565;
+    level->texels = texels;
+    level->colours = texture->format == FXL_TEXTURE_4 ? texture->colours : NULL;
+    level->columns_less_1 = (1u << log_width) - 1u;
+    level->rows_less_1 = (1u << log_height) - 1u;
+    level->log_width = (uint8_t)log_width;
+    level->flags = (uint8_t)(texture->flags | (is_565 ? FXL_LEVEL_565 : 0u));
+    level->key = texture->key;
+}
+
 /* Finds a level of a texture. Requires one that it has. */
 void fxl_texture_level_find(const fxl_texture *texture, uint32_t number, fxl_texture_level *level);
 

@@ -3,7 +3,7 @@
 #include "proof.h"
 
 /* [[row]]
- * function = "has_few_texels"
+ * function = "lib/paint/smooth_outline.h:fxl_has_few_texels"
  * property = "nothing overflows for coordinates below 2^30, and it is true where all differ by less than 2^23 from the first corner's, or by -2^23"
  * checks = 35
  */
@@ -20,7 +20,7 @@ void prove_has_few_texels(void)
             least = difference < least ? difference : least;
         }
     }
-    ASSERT("128 texels from the first corner's", has_few_texels(values) == (most < 1 << 23 && least >= -(1 << 23)));
+    ASSERT("128 texels from the first corner's", fxl_has_few_texels(values) == (most < 1 << 23 && least >= -(1 << 23)));
     PROOF_ENDS();
 }
 
@@ -77,7 +77,7 @@ void prove_nearest_depth(void)
 }
 
 /* [[row]]
- * function = "may_have_words"
+ * function = "lib/draw/surface_polygon.h:fxl_may_have_words"
  * property = "any surface and texture: opaque texels of 8 or 16 bits that repeat, without a key, a stipple or a beam, divided every 16 pixels or not at all"
  * checks = 46
  */
@@ -86,7 +86,7 @@ void prove_may_have_words(void)
     fxl_surfaces surfaces;
     fxl_surface surface;
     fxl_texture texture;
-    const bool may = may_have_words(&surfaces, &surface, &texture);
+    const bool may = fxl_may_have_words(&surfaces, &surface, &texture);
     ASSERT("opaque, and lit at most", !may || (surface.opacity == 16 && (surface.flags | FXL_SURFACE_LIT) == FXL_SURFACE_LIT));
     ASSERT("its texture", !may || (texture.flags == 0 && texture.format != FXL_TEXTURE_4));
     ASSERT("in no beam", !may || surfaces.beams == NULL);

@@ -135,7 +135,7 @@ static fxl_texel_outline any_texels(void)
     of.palette = palette;
     of.columns_mask = (1u << columns) - 1u;
     of.rows_mask = ((1u << rows) - 1u) << columns;
-    ASSUME(of.is_wide <= 1);
+    ASSUME(of.kind < 8);
     return of;
 }
 
@@ -150,22 +150,23 @@ void prove_colour_of_words(void)
     fxl_texel_words at;
     const uint32_t columns = of.columns_mask + 1u, rows = of.rows_mask / columns + 1u;
     const uint32_t place = (at.v >> 16) / columns % rows * columns + (at.u >> 24) % columns;
-    const uint32_t texel = of.is_wide ? texels[place] : palette[of.texels[place]];
-    ASSERT("of the column and row", colour_of(&of, &at, false, of.is_wide != 0) == texel);
-    ASSERT("lit", colour_of(&of, &at, true, of.is_wide != 0) <= 0xFFFFu);
+    const bool is_wide = (of.kind & FXL_TEXELS_WIDE) != 0;
+    const uint32_t texel = is_wide ? texels[place] : palette[of.texels[place]];
+    ASSERT("of the column and row", colour_of(&of, &at, false, is_wide) == texel);
+    ASSERT("lit", colour_of(&of, &at, true, is_wide) <= 0xFFFFu);
     PROOF_ENDS();
 }
 
 /* [[row]]
  * function = "lib/paint/texel_outline.c:paint_near"
  * property = "runs of up to 4 pixels of any words: visible cells take the code, others stay with their pixels, none is out of bounds"
- * checks = 291
+ * checks = 285
  * unwind = 6
  */
 /* [[row]]
  * function = "lib/paint/texel_outline.c:paint_any"
  * property = "the same in any order, and beyond the end of an octave a cell is not nearer than the word"
- * checks = 291
+ * checks = 285
  * unwind = 6
  */
 void prove_paint_near(void)
@@ -177,11 +178,11 @@ void prove_paint_near(void)
     ASSUME(count >= 1 && count <= 4 && i < 4);
     before[i] = cells[i];
     beneath[i] = pixels[i];
-    const uint32_t word = at.code + of.along.code * i;
+    const uint32_t word = at.code + of.planes.along.code * i;
     const bool is_near = nondet_bool();
     uint32_t code = word;
     if (is_near) {
-        paint_near(&of, at, cells, pixels, count, nondet_bool(), of.is_wide != 0);
+        paint_near(&of, at, cells, pixels, count, nondet_bool(), (of.kind & FXL_TEXELS_WIDE) != 0);
     } else {
         code = word < of.border ? 2u * word - of.border : word;
         paint_any(&of, at, cells, pixels, count);
@@ -195,56 +196,108 @@ void prove_paint_near(void)
 /* [[row]]
  * function = "lib/paint/texel_outline.c:words_at"
  * property = "any words and any number of pixels: those of as many steps, modulo 2^32"
- * checks = 106
- * unwind = 5
- */
-/* [[row]]
- * id = "shifted of texels in words"
- * function = "lib/paint/texel_outline.c:shifted"
- * property = "any value: the lower word of it over a power of two of up to 16 bits, rounded down"
- * checks = 106
+ * checks = 98
  * unwind = 5
  */
 void prove_words_at(void)
 {
     fxl_texel_words at, along;
-    const uint32_t count = nondet_u32(), drop = nondet_u32();
-    ASSUME(count <= 3 && drop <= 16);
+    const uint32_t count = nondet_u32();
+    ASSUME(count <= 3);
     const fxl_texel_words there = words_at(&at, &along, count);
     for (uint32_t i = 0; i < count; i++) {
         step(&at, &along);
     }
     ASSERT("as by steps", there.code == at.code && there.u == at.u && there.v == at.v && there.light == at.light);
-    const int64_t value = nondet_s64();
-    ASSUME(value > -((int64_t)1 << 40) && value < (int64_t)1 << 40);
-    const int32_t word = (int32_t)shifted(value, drop), lower = (int32_t)value;
-    const int64_t rest = lower - (int64_t)word * ((int64_t)1 << drop);
-    ASSERT("rounded down", rest >= 0 && rest < (int64_t)1 << drop);
     PROOF_ENDS();
 }
 
 /* [[row]]
- * id = "set_words of texels"
- * function = "lib/paint/texel_outline.c:set_words"
- * property = "gradients in words, a level that leaves up to 8 bits out, up to 256 columns: each shift is below 17, and each word is the gradient's"
- * checks = 211
+ * function = "lib/paint/smooth_outline.h:fxl_texel_words_of"
+ * property = "gradients in words: each word is the gradient's, and light is 0 where it is none of them"
+ * checks = 218
  */
-void prove_set_words(void)
+/* [[row]]
+ * function = "lib/paint/smooth_outline.h:fxl_texel_planes_scale"
+ * property = "any words, shifts of up to 16 bits: rounded down, and no other word changes"
+ * checks = 218
+ */
+void prove_texel_words(void)
 {
     fxl_gradients gradients;
-    fxl_paint paint;
     fxl_depth_plane depth;
-    fxl_texel_outline of;
-    paint.gradients = &gradients;
+    fxl_texel_planes of;
     const uint32_t u_drop = nondet_u32(), v_drop = nondet_u32();
-    ASSUME(u_drop <= 8 && v_drop <= 8 && paint.level.log_width <= 8 && (gradients.count == 2 || gradients.count == 3));
-    gradients.shifts[FXL_ATTRIBUTE_U] = (int8_t)(FXL_SHIFT_OF_TEXELS - (int32_t)u_drop);
-    gradients.shifts[FXL_ATTRIBUTE_V] = (int8_t)(FXL_SHIFT_OF_TEXELS - (int32_t)v_drop);
-    set_words(&paint, &depth, &of);
+    ASSUME(u_drop <= 8 && v_drop <= 16 && (gradients.count == 2 || gradients.count == 3));
     const int32_t u = (int32_t)gradients.attributes[FXL_ATTRIBUTE_U].along, v = (int32_t)gradients.attributes[FXL_ATTRIBUTE_V].down;
-    ASSERT("u, by its level", of.along.u == (uint32_t)(u >> u_drop));
-    ASSERT("v, by its level and columns", of.down.v == (uint32_t)(v >> (v_drop + 8 - paint.level.log_width)));
+    fxl_texel_words_of(&gradients, &depth, &of);
+    ASSERT("u and v", of.along.u == (uint32_t)u && of.down.v == (uint32_t)v);
     ASSERT("light, or none", of.along.light == (gradients.count == 3 ? (uint32_t)gradients.attributes[FXL_SEGMENT_LIGHT].along : 0));
     ASSERT("depth", of.at.code == (uint32_t)depth.gradient.at && of.down.code == (uint32_t)depth.gradient.down);
+    fxl_texel_planes_scale(&of, u_drop, v_drop);
+    ASSERT("u, by its level", of.along.u == (uint32_t)(u >> u_drop));
+    ASSERT("v, by its level and columns", of.down.v == (uint32_t)(v >> v_drop));
+    ASSERT("depth stays", of.at.code == (uint32_t)depth.gradient.at);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "lib/paint/smooth_outline.h:fxl_texel_outline_set"
+ * property = "any paint of a level with sides of up to 256 texels: its masks, what pixels there are, and even light"
+ * checks = 241
+ */
+void prove_texel_outline_set(void)
+{
+    struct {
+        fxl_depth_head head;
+        uint16_t cells[4];
+    } memory;
+    fxl_paint paint;
+    fxl_texel_outline of;
+    const uint32_t rows = nondet_u32();
+    const int32_t one = nondet_s32();
+    ASSUME(rows <= 8 && paint.level.log_width <= 8 && paint.level.rows_less_1 == (1u << rows) - 1u && paint.levels_less_1 < 64);
+    ASSUME(memory.head.scale.octaves >= 1 && memory.head.scale.octaves <= 24 && memory.head.scale.mantissa >= 11 && memory.head.scale.mantissa <= 15);
+    ASSUME(one == FXL_DEPTH_IS_LINEAR || (one >= FXL_DEPTH_IS_BENT && one < FXL_DEPTH_IS_BENT + memory.head.scale.octaves));
+    fxl_texel_outline_set(&memory.head, &paint, one, &of);
+    ASSERT("the cells", of.cells == memory.cells);
+    ASSERT("rows", of.rows_mask == ((1u << rows) - 1u) << paint.level.log_width);
+    ASSERT("lit", ((of.kind & FXL_TEXELS_LIT) != 0) == (paint.of_565.part_of_level != 0));
+    ASSERT("wide", ((of.kind & FXL_TEXELS_WIDE) != 0) == ((paint.level.flags & FXL_LEVEL_565) != 0));
+    ASSERT("bent", ((of.kind & FXL_TEXELS_BENT) != 0) == (one != FXL_DEPTH_IS_LINEAR));
+    ASSERT("even light", !paint.is_evenly_lit || of.planes.along.light == 0);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "lib/paint/smooth_outline.h:fxl_smooth_outline_set"
+ * property = "any plane and light in words, any paint, pixels of 8 or 16 bits: the steps are the planes', and there is a limit exactly where codes have no border"
+ * checks = 334
+ */
+void prove_smooth_outline_set(void)
+{
+    struct {
+        fxl_depth_head head;
+        uint16_t cells[4];
+    } memory;
+    static uint8_t pixels[8], ramp[256];
+    static uint16_t colours[256];
+    fxl_gradients gradients;
+    fxl_depth_plane plane;
+    fxl_paint paint;
+    fxl_band band;
+    fxl_smooth_outline smooth;
+    band.pixels = pixels;
+    gradients.shifts[0] = 53; /* light in words */
+    paint.gradients = &gradients;
+    paint.ramp = ramp;
+    paint.of_565.palette = colours;
+    ASSUME(paint.levels_less_1 < 64 && band.width <= 2048 && band.first_row < 2048);
+    ASSUME(memory.head.scale.octaves >= 1 && memory.head.scale.octaves <= 24 && memory.head.scale.mantissa >= 11 && memory.head.scale.mantissa <= 15);
+    ASSUME(plane.one == FXL_DEPTH_IS_LINEAR || (plane.one >= FXL_DEPTH_IS_BENT && plane.one < FXL_DEPTH_IS_BENT + memory.head.scale.octaves));
+    fxl_smooth_outline_set(&memory.head, &plane, &paint, &band, nondet_bool() ? 1 : 2, &smooth);
+    ASSERT("the cells", smooth.cells == memory.cells);
+    ASSERT("steps", smooth.code_along == (uint32_t)plane.gradient.along);
+    ASSERT("a limit", (smooth.limit == 0) == (smooth.border != 0));
     PROOF_ENDS();
 }

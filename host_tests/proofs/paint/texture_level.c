@@ -55,9 +55,14 @@ void prove_texture_level_choose(void)
 }
 
 /* [[row]]
+ * function = "lib/paint/texture_level.h:fxl_texture_level_set"
+ * property = "so it is of its sides"
+ * checks = 133
+ */
+/* [[row]]
  * function = "fxl_texture_level_find"
  * property = "textures of up to 16 x 16 texels and 5 levels: nothing overflows, and the level lies in the texture"
- * checks = 127
+ * checks = 133
  */
 void prove_texture_level_find(void)
 {
