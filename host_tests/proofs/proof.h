@@ -12,6 +12,7 @@ uint8_t nondet_u8(void);
 uint16_t nondet_u16(void);
 uint32_t nondet_u32(void);
 uint64_t nondet_u64(void);
+int16_t nondet_s16(void);
 int32_t nondet_s32(void);
 int64_t nondet_s64(void);
 size_t nondet_size(void);

@@ -8,7 +8,7 @@
 /* The upper 32 bits. Compilers optimise the unsigned shift away. */
 static inline int32_t upper(int64_t value)
 {
-    return (int32_t)((uint64_t)value >> 32);
+    return (int32_t)(value >> 32);
 }
 
 /* floor((side * across + depth * along) / 2^30), exactly. Requires a unit vector
@@ -24,8 +24,8 @@ static inline fxl_q18_46 project_onto(fxl_q2_30 side, fxl_q18_46 across, fxl_q2_
     FXL_EQUATES(FXL_BELOW(FXL_RESULT, ((int64_t)3 << 60)))
 {
     int64_t high = fxl_multiply_s32(side, upper(across)) + fxl_multiply_s32(depth, upper(along));
-    uint64_t low = fxl_multiply_u32((uint32_t)side, (uint32_t)across) +
-                   fxl_multiply_u32((uint32_t)depth, (uint32_t)along);
+    uint64_t low = fxl_multiply_u32((uint32_t)side, fxl_low_32(fxl_bits_64(across))) +
+                   fxl_multiply_u32((uint32_t)depth, fxl_low_32(fxl_bits_64(along)));
     return high * 4 + (int64_t)(low >> 30);
 }
 

@@ -63,7 +63,7 @@ void fxl_intersect_edge(const fxl_view_point *from, const fxl_view_point *to,
 {
     FXL_ASSERT(*inside > 0 && *outside < 0);
     const uint64_t fraction =
-        fxl_fraction((uint64_t)*inside, (uint64_t)*inside - (uint64_t)*outside);
+        fxl_fraction((uint64_t)*inside, (uint64_t)*inside - fxl_bits_64(*outside));
     point->x = interpolate(from->x, to->x, fraction);
     point->y = interpolate(from->y, to->y, fraction);
     point->z = interpolate(from->z, to->z, fraction);

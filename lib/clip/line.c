@@ -84,9 +84,9 @@ typedef struct {
  * products' last 32 bits. */
 static exact distance_of(const fxl_half_space *plane, const fxl_view_point *point)
 {
-    const uint32_t last = (uint32_t)plane->normal.x * (uint32_t)point->x +
-                          (uint32_t)plane->normal.y * (uint32_t)point->y +
-                          (uint32_t)plane->normal.z * (uint32_t)point->z;
+    const uint32_t last = fxl_bits_32(plane->normal.x) * fxl_low_32(fxl_bits_64(point->x)) +
+                          fxl_bits_32(plane->normal.y) * fxl_low_32(fxl_bits_64(point->y)) +
+                          fxl_bits_32(plane->normal.z) * fxl_low_32(fxl_bits_64(point->z));
     const exact distance = {fxl_half_space_distance(plane, point),
                             last & (((uint32_t)1 << REST_BITS) - 1u)};
     return distance;

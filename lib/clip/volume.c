@@ -14,15 +14,15 @@ fxl_q18_46 fxl_half_space_distance(const fxl_half_space *plane, const fxl_view_p
     int64_t high = 0, low = 0;
     if (plane->normal.x != 0) {
         high += fxl_multiply_s32(plane->normal.x, (int32_t)(point->x >> 32));
-        low += fxl_multiply_su32(plane->normal.x, (uint32_t)point->x);
+        low += fxl_multiply_su32(plane->normal.x, (uint32_t)(point->x & UINT32_MAX));
     }
     if (plane->normal.y != 0) {
         high += fxl_multiply_s32(plane->normal.y, (int32_t)(point->y >> 32));
-        low += fxl_multiply_su32(plane->normal.y, (uint32_t)point->y);
+        low += fxl_multiply_su32(plane->normal.y, (uint32_t)(point->y & UINT32_MAX));
     }
     if (plane->normal.z != 0) {
         high += fxl_multiply_s32(plane->normal.z, (int32_t)(point->z >> 32));
-        low += fxl_multiply_su32(plane->normal.z, (uint32_t)point->z);
+        low += fxl_multiply_su32(plane->normal.z, (uint32_t)(point->z & UINT32_MAX));
     }
     FXL_LEMMA(FXL_BELOW(high * 4 + (low >> 30), ((int64_t)1 << 62) - 1));
     return high * 4 + (low >> 30) + plane->offset;

@@ -38,7 +38,7 @@ const fxl_screen_polygon *fxl_display_list_next(const fxl_display_list *list, fx
     const uint32_t *record = list->words + *place, *end = list->words + list->used;
     const fxl_screen_polygon *found = NULL;
     do {
-        const fxl_rows reached = {(uint16_t)record[0], (uint16_t)(record[0] >> 16)};
+        const fxl_rows reached = {fxl_low_16(record[0]), (uint16_t)(record[0] >> 16)};
         const fxl_screen_polygon *polygon = (const fxl_screen_polygon *)(const void *)(record + 1);
         record += FXL_DISPLAY_LIST_WORDS((uint32_t)polygon->count);
         if (fxl_rows_meet(reached, rows)) {

@@ -91,7 +91,7 @@ bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon
     (void)put(to + 1, gradients->shifts, 1);
     if (polygon->is_evenly_lit) {
         *to |= EVENLY_LIT | (uint32_t)(polygon->light >> 8) << SHADE_AT;
-        ((uint8_t *)(to + 1))[FXL_ATTRIBUTES - 1] = (uint8_t)polygon->light;
+        ((uint8_t *)(to + 1))[FXL_ATTRIBUTES - 1] = fxl_low_8(polygon->light);
     }
     to += FIRST_WORDS;
     if (polygon->surface != FXL_NO_SURFACE) {
@@ -116,7 +116,7 @@ uint32_t fxl_surface_polygon_read(const fxl_screen_polygon *record, fxl_surface_
     const uint32_t count = fxl_surface_polygon_points(record);
     const uint32_t *from = (const uint32_t *)(const void *)(record->points + count);
     const uint32_t first = *from++;
-    polygon->surface = (uint16_t)first;
+    polygon->surface = fxl_low_16(first);
     polygon->colour = record->colour;
     polygon->level = (uint8_t)(first >> LEVEL_AT & 15u);
     polygon->has_depth = (first & HAS_DEPTH) != 0;
@@ -124,8 +124,8 @@ uint32_t fxl_surface_polygon_read(const fxl_screen_polygon *record, fxl_surface_
     polygon->shade = (uint8_t)(first >> SHADE_AT);
     from = get(from, (uint8_t *)gradients + offsetof(fxl_gradients, shifts), 1);
     polygon->is_evenly_lit = (first & EVENLY_LIT) != 0;
-    polygon->light =
-        (uint16_t)((first >> SHADE_AT) << 8 | (uint8_t)gradients->shifts[FXL_ATTRIBUTES - 1]);
+    polygon->light = (uint16_t)((first >> SHADE_AT) << 8 |
+                                fxl_low_8(fxl_bits_32(gradients->shifts[FXL_ATTRIBUTES - 1])));
     if (polygon->surface != FXL_NO_SURFACE) {
         from = get(from, gradients->weight_min, SURFACE_WORDS);
         from = get(from, &gradients->weight, GRADIENT_WORDS);

@@ -60,7 +60,7 @@ uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rema
     uint32_t whole = denominator << shift;
     /* The numerator is below 2^32 denominator, so no bit is shifted out. */
     uint64_t shifted = numerator << shift;
-    uint32_t left = (uint32_t)(shifted >> 32), lower = (uint32_t)shifted;
+    uint32_t left = (uint32_t)(shifted >> 32), lower = fxl_low_32(shifted);
     uint32_t upper_digit = divide_digit(&left, whole, lower >> 16);
     uint32_t lower_digit = divide_digit(&left, whole, lower & 0xFFFFu);
     *remainder = left >> shift;
@@ -90,7 +90,7 @@ static uint32_t fraction_digit(uint64_t *remainder, uint64_t whole, uint32_t rec
     uint64_t product = fxl_multiply_u32((uint32_t)(*remainder >> 31), reciprocal);
     uint32_t digit = (uint32_t)(product >> 32) >> (29u - bits);
     /* The true remainder is below 2^64, so intermediate wraps cancel. */
-    uint64_t left = (*remainder << bits) - fxl_multiply_u32(digit, (uint32_t)whole) -
+    uint64_t left = (*remainder << bits) - fxl_multiply_u32(digit, fxl_low_32(whole)) -
                     ((uint64_t)(digit * (uint32_t)(whole >> 32)) << 32);
     if (left >= whole) {
         left -= whole;
@@ -127,7 +127,7 @@ bool fxl_ratio(fxl_q16_16 factor, fxl_q18_46 side, fxl_q18_46 depth, int32_t lim
     unsigned shift = bits > 31 ? bits - 31 : 0;
     int64_t scaled = shift > 0 ? fxl_round_shift(depth, shift) : depth;
     int64_t high = fxl_multiply_s32(factor, (int32_t)(side >> 32));
-    int64_t low = fxl_multiply_su32(factor, (uint32_t)side);
+    int64_t low = fxl_multiply_su32(factor, fxl_low_32(fxl_bits_64(side)));
     /* If high is larger than that, the product is above 2^60 in magnitude, also where low takes from
      * it; the limit times the depth is below 2^60. */
     if (!fxl_within(high, (int64_t)1 << (29 + shift))) {

@@ -123,7 +123,7 @@ static inline int32_t fxl_divide_floor(int32_t numerator, int32_t denominator, i
 {
     FXL_ASSERT(denominator > 0);
     bool negative = numerator < 0;
-    uint32_t magnitude = negative ? 0u - (uint32_t)numerator : (uint32_t)numerator;
+    uint32_t magnitude = negative ? 0u - fxl_bits_32(numerator) : (uint32_t)numerator;
     uint32_t residue;
     int32_t quotient = (int32_t)fxl_divide_u32(magnitude, (uint32_t)denominator, &residue);
     if (negative) {
@@ -138,7 +138,7 @@ static inline int32_t fxl_divide_floor(int32_t numerator, int32_t denominator, i
 static inline unsigned fxl_bit_length(uint64_t value)
 {
     uint32_t high = (uint32_t)(value >> 32);
-    uint32_t low = (uint32_t)value;
+    uint32_t low = fxl_low_32(value);
     if (high != 0) {
         return 64u - fxl_leading_zeros(high);
     }
@@ -154,7 +154,7 @@ typedef struct {
 /* number * 2^exponent, rounded down by less than 2^-31 of it. Requires number > 0. */
 static inline fxl_real fxl_real_of(uint64_t number, int exponent)
 {
-    const uint32_t high = (uint32_t)(number >> 32), low = (uint32_t)number;
+    const uint32_t high = (uint32_t)(number >> 32), low = fxl_low_32(number);
     const unsigned zeros = fxl_leading_zeros(high != 0 ? high : low);
     const fxl_real result = {high != 0 ? high << zeros | low >> 1 >> (31 - zeros) : low << zeros,
                              exponent + (high != 0 ? 32 : 0) - (int)zeros};
@@ -170,7 +170,7 @@ static inline uint32_t fxl_mantissa_ratio(const fxl_real *part, const fxl_real *
 
 static inline uint64_t fxl_magnitude(int64_t value)
 {
-    return value < 0 ? (uint64_t)0 - (uint64_t)value : (uint64_t)value;
+    return value < 0 ? (uint64_t)0 - fxl_bits_64(value) : (uint64_t)value;
 }
 
 static inline bool fxl_within(int64_t value, int64_t limit)

@@ -27,6 +27,52 @@
 #define FXL_IN_ORDER() (void)0
 #endif
 
+/* Conversions that are meant to change a value: `make prove` demands of all others that they do not.
+ * The lowest bits of a number, and the number of the same bits that has a sign or has none. */
+#ifdef FXL_PROVE
+#pragma CPROVER check push
+#pragma CPROVER check disable "conversion"
+#endif
+
+static inline uint8_t fxl_low_8(uint32_t value)
+{
+    return (uint8_t)value;
+}
+
+static inline uint16_t fxl_low_16(uint32_t value)
+{
+    return (uint16_t)value;
+}
+
+static inline uint32_t fxl_low_32(uint64_t value)
+{
+    return (uint32_t)value;
+}
+
+static inline uint32_t fxl_bits_32(int32_t value)
+{
+    return (uint32_t)value;
+}
+
+static inline uint64_t fxl_bits_64(int64_t value)
+{
+    return (uint64_t)value;
+}
+
+static inline int32_t fxl_signed_32(uint32_t bits)
+{
+    return (int32_t)bits;
+}
+
+static inline int64_t fxl_signed_64(uint64_t bits)
+{
+    return (int64_t)bits;
+}
+
+#ifdef FXL_PROVE
+#pragma CPROVER check pop
+#endif
+
 #if !FXL_CORE_ARMV6M
 
 static inline uint64_t fxl_multiply_u32(uint32_t a, uint32_t b)
@@ -54,6 +100,11 @@ static inline int64_t fxl_multiply_su32(int32_t a, uint32_t b)
     return (int64_t)a * b;
 }
 
+#ifdef FXL_PROVE
+#pragma CPROVER check push
+#pragma CPROVER check disable "conversion"
+#endif
+
 /* The 64 lowest bits of a product. */
 static inline int64_t fxl_multiply_s64(int64_t a, int64_t b)
 {
@@ -65,6 +116,10 @@ static inline int64_t fxl_multiply_s64_u16(int64_t a, uint32_t b)
 {
     return (int64_t)((uint64_t)a * b);
 }
+
+#ifdef FXL_PROVE
+#pragma CPROVER check pop
+#endif
 
 #else
 
@@ -295,10 +350,10 @@ static inline unsigned fxl_leading_zeros(uint32_t value)
 static inline uint64_t fxl_multiply_high(uint64_t a, uint64_t b) FXL_REQUIRES(1) FXL_ASSIGNS()
     FXL_EQUATES(FXL_RESULT <= a && FXL_RESULT <= b)
 {
-    uint32_t a_high = (uint32_t)(a >> 32), a_low = (uint32_t)a;
-    uint32_t b_high = (uint32_t)(b >> 32), b_low = (uint32_t)b;
+    uint32_t a_high = (uint32_t)(a >> 32), a_low = fxl_low_32(a);
+    uint32_t b_high = (uint32_t)(b >> 32), b_low = fxl_low_32(b);
     uint64_t middle = fxl_multiply_u32(a_high, b_low) + (fxl_multiply_u32(a_low, b_low) >> 32);
-    uint64_t other = fxl_multiply_u32(a_low, b_high) + (uint32_t)middle;
+    uint64_t other = fxl_multiply_u32(a_low, b_high) + fxl_low_32(middle);
     return fxl_multiply_u32(a_high, b_high) + (middle >> 32) + (other >> 32);
 }
 

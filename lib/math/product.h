@@ -36,7 +36,7 @@ FXL_PRODUCT int64_t fxl_product_wide(int64_t a, int32_t b)
 /* The upper word of a product, rounded down. */
 static inline int32_t fxl_upper_product(int32_t a, int32_t b)
 {
-    return (int32_t)((uint64_t)fxl_product(a, b) >> 32);
+    return fxl_signed_32((uint32_t)(fxl_bits_64(fxl_product(a, b)) >> 32));
 }
 
 static inline uint32_t fxl_upper_product_unsigned(uint32_t a, uint32_t b)

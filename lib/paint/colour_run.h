@@ -5,6 +5,8 @@
 
 #include <stdint.h>
 
+#include "../math/core.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -19,7 +21,7 @@ typedef struct {
 /* Red and blue in 10.22, in one word: each loses 11 bits. */
 static inline uint32_t fxl_colours_both(int32_t red, int32_t blue)
 {
-    return ((uint32_t)(blue >> 11) << 16) + (uint32_t)(red >> 11);
+    return (fxl_bits_32(blue >> 11) << 16) + fxl_bits_32(red >> 11);
 }
 
 /* Writes count pixels. Sums are modulo 2^32; red and blue of all pixels are from 0 to below 32, or

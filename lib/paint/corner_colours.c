@@ -18,7 +18,7 @@ static inline int32_t channel_of(uint32_t colour, uint32_t at, uint32_t shift)
 void fxl_corner_colours(const fxl_corner *const corners[3], int32_t (*values)[3])
 {
     for (uint32_t i = 0; i < 3; i++) {
-        const uint32_t colour = (uint32_t)corners[i]->texel.u;
+        const uint32_t colour = fxl_bits_32(corners[i]->texel.u);
         values[0][i] = channel_of(colour, 16, RED_AND_BLUE_SHIFT);
         values[1][i] = channel_of(colour, 8, GREEN_SHIFT);
         values[2][i] = channel_of(colour, 0, RED_AND_BLUE_SHIFT);
@@ -108,7 +108,7 @@ static inline channel_bend bend_of(const int32_t values[3], const short_weights 
     const int32_t least = a < b ? a : b, most = a > b ? a : b;
     const int32_t low = c < least ? c : least, high = c > most ? c : most;
     const channel_bend bend = {low < 0 ? low : 0, high > 0 ? high : 0,
-                               (uint32_t)a + (uint32_t)b + (uint32_t)c};
+                               fxl_bits_32(a) + fxl_bits_32(b) + fxl_bits_32(c)};
     return bend;
 }
 
@@ -122,7 +122,7 @@ static inline int32_t mean_of(const channel_bend *bend, int32_t least)
 {
     const int32_t from = 3 * (bend->most - BEND_SIDE * least);
     const int32_t to = 3 * (bend->least + BEND_SIDE * least);
-    const int32_t sum = (int32_t)bend->sum;
+    const int32_t sum = fxl_signed_32(bend->sum);
     return (sum < from ? from : sum > to ? to : sum) * 16 / least * 4 / 3;
 }
 
@@ -167,7 +167,7 @@ typedef struct {
 
 static inline int32_t shifted_up(int32_t value, unsigned shift)
 {
-    return (int32_t)((uint32_t)value << shift);
+    return fxl_signed_32(fxl_bits_32(value) << shift);
 }
 
 /* Exponents are from 17 to 40. What is cut off a coefficient changes a channel by less than 64
@@ -178,8 +178,8 @@ static inline bool share(const fxl_corner_planes *planes, int32_t column, shared
     const int32_t *along = planes->along, *down = planes->down;
     const int cut = planes->exponent - 29;
     shared->row = (planes->y + 32768) >> 16;
-    shared->x = (int32_t)((uint32_t)(planes->x - column * 65536) << 16);
-    shared->y = (int32_t)((uint32_t)planes->y << 16);
+    shared->x = fxl_signed_32(fxl_bits_32(planes->x - column * 65536) << 16);
+    shared->y = fxl_signed_32(fxl_bits_32(planes->y) << 16);
     shared->less = 0;
     if (cut < 0) {
         const int32_t bits = (along[0] ^ (along[0] >> 31)) | (along[1] ^ (along[1] >> 31)) |
@@ -227,18 +227,18 @@ static FXL_ONE_COPY channel_words find_channel(const shared_planes *shared, uint
     const int64_t along = fxl_product(d1, shared->along[0]) + fxl_product(d2, shared->along[1]);
     const int64_t down = fxl_product(d1, shared->down[0]) + fxl_product(d2, shared->down[1]);
     channel_words channel;
-    channel.along = (int32_t)((uint64_t)along >> 32);
-    channel.down = (int32_t)((uint64_t)down >> 32);
+    channel.along = fxl_signed_32((uint32_t)(fxl_bits_64(along) >> 32));
+    channel.down = fxl_signed_32((uint32_t)(fxl_bits_64(down) >> 32));
     const int64_t off =
         fxl_product(channel.along, shared->x) + fxl_product(channel.down, shared->y);
-    channel.at =
-        first - (uint32_t)((uint64_t)off >> 32) - (uint32_t)shared->row * (uint32_t)channel.down;
+    channel.at = first - (uint32_t)(fxl_bits_64(off) >> 32) -
+                 fxl_bits_32(shared->row) * fxl_bits_32(channel.down);
     return channel;
 }
 
 static inline int64_t two_words(uint32_t low, uint32_t high)
 {
-    return (int64_t)((uint64_t)high << 32 | low);
+    return fxl_signed_64((uint64_t)high << 32 | low);
 }
 
 static inline void set_words(int32_t column, const channel_words channels[3],
@@ -248,13 +248,13 @@ static inline void set_words(int32_t column, const channel_words channels[3],
     fxl_gradient *attributes = gradients->attributes;
     /* Runs have 11 bits of red and blue, which half a unit rounds to nearest. Steps are at most
      * 2^31 - 2^23 + 2^10. */
-    attributes[0].at = two_words(channels[0].at + 1024u, (uint32_t)column);
+    attributes[0].at = two_words(channels[0].at + 1024u, fxl_bits_32(column));
     attributes[0].along =
         two_words(fxl_colours_both(channels[0].along + 1024, channels[2].along + 1024),
-                  (uint32_t)channels[1].along << 4);
-    attributes[0].down = two_words((uint32_t)channels[0].down, (uint32_t)channels[1].down);
+                  fxl_bits_32(channels[1].along) << 4);
+    attributes[0].down = two_words(fxl_bits_32(channels[0].down), fxl_bits_32(channels[1].down));
     attributes[1].at = two_words(channels[1].at, channels[2].at + 1024u);
-    attributes[1].along = two_words((uint32_t)channels[0].along, (uint32_t)channels[2].along);
+    attributes[1].along = two_words(fxl_bits_32(channels[0].along), fxl_bits_32(channels[2].along));
     attributes[1].down = channels[2].down;
     gradients->shifts[0] = gradients->shifts[1] = gradients->shifts[2] = FXL_SHIFT_OF_WORDS;
     gradients->count = FXL_GRADIENTS_OF_WORDS;
@@ -270,8 +270,8 @@ static inline channel_words channel_of_colours(const shared_planes *shared,
 {
     const int32_t first = colours[0] & mask;
     return find_channel(shared, ((uint32_t)first << shift) + half,
-                        (int32_t)((uint32_t)((colours[1] & mask) - first) << (shift + 3u)),
-                        (int32_t)((uint32_t)((colours[2] & mask) - first) << (shift + 3u)));
+                        fxl_signed_32(fxl_bits_32((colours[1] & mask) - first) << (shift + 3u)),
+                        fxl_signed_32(fxl_bits_32((colours[2] & mask) - first) << (shift + 3u)));
 }
 
 bool fxl_corner_colours_unlit(const fxl_corner *const corners[3], const fxl_corner_planes *planes,
@@ -294,7 +294,7 @@ bool fxl_corner_colours_unlit(const fxl_corner *const corners[3], const fxl_corn
 static inline channel_words channel_of_values(const shared_planes *shared, const int32_t values[3],
                                               int32_t more)
 {
-    return find_channel(shared, (uint32_t)(values[0] + more) << 6,
+    return find_channel(shared, fxl_bits_32(values[0] + more) << 6,
                         shifted_up(values[1] - values[0], 9u + shared->less),
                         shifted_up(values[2] - values[0], 9u + shared->less));
 }

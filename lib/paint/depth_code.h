@@ -88,10 +88,10 @@ static inline int64_t fxl_power_of_2(int32_t exponent)
 /* The 32 lowest bits of floor(value / 2^drop). Requires -32 < drop < 64. */
 static inline uint32_t fxl_depth_shifted(int64_t value, int32_t drop)
 {
-    const uint32_t low = (uint32_t)value;
+    const uint32_t low = fxl_low_32(fxl_bits_64(value));
     const int32_t high = (int32_t)(value >> 32);
-    return drop >= 32 ? (uint32_t)(high >> (drop - 32))
-           : drop > 0 ? low >> drop | (uint32_t)high << (32 - drop)
+    return drop >= 32 ? fxl_bits_32(high >> (drop - 32))
+           : drop > 0 ? low >> drop | fxl_bits_32(high) << (32 - drop)
                       : low << -drop;
 }
 
@@ -105,7 +105,7 @@ static inline void fxl_depth_octave_of_word(fxl_depth_scale scale, const fxl_dep
     octave->high = is_beyond ? border : (int64_t)UINT32_MAX + 1;
     octave->drop = is_beyond ? -1 : 0;
     octave->bias = is_beyond ? 0u - border : 0;
-    octave->step = (uint32_t)plane->gradient.along << (is_beyond ? 1 : 0);
+    octave->step = fxl_low_32(fxl_bits_64(plane->gradient.along)) << (is_beyond ? 1 : 0);
     octave->is_constant = false;
 }
 
@@ -131,7 +131,7 @@ static inline void fxl_depth_octave_of(fxl_depth_scale scale, const fxl_depth_pl
         octave->low = fxl_power_of_2(length - 1);
         octave->high = fxl_power_of_2(length);
         octave->drop = length - 17 - scale.mantissa; /* -31..34 */
-        octave->bias = ((uint32_t)(scale.octaves - 2 - number) << (scale.mantissa + 16)) + 65536u;
+        octave->bias = (fxl_bits_32(scale.octaves - 2 - number) << (scale.mantissa + 16)) + 65536u;
         octave->step = fxl_depth_shifted(plane->gradient.along, octave->drop);
         octave->is_constant = false;
     }

@@ -89,7 +89,7 @@ FXL_INLINED void fxl_depth_paint_line(const fxl_depth_painting *of, void *cells,
 static __attribute__((noinline, unused)) int32_t
 fxl_depth_words_end(fxl_depth_painting *of, uint32_t depth, int32_t x0, int32_t x1)
 {
-    const uint32_t along = (uint32_t)of->plane->gradient.along;
+    const uint32_t along = fxl_low_32(fxl_bits_64(of->plane->gradient.along));
     int32_t inside = x0, outside = x1;
     fxl_depth_octave_of_word(of->head->scale, of->plane, depth + along * (uint32_t)x0, &of->octave);
     if (fxl_depth_octave_holds(&of->octave, depth + along * (uint32_t)(x1 - 1))) {
@@ -144,7 +144,7 @@ FXL_INLINED void fxl_depth_paint_row(fxl_depth_painting *of, int32_t y, int32_t 
     const int64_t depth = gradient->at + gradient->down * y;
     while (x0 < x1) {
         const int32_t end = fxl_depth_is_in_words(of->plane)
-                                ? fxl_depth_words_end(of, (uint32_t)depth, x0, x1)
+                                ? fxl_depth_words_end(of, (uint32_t)(depth & UINT32_MAX), x0, x1)
                                 : fxl_depth_octave_end(of, depth, x0, x1);
         const fxl_depth_octave *octave = &of->octave;
         fxl_depth_line line = {octave->bias, octave->step};

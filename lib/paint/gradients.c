@@ -27,7 +27,7 @@ static uint64_t bits_of(int64_t value)
 /* value * 2^shift / 2^32, rounded to nearest. Requires |value * 2^shift| <= 2^62. */
 static FXL_ONE_COPY int32_t upper_word(int64_t value, unsigned shift)
 {
-    return (int32_t)((int64_t)(((uint64_t)value << shift) + 0x80000000u) >> 32);
+    return (int32_t)(fxl_signed_64((fxl_bits_64(value) << shift) + 0x80000000u) >> 32);
 }
 
 fxl_block_vector fxl_block(int64_t x, int64_t y, int64_t z, int exponent)
@@ -111,7 +111,7 @@ static uint64_t largest_value(const fxl_gradient *gradient, const fxl_lens *lens
 
 static FXL_ONE_COPY void shift_up(int64_t *value, unsigned shift)
 {
-    *value = (int64_t)((uint64_t)*value << shift);
+    *value = fxl_signed_64(fxl_bits_64(*value) << shift);
 }
 
 /* The focal length is below 2^29 and half of the screen below 2^25 + 2^15, in 16.16, and
@@ -297,6 +297,16 @@ static void find_least(fxl_gradients *gradients, int32_t height)
     }
 }
 
+/* The least shift: fxl_texture_level_choose takes up to 8 from it, and a byte holds -128. */
+#define SHIFT_LEAST (-112)
+
+/* A shift as a byte holds it. A sliver of a face, far away, may have another one: fxl_attribute_of
+ * takes all from 62 on as one, and all from -32 down. */
+static int8_t shift_of(int shift)
+{
+    return (int8_t)(shift > INT8_MAX ? INT8_MAX : shift < SHIFT_LEAST ? SHIFT_LEAST : shift);
+}
+
 /* SPEC 9.1 */
 void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
                         fxl_gradients *gradients)
@@ -325,7 +335,7 @@ void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
         const int32_t factors[3] = {values[0], values[1] - values[0], values[2] - values[0]};
         fxl_gradient *attribute = &gradients->attributes[i];
         const int exponent = fxl_gradient_of_plane(combine(vectors, factors), view, attribute);
-        gradients->shifts[i] = (int8_t)(is_zero(attribute) ? 0 : exponent - weight_exponent);
+        gradients->shifts[i] = is_zero(attribute) ? 0 : shift_of(exponent - weight_exponent);
     }
     find_least(gradients, view->lens.height);
 }

@@ -185,12 +185,12 @@ typedef struct {
 
 static inline int64_t sum_64(int64_t a, int64_t b)
 {
-    return (int64_t)((uint64_t)a + (uint64_t)b);
+    return fxl_signed_64(fxl_bits_64(a) + fxl_bits_64(b));
 }
 
 static inline int64_t shifted_left(int64_t value, uint32_t bits)
 {
-    return (int64_t)((uint64_t)value << bits);
+    return fxl_signed_64(fxl_bits_64(value) << bits);
 }
 
 /* Numbers so many columns on: below 2^16. */
@@ -245,7 +245,7 @@ FXL_APART void divide(const fxl_gradients *gradients, const column_numbers *at, 
     const int32_t v_shift = gradients->shifts[FXL_ATTRIBUTE_V];
     const int32_t left = 30 - (int32_t)reciprocal.zeros;
     const int32_t u_drop = left - u_shift, v_drop = left - v_shift;
-    if ((uint32_t)(u_drop | v_drop) < 32u) {
+    if (fxl_bits_32(u_drop | v_drop) < 32u) {
         *u = upper_32(fxl_multiply_s32(upper_u, reciprocal.value)) >> u_drop;
         *v = upper_32(fxl_multiply_s32(upper_v, reciprocal.value)) >> v_drop;
     } else {

@@ -231,7 +231,9 @@ static inline int32_t fxl_attribute_of(int32_t value, const fxl_reciprocal *reci
 {
     const int drop = 62 - (int)reciprocal->zeros - shift;
     const int64_t product = fxl_multiply_s32(value, reciprocal->value); /* below 2^62 */
-    return (int32_t)(uint32_t)(product >> (drop < 0 ? 0 : drop > 63 ? 63 : drop));
+    return fxl_signed_32(fxl_low_32(fxl_bits_64(product >> (drop < 0    ? 0
+                                                            : drop > 63 ? 63
+                                                                        : drop))));
 }
 
 #ifdef __cplusplus

@@ -195,7 +195,7 @@ static FXL_COLD FXL_ONE_COPY fxl_status check_corner(const fxl_surface_set *set,
         return FXL_E_INDEX;
     }
     const bool in_range = (flags & FXL_SURFACE_COLOURS)
-                              ? ((uint32_t)texel->u >> 24 | (uint32_t)texel->v) == 0
+                              ? (fxl_bits_32(texel->u) >> 24 | fxl_bits_32(texel->v)) == 0
                               : texel->u >= -FXL_TEXEL_MAX && texel->u <= FXL_TEXEL_MAX &&
                                     texel->v >= -FXL_TEXEL_MAX && texel->v <= FXL_TEXEL_MAX;
     return in_range ? FXL_OK : FXL_E_RANGE;

@@ -75,7 +75,7 @@ static inline int32_t fxl_edge_first_pixel(const fxl_screen_point *top,
     int64_t dividend = fxl_edge_dividend(start, bottom->x - top->x, height, y - top->y);
     int32_t quotient = fxl_divide_down(dividend, (uint32_t)height);
     /* Modulo 2^32: the remainder is below height. */
-    *error = (uint32_t)dividend - (uint32_t)quotient * (uint32_t)height;
+    *error = fxl_low_32(fxl_bits_64(dividend)) - fxl_bits_32(quotient) * (uint32_t)height;
     FXL_LEMMA(*error < (uint32_t)height);
     return (start >> 16) + quotient + 1;
 }
@@ -116,7 +116,7 @@ int32_t fxl_edge_set_far(const fxl_screen_point *top, const fxl_screen_point *bo
 static inline void fxl_edge_advance(fxl_edge *edge, uint32_t rows)
 {
     uint64_t fraction = edge->fraction + fxl_multiply_u32(edge->step_fraction, rows);
-    edge->fraction = (uint32_t)fraction;
+    edge->fraction = fxl_low_32(fraction);
     edge->x += edge->step * (int32_t)rows + (int32_t)(fraction >> 32);
 }
 

@@ -58,7 +58,7 @@ static inline void fxl_edge_divide(const fxl_edge_divider *divider, int32_t divi
         quotient += 1;
     }
     *whole = (int32_t)(quotient >> 32);
-    *fraction = (uint32_t)quotient;
+    *fraction = fxl_low_32(fxl_bits_64(quotient));
 }
 
 #elif !FXL_HAS_LONG_PRODUCT || !FXL_HAS_DIVIDER
@@ -244,7 +244,7 @@ static inline int64_t fxl_edge_dividend(int32_t start, int32_t dx, int32_t heigh
     FXL_ASSIGNS() FXL_ENSURES(FXL_BELOW(FXL_RESULT, (int64_t)1 << 43))
     FXL_EQUATES(FXL_BELOW(FXL_RESULT, (int64_t)height << 14))
 {
-    uint32_t part = (uint32_t)start & 65535;
+    uint32_t part = fxl_bits_32(start) & 65535;
     int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);
     return (sum - 1) >> 16;
 }
@@ -256,7 +256,7 @@ static inline int64_t fxl_edge_dividend(int32_t start, int32_t dx, int32_t heigh
 static inline int32_t fxl_edge_first_dividend(int32_t start, int32_t dx, int32_t height,
                                               int32_t top_y)
 {
-    const int32_t t = (int32_t)((uint32_t)(FXL_HALF_PIXEL - top_y) & 65535u);
+    const int32_t t = (int32_t)(fxl_bits_32(FXL_HALF_PIXEL - top_y) & 65535u);
     return (int32_t)fxl_edge_dividend(start, dx, height, t);
 }
 
@@ -268,7 +268,8 @@ static inline int32_t fxl_edge_first_dividend(int32_t start, int32_t dx, int32_t
 static inline int32_t fxl_edge_first_dividend(int32_t start, int32_t dx, int32_t height,
                                               int32_t top_y)
 {
-    const uint32_t part = (uint32_t)start & 65535u, t = (uint32_t)(FXL_HALF_PIXEL - top_y) & 65535u;
+    const uint32_t part = (uint32_t)start & 65535u,
+                   t = fxl_bits_32(FXL_HALF_PIXEL - top_y) & 65535u;
     const uint32_t a = part * ((uint32_t)height & 65535u), b = t * ((uint32_t)dx & 65535u);
     const int32_t low = (int32_t)((a & 65535u) + (b & 65535u)) - 1;
     const int32_t high = (int32_t)(part * ((uint32_t)height >> 16)) + (int32_t)t * (dx >> 16);

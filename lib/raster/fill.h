@@ -3,6 +3,7 @@
 #ifndef FXL_FILL_H
 #define FXL_FILL_H
 
+#include "../math/core.h"
 #include "fixel/types.h"
 
 #ifdef __cplusplus
@@ -75,7 +76,7 @@ static inline void fxl_fill_row(uint8_t *pixel, uint8_t *end, uint32_t four)
 static inline void fxl_edge_step(fxl_edge *edge)
 {
     uint64_t fraction = (uint64_t)edge->fraction + edge->step_fraction;
-    edge->fraction = (uint32_t)fraction;
+    edge->fraction = fxl_low_32(fraction);
     edge->x += edge->step + (int32_t)(fraction >> 32);
 }
 

@@ -57,7 +57,7 @@ static void survey(const fxl_screen_point *points, uint32_t count, int32_t width
     do {
         FXL_ASSERT(fxl_within(points[i].x, FXL_SCREEN_COORDINATE_MAX) &&
                    fxl_within(points[i].y, FXL_SCREEN_COORDINATE_MAX));
-        uint32_t place = (uint32_t)(points[i].x + (FXL_HALF_PIXEL - 1));
+        uint32_t place = fxl_bits_32(points[i].x + (FXL_HALF_PIXEL - 1));
         int32_t row = fxl_first_centre_from(points[i].y);
         farthest = place > farthest ? place : farthest;
         if (row < top_row) {

@@ -16,7 +16,7 @@ fxl_plane fxl_beam_plane_at(const fxl_beam *beam, uint32_t number)
     FXL_ASSERT(number < beam->plane_count);
     const fxl_beam_plane *stored = &beam->planes[number];
     fxl_plane plane = {stored->normal,
-                       (fxl_q18_46)((uint64_t)stored->distance_high << 32 | stored->distance_low)};
+                       fxl_signed_64((uint64_t)stored->distance_high << 32 | stored->distance_low)};
     return plane;
 }
 
@@ -155,8 +155,8 @@ static void store(fxl_beam *beam, const fxl_plane *plane)
 {
     fxl_beam_plane *stored = &beam->planes[beam->plane_count++];
     stored->normal = plane->normal;
-    stored->distance_low = (uint32_t)plane->distance;
-    stored->distance_high = (uint32_t)((uint64_t)plane->distance >> 32);
+    stored->distance_low = fxl_low_32(fxl_bits_64(plane->distance));
+    stored->distance_high = (uint32_t)(fxl_bits_64(plane->distance) >> 32);
 }
 
 /* Makes the plane through a corner that holds the direction of the light there and a side of the

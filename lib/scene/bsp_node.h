@@ -8,7 +8,7 @@
 
 static inline fxl_q18_46 fxl_bsp_distance(const fxl_bsp_node *node)
 {
-    return (int64_t)((uint64_t)node->distance_high << 32 | node->distance_low);
+    return fxl_signed_64((uint64_t)node->distance_high << 32 | node->distance_low);
 }
 
 /* Whether a point is in front of a node's plane. The point is relative to the centre of the BSP

@@ -93,7 +93,7 @@ static inline fxl_q18_46 fxl_face_height(const fxl_point *vertices, const fxl_fa
 
 static inline fxl_q18_46 fxl_face_bounds_height(const fxl_face_bounds *bounds)
 {
-    return (int64_t)((uint64_t)bounds->height_high << 32 | bounds->height_low);
+    return fxl_signed_64((uint64_t)bounds->height_high << 32 | bounds->height_low);
 }
 
 #endif

@@ -9,15 +9,15 @@ FXL_STATIC_ASSERT((FXL_SCREEN_MAX & (FXL_SCREEN_MAX - 1)) == 0, "both are tested
 /* SPEC 3.1 */
 static bool screen_in_range(uint16_t width, uint16_t height)
 {
-    return (uint32_t)((width - 1) | (height - 1)) < FXL_SCREEN_MAX;
+    return fxl_bits_32((width - 1) | (height - 1)) < FXL_SCREEN_MAX;
 }
 
 /* Neither near_z nor far_z is below 0, so the difference does not overflow. */
 /* SPEC 3.1 */
 static bool depth_in_range(fxl_q16_16 near_z, fxl_q16_16 far_z, fxl_q16_16 inset)
 {
-    return near_z >= FXL_NEAR_MIN && (uint32_t)far_z <= FXL_FAR_MAX &&
-           (uint32_t)inset <= FXL_INSET_MAX && 2 * inset < far_z - near_z;
+    return near_z >= FXL_NEAR_MIN && fxl_bits_32(far_z) <= FXL_FAR_MAX &&
+           fxl_bits_32(inset) <= FXL_INSET_MAX && 2 * inset < far_z - near_z;
 }
 
 /* SPEC 2.1, 3.1, 4.2 */
@@ -59,7 +59,7 @@ FXL_COLD fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle
  * the span is below 2^29. */
 static bool focal_in_range(fxl_q16_16 focal, uint16_t width)
 {
-    return (uint32_t)focal - (uint32_t)width * FOCAL_LEAST <=
+    return fxl_bits_32(focal) - (uint32_t)width * FOCAL_LEAST <=
            (uint32_t)width * (FOCAL_MOST - FOCAL_LEAST);
 }
 

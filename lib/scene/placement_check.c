@@ -10,7 +10,7 @@
 
 static inline uint64_t product(int32_t a, int32_t b)
 {
-    return (uint64_t)fxl_multiply_s32(a, b);
+    return fxl_bits_64(fxl_multiply_s32(a, b));
 }
 
 /* The upper word of start + a . b. With start = limit - expected it is below limit / 2^31 if and
@@ -62,28 +62,31 @@ fxl_q16_16 fxl_placement_radius(const fxl_placement *placement, fxl_q16_16 radiu
 /* SPEC 8.1 */
 static inline bool is_in_range(fxl_q16_16 scale, const fxl_point *centre, fxl_q16_16 radius)
 {
-    if ((uint32_t)scale - FXL_SCALE_MIN > FXL_SCALE_MAX - FXL_SCALE_MIN ||
-        (uint32_t)radius > FXL_RADIUS_MAX) {
+    if (fxl_bits_32(scale) - FXL_SCALE_MIN > FXL_SCALE_MAX - FXL_SCALE_MIN ||
+        fxl_bits_32(radius) > FXL_RADIUS_MAX) {
         return false;
     }
     const uint64_t scaled = fxl_multiply_u32((uint32_t)scale, (uint32_t)radius);
     /* fxl_placement_radius, of which the lower words are those of a number below 2^39. */
     const uint32_t limit =
-        (uint32_t)(FXL_COORDINATE_MAX - FXL_PLACEMENT_SLACK) - (uint32_t)((scaled + 0xFFFF) >> 16);
+        (uint32_t)(FXL_COORDINATE_MAX - FXL_PLACEMENT_SLACK) - fxl_low_32((scaled + 0xFFFF) >> 16);
     return scaled >> 32 < 1u << 14 && limit <= FXL_COORDINATE_MAX &&
-           (uint32_t)centre->x + limit <= 2 * limit && (uint32_t)centre->y + limit <= 2 * limit &&
-           (uint32_t)centre->z + limit <= 2 * limit;
+           fxl_bits_32(centre->x) + limit <= 2 * limit &&
+           fxl_bits_32(centre->y) + limit <= 2 * limit &&
+           fxl_bits_32(centre->z) + limit <= 2 * limit;
 }
 
 /* is_in_range, first for instances as most scenes have them: a scale of at most 8 of a radius below
- * 256 is below 2048, and with a centre within 4096 the sphere lies within 6144 and the slack. */
+ * 256 is below 2048, and with a centre within 4096 the sphere lies within 6144 and the slack. By masks,
+ * which the compiler drops: fxl_bits_32 makes longer code here. */
 static inline bool is_surely_in_range(fxl_q16_16 scale, const fxl_point *centre, fxl_q16_16 radius)
 {
+    const int64_t mask = UINT32_MAX;
     const uint32_t near_by = (uint32_t)FXL_UNITS(4096);
-    return (uint32_t)scale - FXL_SCALE_MIN <= (uint32_t)(FXL_UNITS(8) - FXL_SCALE_MIN) &&
-           (uint32_t)radius < (uint32_t)FXL_UNITS(256) &&
-           (((uint32_t)centre->x + near_by) | ((uint32_t)centre->y + near_by) |
-            ((uint32_t)centre->z + near_by)) < 2 * near_by;
+    return (uint32_t)(scale & mask) - FXL_SCALE_MIN <= (uint32_t)(FXL_UNITS(8) - FXL_SCALE_MIN) &&
+           (uint32_t)(radius & mask) < (uint32_t)FXL_UNITS(256) &&
+           (((uint32_t)(centre->x & mask) + near_by) | ((uint32_t)(centre->y & mask) + near_by) |
+            ((uint32_t)(centre->z & mask) + near_by)) < 2 * near_by;
 }
 
 static inline fxl_status check(const fxl_placement *placement, const fxl_point *centre,

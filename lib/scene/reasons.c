@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What the functions of these headers refuse. */
+#include "../math/core.h"
 #include "fixel/camera.h"
 #include "fixel/crc.h"
 #include "fixel/scene.h"
@@ -56,7 +57,7 @@ FXL_COLD const char *fxl_explain(const char *reasons, fxl_status status)
 {
     while (reasons != NULL && *reasons != '\0') {
         const char *sentence = reasons + 1;
-        if ((uint32_t)*reasons == (uint32_t)status) {
+        if (fxl_bits_32(*reasons) == (uint32_t)status) {
             return sentence;
         }
         while (*sentence != '\0') {

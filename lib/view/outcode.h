@@ -35,13 +35,14 @@ unsigned fxl_outside_of_pair(const fxl_view_frustum *frustum, int plane,
  * below 1 unit, and side is at most 2^30. */
 static inline int32_t fxl_upper_term(fxl_q2_30 side, fxl_q18_46 across)
 {
-    return (int32_t)(fxl_multiply_s31(side, (int32_t)((uint64_t)across >> 32)) >> 32);
+    const int32_t upper = fxl_signed_32((uint32_t)(fxl_bits_64(across) >> 32));
+    return (int32_t)(fxl_multiply_s31(side, upper) >> 32);
 }
 
 /* Whether a distance computed from upper words does not decide the sign. */
 static inline bool fxl_is_open(int32_t distance)
 {
-    return (uint32_t)distance + 4u < 8u;
+    return fxl_bits_32(distance) + 4u < 8u;
 }
 
 /* Beside the bits of planes: upper words do not decide those of a pair of side planes. */
@@ -59,7 +60,7 @@ static inline unsigned fxl_pair_outside(int plane, int32_t across, int32_t depth
     if (fxl_is_open(first) || fxl_is_open(second)) {
         return FXL_OUTSIDE_IS_OPEN;
     }
-    return ((uint32_t)first >> 31 | (uint32_t)second >> 31 << 1) << plane;
+    return (fxl_bits_32(first) >> 31 | fxl_bits_32(second) >> 31 << 1) << plane;
 }
 
 /* Whether upper words show that a point is inside all planes, as most are. The inset is rounded

@@ -32,17 +32,17 @@ static scaled_depth scale_depth(fxl_q18_46 z)
  * focal is below 2^29 and |side| is below 2^61, so the product has three words. */
 static bool scale_product(fxl_q16_16 focal, fxl_q18_46 side, unsigned shift, int64_t *product)
 {
-    uint64_t low = fxl_multiply_u32((uint32_t)focal, (uint32_t)side);
-    int64_t high = fxl_multiply_s32(focal, (int32_t)((uint64_t)side >> 32)) + (int64_t)(low >> 32);
-    int32_t top = (int32_t)((uint64_t)high >> 32);
-    uint32_t middle = (uint32_t)high;
+    uint64_t low = fxl_multiply_u32((uint32_t)focal, fxl_low_32(fxl_bits_64(side)));
+    int64_t high = fxl_multiply_s32(focal, (int32_t)(side >> 32)) + (int64_t)(low >> 32);
+    int32_t top = (int32_t)(high >> 32);
+    uint32_t middle = fxl_low_32(fxl_bits_64(high));
     /* The bits of the result above the lower 62 must all equal its sign: 0 or -1. */
-    if ((uint32_t)(top >> (shift - 2)) + 1u > 1u) {
+    if (fxl_bits_32(top >> (shift - 2)) + 1u > 1u) {
         return false;
     }
-    uint32_t upper = middle >> shift | (uint32_t)top << (32 - shift);
-    uint32_t lower = (uint32_t)low >> shift | middle << (32 - shift);
-    *product = (int64_t)((uint64_t)upper << 32 | lower);
+    uint32_t upper = middle >> shift | fxl_bits_32(top) << (32 - shift);
+    uint32_t lower = fxl_low_32(low) >> shift | middle << (32 - shift);
+    *product = fxl_signed_64((uint64_t)upper << 32 | lower);
     return true;
 }
 
@@ -160,8 +160,8 @@ static uint32_t scale_of(const fxl_projection *projection, uint32_t depth)
 {
     uint32_t divisor = depth >> 15;
     uint32_t upper = fxl_divide_half(projection->factor_2, divisor);
-    int32_t rest = (int32_t)(projection->factor_17 - upper * depth);
-    uint32_t lower = fxl_divide_half(rest < 0 ? 0u - (uint32_t)rest : (uint32_t)rest, divisor);
+    int32_t rest = fxl_signed_32(projection->factor_17 - upper * depth);
+    uint32_t lower = fxl_divide_half(rest < 0 ? 0u - fxl_bits_32(rest) : (uint32_t)rest, divisor);
     return (upper << 15) + (rest < 0 ? 0u - lower : lower);
 }
 
@@ -176,15 +176,15 @@ typedef struct {
 FXL_ONCE int32_t offset_of(const scaling *by, int64_t side)
 {
     const unsigned shift = by->zeros - 3;
-    const uint32_t low = (uint32_t)side;
+    const uint32_t low = fxl_low_32(fxl_bits_64(side));
     const int32_t upper =
-        (int32_t)((uint32_t)((uint64_t)side >> 32) << shift | low >> 1 >> (31 - shift));
+        fxl_signed_32((uint32_t)(fxl_bits_64(side) >> 32) << shift | low >> 1 >> (31 - shift));
     /* The 32 lowest bits of P: F X' is F upper 2^32 and F times the lower word. */
     uint32_t product = (uint32_t)(fxl_multiply_u32(low << shift, by->factor) >> 32) +
-                       (uint32_t)upper * by->factor;
+                       fxl_bits_32(upper) * by->factor;
     /* |upper| <= 2^30, G <= 2^30. */
     int32_t quotient = (int32_t)(fxl_multiply_s32(upper, (int32_t)by->scale) >> 32);
-    uint32_t rest = product + (by->depth >> 1) - (uint32_t)quotient * by->depth;
+    uint32_t rest = product + (by->depth >> 1) - fxl_bits_32(quotient) * by->depth;
     FXL_LEMMA(rest >> 1 < by->depth && FXL_BELOW(quotient, 1 << 28));
     FXL_ASSERT(rest >> 1 < by->depth);
     return rest >= by->depth ? quotient + 1 : quotient;
@@ -202,7 +202,8 @@ fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_p
     scaling by;
     by.factor = projection->factor;
     by.zeros = fxl_leading_zeros((uint32_t)upper);
-    uint32_t high = (uint32_t)upper << by.zeros | (uint32_t)view->z >> (32u - by.zeros);
+    uint32_t high =
+        (uint32_t)upper << by.zeros | fxl_low_32(fxl_bits_64(view->z)) >> (32u - by.zeros);
     by.depth = (high >> 1) + (high & 1u);
     by.scale = scale_of(projection, by.depth);
     screen->x = projection->centre_x + offset_of(&by, view->x);

@@ -5,7 +5,7 @@
 ; function = "lib/clip/volume.c:fxl_half_space_distance"
 ; property = "the floor of the sum, below 2^62 without the offset; of two points the distances differ by less than 2^63"
 ; checks = 7
-; text = ["high += fxl_multiply_s32(plane->normal.x, (int32_t)(point->x >> 32));", "low += fxl_multiply_su32(plane->normal.x, (uint32_t)point->x);", "FXL_LEMMA(FXL_BELOW(high * 4 + (low >> 30), ((int64_t)1 << 62) - 1));", "return high * 4 + (low >> 30) + plane->offset;"]
+; text = ["high += fxl_multiply_s32(plane->normal.x, (int32_t)(point->x >> 32));", "low += fxl_multiply_su32(plane->normal.x, (uint32_t)(point->x & UINT32_MAX));", "FXL_LEMMA(FXL_BELOW(high * 4 + (low >> 30), ((int64_t)1 << 62) - 1));", "return high * 4 + (low >> 30) + plane->offset;"]
 
 ; fxl_half_space_distance of lib/clip/volume.c on integers. Each coordinate is 2^32 h + l; (a, b, c) is the normal.
 (declare-const a Int) (declare-const b Int) (declare-const c Int)
@@ -73,7 +73,7 @@
 ; checks = 5
 ; text = [
 ;     "int64_t high = fxl_multiply_s32(side, upper(across)) + fxl_multiply_s32(depth, upper(along));",
-;     "uint64_t low = fxl_multiply_u32((uint32_t)side, (uint32_t)across) + fxl_multiply_u32((uint32_t)depth, (uint32_t)along);",
+;     "uint64_t low = fxl_multiply_u32((uint32_t)side, fxl_low_32(fxl_bits_64(across))) + fxl_multiply_u32((uint32_t)depth, fxl_low_32(fxl_bits_64(along)));",
 ;     "return high * 4 + (int64_t)(low >> 30);",
 ; ]
 

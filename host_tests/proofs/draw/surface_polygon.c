@@ -77,6 +77,7 @@ void prove_surface_polygon_read(void)
  * property = "exactly where no corner is beside the screen, for all lenses, and nothing overflows"
  * checks = 49
  * unwind = 4
+ * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_corners_are_on_screen(void)
 {
@@ -99,6 +100,7 @@ void prove_corners_are_on_screen(void)
  * function = "lib/draw/surface_polygon.h:fxl_surface_is_blended"
  * property = "exactly where it blends or adds, for all flags"
  * checks = 7
+ * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_surface_is_blended(void)
 {
@@ -113,6 +115,7 @@ void prove_surface_is_blended(void)
  * function = "lib/draw/surface_polygon.h:fxl_is_of_other_pass"
  * property = "of two passes exactly one has a surface, and where there is one pass it has all, for all flags"
  * checks = 15
+ * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_is_of_other_pass(void)
 {

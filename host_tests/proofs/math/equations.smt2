@@ -81,7 +81,7 @@
 ; text = [
 ;     "uint32_t whole = denominator << shift;",
 ;     "uint64_t shifted = numerator << shift;",
-;     "uint32_t left = (uint32_t)(shifted >> 32), lower = (uint32_t)shifted;",
+;     "uint32_t left = (uint32_t)(shifted >> 32), lower = fxl_low_32(shifted);",
 ;     "uint32_t upper_digit = divide_digit(&left, whole, lower >> 16);",
 ;     "uint32_t lower_digit = divide_digit(&left, whole, lower & 0xFFFFu);",
 ;     "*remainder = left >> shift;",
@@ -134,7 +134,7 @@
 ; property = "a digit of a fraction is the floor, and its remainder is below the divisor, where the estimate is right or one too small"
 ; checks = 6
 ; text = [
-;     "uint64_t left = (*remainder << bits) - fxl_multiply_u32(digit, (uint32_t)whole) -",
+;     "uint64_t left = (*remainder << bits) - fxl_multiply_u32(digit, fxl_low_32(whole)) -",
 ;     "((uint64_t)(digit * (uint32_t)(whole >> 32)) << 32);",
 ;     "if (left >= whole) {",
 ;     "left -= whole;",
@@ -218,7 +218,7 @@
 ; checks = 5
 ; text = [
 ;     "uint64_t middle = fxl_multiply_u32(a_high, b_low) + (fxl_multiply_u32(a_low, b_low) >> 32);",
-;     "uint64_t other = fxl_multiply_u32(a_low, b_high) + (uint32_t)middle;",
+;     "uint64_t other = fxl_multiply_u32(a_low, b_high) + fxl_low_32(middle);",
 ;     "return fxl_multiply_u32(a_high, b_high) + (middle >> 32) + (other >> 32);",
 ; ]
 

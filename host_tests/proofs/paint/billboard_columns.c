@@ -29,6 +29,7 @@ static void any_row(void)
 /* [[row]]
  * function = "fxl_billboard_find_texels"
  * property = "any walk, up to 4 columns: nothing is out of bounds, and they are there afterwards"
+ * narrows = "the number of a texel, which lies in the sprite: no row says so of a walk"
  * checks = 79
  * unwind = 6
  */

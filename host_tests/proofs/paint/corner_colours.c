@@ -232,8 +232,8 @@ void prove_two_words(void)
 {
     const uint32_t low = nondet_u32(), high = nondet_u32();
     const int64_t both = two_words(low, high);
-    ASSERT("the lower word", (uint32_t)both == low);
-    ASSERT("the upper word", (uint32_t)((uint64_t)both >> 32) == high);
+    ASSERT("the lower word", fxl_low_32(fxl_bits_64(both)) == low);
+    ASSERT("the upper word", (uint32_t)(fxl_bits_64(both) >> 32) == high);
     PROOF_ENDS();
 }
 
@@ -399,6 +399,7 @@ uint64_t any_product_unsigned(uint32_t a, uint32_t b)
  * checks = 211
  * unwind = 4
  * stands_in = { fxl_multiply_s32 = "any_product" }
+ * narrows = "words modulo 2^32, whose conversions go through no named function yet"
  */
 void prove_find_value(void)
 {
@@ -420,6 +421,7 @@ void prove_find_value(void)
  * unwind = 4
  * stands_in = { fxl_multiply_u32 = "any_product_unsigned" }
  * stubs = { fxl_multiply_u32 = "any function of two numbers: the rule is one of such products" }
+ * narrows = "words modulo 2^32, whose conversions go through no named function yet"
  */
 void prove_is_nearly_linear(void)
 {

@@ -297,7 +297,7 @@ int32_t any_words_end(fxl_depth_painting *of, uint32_t depth, int32_t x0, int32_
 
 int32_t any_octave_end(fxl_depth_painting *of, int64_t depth, int32_t x0, int32_t x1)
 {
-    return any_words_end(of, (uint32_t)depth, x0, x1);
+    return any_words_end(of, fxl_low_32(fxl_bits_64(depth)), x0, x1);
 }
 
 void any_line(const fxl_depth_painting *of, void *cells, int32_t x0, int32_t x1, fxl_depth_line line, fxl_depth_rule rule,

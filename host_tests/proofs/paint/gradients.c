@@ -36,6 +36,29 @@ void prove_find_least_weights(void)
     PROOF_ENDS();
 }
 
+/* As fxl_attribute_of has it. */
+static int drop_by(int shift, uint32_t zeros)
+{
+    const int drop = 62 - (int)zeros - shift;
+    return drop < 0 ? 0 : drop > 63 ? 63 : drop;
+}
+
+/* [[row]]
+ * function = "shift_of"
+ * property = "gradients->shifts: the number itself from -112 to 127, and of any other one that moves a product as far, also less the 8 of a level"
+ * checks = 1
+ */
+void prove_shift_of(void)
+{
+    const int shift = nondet_s32(), less = nondet_s32();
+    const uint32_t zeros = nondet_u32();
+    ASSUME(WITHIN(shift, 1 << 20) && zeros <= 31 && less >= 0 && less <= 8);
+    const int held = shift_of(shift);
+    ASSERT("the number", shift < SHIFT_LEAST || shift > INT8_MAX || held == shift);
+    ASSERT("a level's", held - less >= INT8_MIN && drop_by(held - less, zeros) == drop_by(shift - less, zeros));
+    PROOF_ENDS();
+}
+
 /* [[row]]
  * function = "cube_root_up"
  * property = "from 1 to 2^10, and no cube overflows"

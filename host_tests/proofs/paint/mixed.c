@@ -170,16 +170,19 @@ void prove_after(void)
  * function = "lib/paint/paint_row.h:log_at"
  * property = "any weights and rule: 0, 2, 3 or 4"
  * checks = 192
+ * narrows = "the conversions in it that are meant go through no named function yet"
  */
 /* [[row]]
  * function = "lib/paint/paint_row.h:has_sixteens"
  * property = "the same: only with FXL_DIVIDE_16"
  * checks = 192
+ * narrows = "the conversions in it that are meant go through no named function yet"
  */
 /* [[row]]
  * function = "lib/paint/paint_row.h:weight_after"
  * property = "the same: from 1 on"
  * checks = 192
+ * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_log_of(void)
 {
@@ -259,6 +262,7 @@ void prove_show_lines(void)
  * property = "any texture of 4 x 2 of 8 bits, repeated or clamped, and any coordinates: nothing is out of bounds"
  * checks = 242
  * unwind = 3
+ * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_show_any(void)
 {

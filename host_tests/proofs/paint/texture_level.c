@@ -49,6 +49,7 @@ void prove_texture_level_choose(void)
     ASSUME(texture.format != FXL_TEXTURE_4 || texture.log_width >= 1);
     ASSUME(density.depth.mantissa >> 31 == 1 && WITHIN(density.depth.exponent, 64));
     ASSUME(density.pixels.mantissa >> 31 == 1 && WITHIN(density.pixels.exponent, 1 << 13));
+    ASSUME(gradients.shifts[FXL_ATTRIBUTE_U] >= -112 && gradients.shifts[FXL_ATTRIBUTE_V] >= -112); /* as shift_of leaves them */
     const uint8_t level = fxl_texture_level_choose(&texture, nondet_bool() ? NULL : &density, &gradients);
     ASSERT("a level that it has", level < texture.levels);
     PROOF_ENDS();
@@ -58,6 +59,7 @@ void prove_texture_level_choose(void)
  * function = "lib/paint/texture_level.h:fxl_texture_level_set"
  * property = "so it is of its sides"
  * checks = 133
+ * narrows = "the conversions in it that are meant go through no named function yet"
  */
 /* [[row]]
  * function = "fxl_texture_level_find"

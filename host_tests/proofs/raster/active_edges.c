@@ -196,7 +196,7 @@ bool any_next_row(fxl_active_edges *edges)
         return false;
     }
     rows_left--;
-    edges->row = (int16_t)nondet_u16();
+    edges->row = nondet_s16();
     edges->x = nondet_s32();
     edges->found_count = nondet_u8();
     ASSUME(edges->row >= 0 && edges->row < FXL_SCREEN_MAX && edges->found_count >= 2 && WITHIN(edges->x, 1 << 30));

@@ -9,6 +9,7 @@
  * contract = true
  * unwind = 33
  * uses = ["fxl_slope_set"]
+ * narrows = "it does not end in 120 s of CPU time with the check"
  */
 void prove_edge_set_far(void)
 {
@@ -88,7 +89,7 @@ void any_begin_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_edg
 {
     fxl_edge any;
     ASSERT("a row of the scan", row >= 0 && row < scan->end_row && chain->end_row == row);
-    chain->end_row = (int16_t)nondet_u16();
+    chain->end_row = nondet_s16();
     chain->vertex = nondet_u8();
     ASSUME(chain->end_row > row && chain->end_row <= 4096);
     ASSUME(WITHIN(any.x, 1 << 13) && WITHIN(any.step, 1026));
@@ -99,7 +100,7 @@ void any_begin_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_edg
 bool fxl_active_edges_next(fxl_active_edges *edges, fxl_span *span)
 {
     (void)edges;
-    const fxl_span any = {(int16_t)nondet_u16(), (int16_t)nondet_u16(), (int16_t)nondet_u16()};
+    const fxl_span any = {nondet_s16(), nondet_s16(), nondet_s16()};
     ASSUME(any.y >= 0 && any.y < FXL_SCREEN_MAX && any.x0 >= 0 && any.x0 < any.x1 && any.x1 <= FXL_SCREEN_MAX);
     *span = any;
     return nondet_bool();
@@ -175,6 +176,7 @@ const fxl_trapezoid *any_trapezoid(fxl_scan *scan)
  * function = "lib/raster/scan.c:next_row_of_chains"
  * property = "any state with up to 3 rows to come: it ends, with a row of the scan or none"
  * checks = 256
+ * narrows = "x of an edge, which lies on the screen: that is the exactness of fxl_edge, which no row of CBMC states"
  * stands_in = { fxl_scan_next_trapezoid = "any_trapezoid" }
  * stubs = { fxl_active_edges_next = "not called", fxl_active_edges_begin = "not called" }
  */

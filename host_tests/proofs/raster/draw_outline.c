@@ -116,7 +116,7 @@ static bool draw(unsigned kind, const fxl_band *band)
     const uint32_t colour = nondet_u32();
     ANY_CONTENT(&polygon);
     ANY_CONTENT(&scan);
-    ASSUME(polygon.count >= 3 && polygon.count <= FXL_POLYGON_CAPACITY);
+    ASSUME(polygon.count >= 3 && polygon.count <= FXL_POLYGON_CAPACITY && colour <= (kind % 2 != 0 ? UINT16_MAX : UINT8_MAX));
     return kind == 0   ? fxl_draw_outline(&scan, &polygon, band, colour)
            : kind == 1 ? fxl_draw_outline_rgb565(&scan, &polygon, band, colour)
            : kind == 2 ? fxl_draw_by_active_edges(&scan, &polygon, band, colour)

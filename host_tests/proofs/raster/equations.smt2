@@ -5,14 +5,14 @@
 ; function = "lib/raster/edge_divide.h:fxl_edge_dividend"
 ; property = "at most 2^14 heights"
 ; checks = 7
-; text = ["uint32_t part = (uint32_t)start & 65535;", "int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);", "return (sum - 1) >> 16;"]
+; text = ["uint32_t part = fxl_bits_32(start) & 65535;", "int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);", "return (sum - 1) >> 16;"]
 
 ; [[row]]
 ; id = "fxl_edge_first_pixel remainder"
 ; function = "lib/raster/edge.h:fxl_edge_first_pixel"
 ; property = "the remainder is below the height"
 ; checks = 7
-; text = ["int32_t quotient = fxl_divide_down(dividend, (uint32_t)height);", "*error = (uint32_t)dividend - (uint32_t)quotient * (uint32_t)height;", "FXL_LEMMA(*error < (uint32_t)height);"]
+; text = ["int32_t quotient = fxl_divide_down(dividend, (uint32_t)height);", "*error = fxl_low_32(fxl_bits_64(dividend)) - fxl_bits_32(quotient) * (uint32_t)height;", "FXL_LEMMA(*error < (uint32_t)height);"]
 
 ; [[row]]
 ; id = "fxl_edge_divide bound"

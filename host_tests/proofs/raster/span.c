@@ -7,7 +7,7 @@
 bool any_next(fxl_active_edges *edges, fxl_span *span)
 {
     (void)edges;
-    const fxl_span any = {(int16_t)nondet_u16(), (int16_t)nondet_u16(), (int16_t)nondet_u16()};
+    const fxl_span any = {nondet_s16(), nondet_s16(), nondet_s16()};
     ASSUME(any.y >= 0 && any.y < FXL_SCREEN_MAX && any.x0 >= 0 && any.x0 < any.x1 && any.x1 <= FXL_SCREEN_MAX);
     if (nondet_bool()) {
         return false;

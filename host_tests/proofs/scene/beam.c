@@ -13,8 +13,8 @@ void prove_beam_plane_at(void)
     const uint32_t number = nondet_u32();
     ASSUME(beam.plane_count <= FXL_BEAM_PLANES_MAX && number < beam.plane_count);
     const fxl_plane plane = fxl_beam_plane_at(&beam, number);
-    ASSERT("its two halves", (uint32_t)plane.distance == beam.planes[number].distance_low &&
-                                 (uint32_t)((uint64_t)plane.distance >> 32) == beam.planes[number].distance_high);
+    ASSERT("its two halves", fxl_low_32(fxl_bits_64(plane.distance)) == beam.planes[number].distance_low &&
+                                 (uint32_t)(fxl_bits_64(plane.distance) >> 32) == beam.planes[number].distance_high);
     PROOF_ENDS();
 }
 
@@ -54,7 +54,7 @@ void prove_beam_reaches(void)
     for (uint32_t i = 0; i < FXL_BEAM_PLANES_MAX; i++) {
         const fxl_direction *normal = &beam.planes[i].normal;
         ASSUME(WITHIN(normal->x, FXL_Q2_30_ONE + 4) && WITHIN(normal->y, FXL_Q2_30_ONE + 4) && WITHIN(normal->z, FXL_Q2_30_ONE + 4));
-        const int64_t distance = (int64_t)((uint64_t)beam.planes[i].distance_high << 32 | beam.planes[i].distance_low);
+        const int64_t distance = fxl_signed_64((uint64_t)beam.planes[i].distance_high << 32 | beam.planes[i].distance_low);
         ASSUME(WITHIN(distance, ((int64_t)1 << 61) - 1));
     }
     (void)fxl_beam_reaches(&beam, &centre, radius);

@@ -254,7 +254,7 @@ void prove_bsp_is_front(void)
     fxl_point point;
     ASSUME(FXL_DIRECTION(&node.normal) && FXL_POINT_BELOW(&point, 1 << 30));
     const fxl_q18_46 distance = fxl_bsp_distance(&node);
-    ASSERT("both halves", (uint32_t)distance == node.distance_low && (int32_t)(distance >> 32) == (int32_t)node.distance_high);
+    ASSERT("both halves", fxl_low_32(fxl_bits_64(distance)) == node.distance_low && (int32_t)(distance >> 32) == fxl_signed_32(node.distance_high));
     (void)fxl_bsp_is_front(&node, &point);
     PROOF_ENDS();
 }

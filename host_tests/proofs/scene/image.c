@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/scene_sections.c"
+#include "math/core.h"
 #include "proof.h"
 
 #define SECTIONS 31 /* more than there are kinds */
@@ -94,7 +95,7 @@ static fxl_image_section found_section;
 const fxl_image_section *any_section(const fxl_image_header *head, uint32_t kind)
 {
     ASSERT("of the image", head == &image.head);
-    found_section.kind = (uint16_t)kind;
+    found_section.kind = fxl_low_16(kind);
     found_section.count = nondet_u32();
     return nondet_bool() ? &found_section : NULL;
 }

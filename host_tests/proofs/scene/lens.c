@@ -70,7 +70,7 @@ void prove_lens_of_part(void)
     fxl_lens whole = any_lens(), part;
     const uint16_t width = nondet_u16(), height = nondet_u16();
     ASSUME(width <= FXL_SCREEN_MAX && height <= FXL_SCREEN_MAX);
-    const fxl_status status = fxl_lens_of_part(nondet_bool() ? NULL : &whole, (int16_t)nondet_u16(), (int16_t)nondet_u16(), width, height,
+    const fxl_status status = fxl_lens_of_part(nondet_bool() ? NULL : &whole, nondet_s16(), nondet_s16(), width, height,
                                                nondet_bool() ? NULL : &part);
     ASSERT("the part's screen", status != FXL_OK || (part.width == width && part.height == height && width >= 1 && height >= 1));
     PROOF_ENDS();

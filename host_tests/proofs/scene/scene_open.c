@@ -14,7 +14,7 @@ static fxl_scene_fault fault;
 const fxl_image_section *fxl_scene_section(const fxl_image_header *head, uint32_t kind)
 {
     ASSERT("of the image", head == &image.head);
-    one.kind = (uint16_t)kind;
+    one.kind = fxl_low_16(kind);
     one.offset = nondet_u32();
     one.count = nondet_u32();
     ASSUME(one.offset % 4 == 0 && one.offset >= sizeof image.head && one.offset <= sizeof image - sizeof(fxl_image_centre));

@@ -5,14 +5,14 @@
 ; function = "lib/view/project.c:scale_of"
 ; property = "within one unit of the quotient, and at most 2^30; the rest fits 32 bits"
 ; checks = 17
-; text = ["uint32_t divisor = depth >> 15;", "uint32_t upper = fxl_divide_half(projection->factor_2, divisor);", "int32_t rest = (int32_t)(projection->factor_17 - upper * depth);", "uint32_t lower = fxl_divide_half(rest < 0 ? 0u - (uint32_t)rest : (uint32_t)rest, divisor);", "return (upper << 15) + (rest < 0 ? 0u - lower : lower);"]
+; text = ["uint32_t divisor = depth >> 15;", "uint32_t upper = fxl_divide_half(projection->factor_2, divisor);", "int32_t rest = fxl_signed_32(projection->factor_17 - upper * depth);", "uint32_t lower = fxl_divide_half(rest < 0 ? 0u - fxl_bits_32(rest) : (uint32_t)rest, divisor);", "return (upper << 15) + (rest < 0 ? 0u - lower : lower);"]
 
 ; [[row]]
 ; id = "offset_of bound"
 ; function = "lib/view/project.c:offset_of"
 ; property = "the estimate is the quotient or one less: the remainder is below twice the depth"
 ; checks = 17
-; text = ["uint32_t product = (uint32_t)(fxl_multiply_u32(low << shift, by->factor) >> 32) + (uint32_t)upper * by->factor;", "int32_t quotient = (int32_t)(fxl_multiply_s32(upper, (int32_t)by->scale) >> 32);", "uint32_t rest = product + (by->depth >> 1) - (uint32_t)quotient * by->depth;", "FXL_LEMMA(rest >> 1 < by->depth && FXL_BELOW(quotient, 1 << 28));"]
+; text = ["uint32_t product = (uint32_t)(fxl_multiply_u32(low << shift, by->factor) >> 32) + fxl_bits_32(upper) * by->factor;", "int32_t quotient = (int32_t)(fxl_multiply_s32(upper, (int32_t)by->scale) >> 32);", "uint32_t rest = product + (by->depth >> 1) - fxl_bits_32(quotient) * by->depth;", "FXL_LEMMA(rest >> 1 < by->depth && FXL_BELOW(quotient, 1 << 28));"]
 
 ; scale_of and offset_of of lib/view/project.c on integers, with the letters of the comment above them.
 (define-fun W () Int 4294967296)

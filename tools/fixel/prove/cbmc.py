@@ -12,7 +12,7 @@ SECONDS = 120           # of CPU time a row
 MEMORY = 6 << 30        # bytes of address space of a prover: two at a time leave a machine of 16 GB usable
 DEFINES = ("-DFXL_PROVE", "-std=gnu11", "-Ilib/include", "-Ilib", "-Ihost_tests/proofs")
 CHECKS = ("--bounds-check", "--pointer-check", "--pointer-overflow-check", "--signed-overflow-check", "--undefined-shift-check",
-          "--div-by-zero-check", "--pointer-primitive-check", "--unwinding-assertions", "--slice-formula", "--object-bits", "12")
+          "--div-by-zero-check", "--conversion-check", "--pointer-primitive-check", "--unwinding-assertions", "--slice-formula", "--object-bits", "12")
 RESULT = "any statics, reached ends"      # of what a result says: another text here, and nothing that was kept is used
 REACHED = "the harness ends"        # PROOF_ENDS of proof.h: it must fail
 ENDS = "insert-final-assert-false (should fail) "       # of a function's end: it fails if a call comes back from there
@@ -62,7 +62,8 @@ def text_of(root, row, flags):
 
 def _checks(row):
     """A row may give the bits of objects itself: fewer make some proofs fast, and more let others have more objects."""
-    return CHECKS[:-2] if "--object-bits" in row.flags else CHECKS
+    some = CHECKS[:-2] if "--object-bits" in row.flags else CHECKS
+    return tuple(check for check in some if check != "--conversion-check") if row.narrows else some
 
 
 def _defines(row, case):

@@ -26,7 +26,8 @@ def placed(row, root):
 
 def _inputs(root, row, case, versions):
     """All that the result of a case depends on."""
-    words = (row.harness, row.contract, row.uses, row.unwind, row.unwindset, row.flags, row.loops, row.text, *([row.stands_in] if row.stands_in else []))
+    words = (row.harness, row.contract, row.uses, row.unwind, row.unwindset, row.flags, row.loops, row.text, *([row.stands_in] if row.stands_in else []),
+             bool(row.narrows))
     return [versions, words, cbmc.CHECKS, cbmc.DEFINES, cbmc.RESULT, PROVERS[row.tool].preprocessed(root, row, case)]
 
 

@@ -23,7 +23,7 @@ LEADER = re.compile(r"^(?: \*|[;#]) ", re.MULTILINE)
 HARNESS = re.compile(r"^(?:void|def) (\w+)\(", re.MULTILINE)
 FIELDS = {"function": str, "property": str}
 OPTIONAL = {"id": str, "contract": bool, "uses": list, "stubs": dict, "unwind": int, "cases": list, "checks": int, "flags": list,
-            "links": list, "loops": bool, "equations": bool, "text": list, "induction": str, "unwindset": dict, "stands_in": dict, "every": bool, "clause": str}
+            "links": list, "loops": bool, "equations": bool, "text": list, "induction": str, "unwindset": dict, "stands_in": dict, "every": bool, "narrows": str, "clause": str}
 CAMPAIGNS = ("equality", "fuzz", "report", "unit tests", "frames", "seeded bugs", "stages")
 
 
@@ -52,6 +52,7 @@ class Row:
     text: list = dataclasses.field(default_factory=list)    # lines that the transcription stands for, in their order
     induction: str = ""         # why a circle of contracts is none
     clause: str = ""            # the clauses and sentences that it shows, as a tag has them: "SPEC 2.2a, accuracy 1.1c"
+    narrows: str = ""           # why a conversion may change a value: such rows are counted, and become fewer
     every: bool = False         # enumeration runs the host's text of the function on each input that it may get
 
     @property
