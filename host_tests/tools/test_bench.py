@@ -320,7 +320,8 @@ def test_faces_have_their_size_and_turn_alike(plan, tmp_path):
 def test_faces_are_drawn_in_each_way_alike(plan, tmp_path):
     rows = bench_faces._draw(plan, plan.faces["kinds"][0], 1.2, ["m3"])
     (row,) = rows
-    assert {"kind": "flat", "radius": 1.2, "core": "m3"}.items() <= row.items() and row["frame"] != row["without"]
+    assert {"kind": "flat", "radius": 1.2, "core": "m3"}.items() <= row.items()
+    assert row["frame"] == row["without"]   # an M3 has a kernel for small triangles: the way of tiny ones is not tried
     coloured, = bench_faces._draw(plan, plan.faces["kinds"][-1], 1.2, ["m3"])
     assert coloured["without"] is None and coloured["frame"] > row["frame"]
     assert bench_faces.of({"faces": rows}, "flat", 1.2, "m3") is row and bench_faces.of({"faces": rows}, "flat", 5, "m3") is None
