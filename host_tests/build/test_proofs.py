@@ -57,13 +57,10 @@ def test_every_row_has_its_harness_and_its_checks_on_record():
 
 
 # Rows in which a conversion may change a value: none is added, and one that needs it no more is taken out.
-NARROWS = {"cover", "find_value", "fxl_billboard_find_texels", "fxl_corners_are_on_screen",
-           "fxl_draw_entry_distance", "fxl_draw_entry_of", "fxl_edge_divide by a divider of 32 bits",
-           "fxl_edge_first_dividend in halves", "fxl_edge_set_far", "fxl_fraction", "fxl_has_few_texels",
-           "fxl_is_of_other_pass", "fxl_is_rotation", "fxl_may_have_words", "fxl_smooth_outline_set",
-           "fxl_starts_inside", "fxl_surface_is_blended", "fxl_texel_outline_set", "fxl_texel_planes_scale",
-           "fxl_texel_words_of", "fxl_texture_level_set", "has_sixteens", "is_nearly_linear", "log_at",
-           "next_row_of_chains", "normalise", "show_any", "weight_after", "words_at"}
+NARROWS = {"cover", "find_value", "fxl_billboard_find_texels", "fxl_edge_divide by a divider of 32 bits",
+           "fxl_edge_first_dividend in halves", "fxl_edge_set_far", "fxl_fraction", "fxl_is_rotation",
+           "fxl_smooth_outline_set", "fxl_texel_planes_scale", "fxl_texel_words_of", "has_sixteens",
+           "is_nearly_linear", "log_at", "next_row_of_chains", "normalise", "show_any", "weight_after"}
 
 
 def test_conversions_keep_values_but_in_rows_that_are_named():

@@ -12,7 +12,7 @@ extern "C" {
 static inline fxl_draw_entry fxl_draw_entry_of(uint64_t distance, uint16_t index, uint8_t layer)
 {
     fxl_draw_entry entry;
-    entry.distance_low = FXL_CAST(uint32_t, distance);
+    entry.distance_low = FXL_CAST(uint32_t, distance & UINT32_MAX);
     entry.distance_high = FXL_CAST(uint32_t, distance >> 32);
     entry.index = index;
     entry.instance.layer = layer;

@@ -299,7 +299,7 @@ void prove_project_onto_result(void)
     const int64_t across = nondet_s64(), along = nondet_s64(), most = ((int64_t)1 << 61) - 1;
     ASSUME(FXL_SIDE(side, depth) && WITHIN(across, most) && WITHIN(along, most));
     const int64_t high_across = any_signed(side, (int32_t)(across >> 32)), high_along = any_signed(depth, (int32_t)(along >> 32));
-    const uint64_t low_across = any_unsigned((uint32_t)side, (uint32_t)across), low_along = any_unsigned((uint32_t)depth, (uint32_t)along);
+    const uint64_t low_across = any_unsigned((uint32_t)side, fxl_low_32(fxl_bits_64(across))), low_along = any_unsigned((uint32_t)depth, fxl_low_32(fxl_bits_64(along)));
     ASSUME(WITHIN(high_across, (int64_t)1 << 59) && WITHIN(high_along, (int64_t)1 << 59));
     ASSUME(low_across < (uint64_t)1 << 62 && low_along < (uint64_t)1 << 62);
     const wide sum = ((wide)high_across + high_along) * ((wide)1 << 32) + low_across + low_along;

@@ -6,7 +6,6 @@
  * function = "lib/paint/smooth_outline.h:fxl_has_few_texels"
  * property = "nothing overflows for coordinates below 2^30, and it is true where all differ by less than 2^23 from the first corner's, or by -2^23"
  * checks = 35
- * narrows = "the conversions in it that are meant go through no named function yet"
  */
 /* Coordinates are within FXL_TEXEL_MAX. */
 void prove_has_few_texels(void)
@@ -81,7 +80,6 @@ void prove_nearest_depth(void)
  * function = "lib/draw/surface_polygon.h:fxl_may_have_words"
  * property = "any surface and texture: opaque texels of 8 or 16 bits that repeat, without a key, a stipple or a beam, divided every 16 pixels or not at all"
  * checks = 46
- * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_may_have_words(void)
 {

@@ -77,7 +77,6 @@ void prove_surface_polygon_read(void)
  * property = "exactly where no corner is beside the screen, for all lenses, and nothing overflows"
  * checks = 49
  * unwind = 4
- * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_corners_are_on_screen(void)
 {
@@ -100,12 +99,11 @@ void prove_corners_are_on_screen(void)
  * function = "lib/draw/surface_polygon.h:fxl_surface_is_blended"
  * property = "exactly where it blends or adds, for all flags"
  * checks = 7
- * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_surface_is_blended(void)
 {
     fxl_surface surface;
-    surface.flags = (uint8_t)nondet_u32();
+    surface.flags = nondet_u8();
     const bool mixes = (surface.flags & FXL_SURFACE_BLEND) != 0 || (surface.flags & FXL_SURFACE_ADD) != 0;
     ASSERT("blends or adds", fxl_surface_is_blended(&surface) == mixes);
     PROOF_ENDS();
@@ -115,13 +113,12 @@ void prove_surface_is_blended(void)
  * function = "lib/draw/surface_polygon.h:fxl_is_of_other_pass"
  * property = "of two passes exactly one has a surface, and where there is one pass it has all, for all flags"
  * checks = 15
- * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_is_of_other_pass(void)
 {
     fxl_depth_head opaque, blended, all;
     fxl_surface surface;
-    surface.flags = (uint8_t)nondet_u32();
+    surface.flags = nondet_u8();
     opaque.pass = FXL_DEPTH_OPAQUE;
     blended.pass = FXL_DEPTH_BLENDED;
     all.pass = FXL_DEPTH_ALL;

@@ -198,7 +198,6 @@ void prove_paint_near(void)
  * property = "any words and any number of pixels: those of as many steps, modulo 2^32"
  * checks = 98
  * unwind = 5
- * narrows = "words modulo 2^32, whose conversions go through no named function yet"
  */
 void prove_words_at(void)
 {
@@ -248,7 +247,6 @@ void prove_texel_words(void)
  * function = "lib/paint/smooth_outline.h:fxl_texel_outline_set"
  * property = "any paint of a level with sides of up to 256 texels: its masks, what pixels there are, and even light"
  * checks = 241
- * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_texel_outline_set(void)
 {

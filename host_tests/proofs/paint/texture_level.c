@@ -59,7 +59,6 @@ void prove_texture_level_choose(void)
  * function = "lib/paint/texture_level.h:fxl_texture_level_set"
  * property = "so it is of its sides"
  * checks = 133
- * narrows = "the conversions in it that are meant go through no named function yet"
  */
 /* [[row]]
  * function = "fxl_texture_level_find"

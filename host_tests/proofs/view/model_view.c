@@ -178,7 +178,6 @@ void prove_set_face_of_points(void)
  * function = "lib/view/order.h:fxl_draw_entry_of"
  * property = "any distance, index and layer: each member has its part"
  * checks = 2
- * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_draw_entry_of(void)
 {
@@ -195,7 +194,6 @@ void prove_draw_entry_of(void)
  * function = "lib/view/order.h:fxl_draw_entry_distance"
  * property = "any entry: its two words"
  * checks = 13
- * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_draw_entry_distance(void)
 {
@@ -210,7 +208,6 @@ void prove_draw_entry_distance(void)
  * function = "lib/view/cull.h:fxl_starts_inside"
  * property = "caches of up to 8 entries, any state: the entry is one of them, and a face of other than three corners is never known to be inside"
  * checks = 102
- * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_starts_inside(void)
 {
