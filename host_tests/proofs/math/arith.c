@@ -248,16 +248,16 @@ void prove_multiply_high(void)
  * id = "fxl_multiply_high, its result"
  * function = "lib/math/core.h:fxl_multiply_high"
  * property = "the upper 64 bits of the sum of the four products of the halves, each where it belongs"
- * checks = 1
+ * checks = 6
  * stands_in = { fxl_multiply_u32 = "any_unsigned" }
  * stubs = { fxl_multiply_u32 = "C's product of two words" }
  */
 void prove_multiply_high_result(void)
 {
     const uint64_t a = nondet_u64(), b = nondet_u64();
-    const uint32_t a_high = (uint32_t)(a >> 32), b_high = (uint32_t)(b >> 32);
-    const wide_unsigned sum = ((wide_unsigned)any_unsigned(a_high, b_high) << 64) + ((wide_unsigned)any_unsigned(a_high, (uint32_t)b) << 32) +
-                              ((wide_unsigned)any_unsigned((uint32_t)a, b_high) << 32) + any_unsigned((uint32_t)a, (uint32_t)b);
+    const uint32_t a_high = (uint32_t)(a >> 32), b_high = (uint32_t)(b >> 32), a_low = fxl_low_32(a), b_low = fxl_low_32(b);
+    const wide_unsigned sum = ((wide_unsigned)any_unsigned(a_high, b_high) << 64) + ((wide_unsigned)any_unsigned(a_high, b_low) << 32) +
+                              ((wide_unsigned)any_unsigned(a_low, b_high) << 32) + any_unsigned(a_low, b_low);
     ASSERT("the upper half of the product", fxl_multiply_high(a, b) == (uint64_t)(sum >> 64));
     PROOF_ENDS();
 }

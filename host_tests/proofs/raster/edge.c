@@ -243,7 +243,7 @@ void prove_edge_set(void)
  * function = "lib/raster/edge_divide.h:fxl_edge_dividend"
  * id = "fxl_edge_dividend, its result"
  * property = "the fraction of the start times the height, and dx times t, less 1, over 2^16, rounded down"
- * checks = 8
+ * checks = 12
  * stands_in = { fxl_multiply_u32 = "any_unsigned", fxl_multiply_s32 = "any_signed" }
  * stubs = { fxl_multiply_u32 = "C's product of two words" }
  */
@@ -251,10 +251,11 @@ void prove_edge_dividend_result(void)
 {
     const int32_t start = nondet_s32(), dx = nondet_s32(), height = nondet_s32(), t = nondet_s32();
     ASSUME(WITHIN(dx, 1 << 29) && height > 0 && height <= 1 << 29 && t >= 0 && t < height);
-    const uint32_t part = (uint32_t)start % 65536u;
-    const int64_t across = any_signed(dx, t), least = (int64_t)any_unsigned(part, (uint32_t)height);
-    ASSUME(WITHIN(across, (int64_t)1 << 58) && least >= 0 && least < (int64_t)1 << 45);
-    const int64_t sum = least + across - 1, dividend = fxl_edge_dividend(start, dx, height, t);
+    const uint32_t part = fxl_bits_32(start) % 65536u;
+    const int64_t across = any_signed(dx, t);
+    const uint64_t least = any_unsigned(part, (uint32_t)height);
+    ASSUME(WITHIN(across, (int64_t)1 << 58) && least < (uint64_t)1 << 45);
+    const int64_t sum = (int64_t)least + across - 1, dividend = fxl_edge_dividend(start, dx, height, t);
     ASSERT("the floor", dividend * 65536 <= sum && sum - dividend * 65536 < 65536);
     PROOF_ENDS();
 }
@@ -289,7 +290,7 @@ int32_t some_quotient(int64_t numerator, uint32_t denominator)
  * function = "fxl_edge_first_pixel"
  * id = "fxl_edge_first_pixel, its remainder"
  * property = "the error is what the floor leaves of the dividend, for heights of 1, 3, 65,537 and 2^28 + 1 units"
- * checks = 320
+ * checks = 340
  * cases = [1, 3, 65537, 268435457]
  * stands_in = { fxl_edge_dividend = "some_dividend", fxl_divide_down = "some_quotient" }
  */
@@ -306,7 +307,7 @@ void prove_edge_first_pixel_result(void)
     bottom.y = top.y + CASE;
     ASSUME(FXL_ON_SCREEN(&bottom) && height == CASE);
     (void)fxl_edge_first_pixel(&top, &bottom, y, &error);
-    ASSERT("the remainder", error == (uint32_t)dividend - (uint32_t)quotient * (uint32_t)CASE);
+    ASSERT("the remainder", error == fxl_low_32(fxl_bits_64(dividend)) - fxl_bits_32(quotient) * (uint32_t)CASE);
 #else
     const int32_t whole = fxl_edge_first_pixel(&top, &bottom, y, &error) - quotient - 1;
     ASSERT("the pixel", whole * (int64_t)65536 <= start && start - whole * (int64_t)65536 < 65536);
@@ -330,6 +331,7 @@ int32_t some_floor(int32_t numerator, int32_t denominator, int32_t *remainder)
 {
     ASSERT("a divisor", denominator > 0 && numerator > INT32_MIN);
     *remainder = __CPROVER_uninterpreted_remainder(numerator, denominator);
+    ASSUME(*remainder >= 0 && *remainder < denominator);
     return __CPROVER_uninterpreted_floor(numerator, denominator);
 }
 
@@ -337,7 +339,7 @@ int32_t some_floor(int32_t numerator, int32_t denominator, int32_t *remainder)
  * function = "fxl_slope_set"
  * id = "fxl_slope_set, its result"
  * property = "the first pixel of the row with its error, the floor of dx over the height with its remainder, and the height"
- * checks = 125
+ * checks = 141
  * stands_in = { fxl_edge_first_pixel = "some_pixel", fxl_divide_floor = "some_floor" }
  */
 void prove_slope_set_result(void)
@@ -451,7 +453,7 @@ int64_t first_of(int32_t start, int32_t dx, int32_t height, int32_t t)
  * function = "lib/raster/edge_divide.h:fxl_edge_first_dividend"
  * id = "fxl_edge_first_dividend, its result"
  * property = "the dividend of the first centre at or below the top"
- * checks = 7
+ * checks = 9
  * stands_in = { fxl_edge_dividend = "first_of" }
  */
 void prove_edge_first_dividend_result(void)

@@ -209,7 +209,7 @@ void prove_scale_depth_result(void)
 /* [[row]]
  * function = "scale_product"
  * property = "the floor of the product of both words, over 2^shift; refused where that has more than 63 bits with its sign, and only there"
- * checks = 17
+ * checks = 24
  * stands_in = { fxl_multiply_u32 = "any_unsigned", fxl_multiply_s32 = "any_signed" }
  * stubs = { fxl_multiply_u32 = "C's product of two words" }
  */
@@ -221,7 +221,7 @@ void prove_scale_product(void)
     int64_t product = 7;
     ASSUME(focal > 0 && focal < 1 << 29 && WITHIN(side, ((int64_t)1 << 61) - 1) && shift >= 2 && shift < 32);
     const int64_t high = any_signed(focal, (int32_t)(side >> 32));
-    const uint64_t low = any_unsigned((uint32_t)focal, (uint32_t)side);
+    const uint64_t low = any_unsigned((uint32_t)focal, fxl_low_32(fxl_bits_64(side)));
     ASSUME(WITHIN(high, (int64_t)1 << 58) && low < (uint64_t)1 << 61);
     const wide exact = ((wide)high * ((wide)1 << 32) + low) >> shift;
     const bool fits = exact >= -((wide)1 << 62) && exact < (wide)1 << 62;

@@ -15,7 +15,7 @@ from fixel.base import children, scratch
 from fixel.base.errors import ToolError
 from fixel.base.table import coloured, table
 from fixel.check import mutants as drawing, mutate, planting
-from fixel.prove import bugs, functions, provers, rows as records
+from fixel.prove import bugs, functions, provers, proving, rows as records
 
 COUNT, SEEDS, LEAST = 5, (1, 2, 3), 4
 TOOLS = ("cbmc", "enumeration", "recomputed")
@@ -91,6 +91,11 @@ def command(programs, root, jobs, rows, options, store):
         copies = [folder / str(number) for number in range(jobs)]
         for copy in copies:
             bugs.make_copy(root, copy)
+        for row in [each for rows in by_function.values() for each in rows]:
+            for case in row.cases:      # a row that fails without a mistake would notice each
+                answer = proving.prove_case(programs, root, proving.placed(row, root), case, store, versions)
+                if "failed" in answer:
+                    raise ToolError(f"{row.id} is not proved: {answer['failed']}")
         some = [(function, seed, mutant) for function in by_function for seed in SEEDS for mutant in draw(copies[0], function, seed, known)]
 
         def attempt(copy, each):
