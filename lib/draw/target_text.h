@@ -239,11 +239,12 @@ static inline void find_depth(const fxl_model_view *model_view, const fxl_face *
 
 /* Whether to try a face as a tiny one. Most are higher. Where a kernel draws outlines, those of
  * FXL_TINY_SIDE pixels and more are not tried: few of them are tiny, which saves less than the
- * others cost. The kernels of Armv7-M draw small triangles themselves. */
+ * others cost. The kernels of Armv7-M draw small triangles themselves: programs for it and 16 bits
+ * have no text of tiny ones. */
 static inline bool may_be_tiny(const fxl_workspace *workspace)
 {
     const fxl_screen_polygon *screen = &workspace->screen;
-    if (FXL_KERNELS_ARMV7M && FXL_TARGET_DEPTH_BITS == 16 && workspace->draws_outlines) {
+    if (FXL_KERNELS_ARMV7M && FXL_TARGET_DEPTH_BITS == 16) {
         return false;
     }
     const uint32_t end = (FXL_DRAWS_DEPTH_OUTLINES ? FXL_TINY_SIDE : FXL_TINY_SIDE + 1) * 65536;
