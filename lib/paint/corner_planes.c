@@ -148,18 +148,18 @@ void fxl_corner_planes_density(const fxl_corner_planes *planes, bool is_affine, 
 static inline void find_words(const fxl_corner_planes *planes, uint32_t value, int64_t along,
                               int64_t down, unsigned drop, fxl_gradient *gradient)
 {
-    const int32_t step = (int32_t)fxl_lower_of_shifted(along, drop);
-    const int32_t step_down = (int32_t)fxl_lower_of_shifted(down, drop);
+    const int32_t step = fxl_signed_32(fxl_lower_of_shifted(along, drop));
+    const int32_t step_down = fxl_signed_32(fxl_lower_of_shifted(down, drop));
     const int64_t off = fxl_product(step, planes->x) + fxl_product(step_down, planes->y);
     gradient->along = step;
     gradient->down = step_down;
-    gradient->at = (int32_t)(value - fxl_lower_of_shifted(off, 16));
+    gradient->at = fxl_signed_32(value - fxl_lower_of_shifted(off, 16));
 }
 
 /* The upper word of a magnitude, but for a unit of the lowest bit. */
 static inline uint32_t upper_size(int64_t value)
 {
-    const int32_t high = (int32_t)((uint64_t)value >> 32);
+    const int32_t high = fxl_signed_32((uint32_t)(fxl_bits_64(value) >> 32));
     return (uint32_t)(high ^ (high >> 31));
 }
 
@@ -241,7 +241,7 @@ static inline bool find_value(const fxl_corner_planes *planes, const int32_t val
     if ((upper_size(along) | upper_size(down)) >> (drop - 1u) != 0) {
         return false;
     }
-    find_words(planes, (uint32_t)values[0] << 8, along, down, drop, gradient);
+    find_words(planes, fxl_bits_32(values[0]) << 8, along, down, drop, gradient);
     return true;
 }
 

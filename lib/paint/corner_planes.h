@@ -75,7 +75,7 @@ static inline uint32_t fxl_range_of(const int32_t values[3])
         least = values[i] < least ? values[i] : least;
         most = values[i] > most ? values[i] : most;
     }
-    return (uint32_t)most - (uint32_t)least;
+    return fxl_bits_32(most) - fxl_bits_32(least);
 }
 
 /* Sets *planes. side_max: FXL_SMALL_SIDE_MAX, or one of the two below. False where the face is
@@ -125,7 +125,7 @@ static inline int32_t fxl_corner_planes_mean(const fxl_corner_planes *planes, in
     const int32_t a = weights[1] - weights[0], b = weights[2] - weights[0];
     const int64_t sum = fxl_product(d1, 2 * a - b) + fxl_product(d2, 2 * b - a);
     const uint32_t twice = 2u * planes->weight_most - planes->weight_range;
-    return (int32_t)fxl_lower_of_shifted(sum, 24) / (int32_t)((twice + twice / 2u) >> 22);
+    return fxl_signed_32(fxl_lower_of_shifted(sum, 24)) / (int32_t)((twice + twice / 2u) >> 22);
 }
 
 /* The depth of a triangle of one octave, and its light, in words: fxl_depth_plane that

@@ -10,6 +10,7 @@
 #ifndef FXL_LIGHT_ROW_H
 #define FXL_LIGHT_ROW_H
 
+#include "../math/core.h"
 #include "paint.h"
 
 /* The weight of such a face, of 64 bits. */
@@ -29,9 +30,10 @@ typedef struct {
  * shift of 64 bits. */
 static inline uint32_t fxl_lower_of_shifted(int64_t value, unsigned drop)
 {
-    const int32_t high = (int32_t)((uint64_t)value >> 32);
-    return drop >= 32 ? (uint32_t)(high >> (drop - 32u))
-                      : (uint32_t)value >> drop | (uint32_t)high << 1 << (31u - drop);
+    const int32_t high = fxl_signed_32((uint32_t)(fxl_bits_64(value) >> 32));
+    return drop >= 32
+               ? fxl_bits_32(high >> (drop - 32u))
+               : (uint32_t)(value & UINT32_MAX) >> drop | fxl_bits_32(high) << 1 << (31u - drop);
 }
 
 /* The light of a face on the screen. */
@@ -46,8 +48,9 @@ static inline fxl_light_plane fxl_light_plane_of(const fxl_gradients *gradients)
     const fxl_gradient *light = &gradients->attributes[0];
     const unsigned drop = (unsigned)(53 - gradients->shifts[0]);
     if (drop == 0) {
-        const fxl_light_plane words = {(uint32_t)light->at, (uint32_t)light->along,
-                                       (uint32_t)light->down};
+        const fxl_light_plane words = {fxl_low_32(fxl_bits_64(light->at)),
+                                       fxl_low_32(fxl_bits_64(light->along)),
+                                       fxl_low_32(fxl_bits_64(light->down))};
         return words;
     }
     const fxl_light_plane plane = {fxl_lower_of_shifted(light->at, drop),

@@ -61,12 +61,13 @@ static inline void fxl_smooth_outline_set(const fxl_depth_head *head, const fxl_
                                           const fxl_paint *paint, const fxl_band *band,
                                           uint32_t pixel_bytes, fxl_smooth_outline *smooth)
 {
-    const uint32_t code_row = band->width * (uint32_t)plane->gradient.along;
+    const uint32_t code_row = band->width * fxl_low_32(fxl_bits_64(plane->gradient.along));
     smooth->cells = (uint16_t *)(uintptr_t)(head + 1);
     smooth->pixels = fxl_depth_outline_pixels(head, band, pixel_bytes);
-    smooth->code_along = (uint32_t)plane->gradient.along;
-    smooth->code_down = (uint32_t)plane->gradient.down - code_row;
-    smooth->code = (uint32_t)plane->gradient.at + band->first_row * code_row - smooth->code_down;
+    smooth->code_along = fxl_low_32(fxl_bits_64(plane->gradient.along));
+    smooth->code_down = fxl_low_32(fxl_bits_64(plane->gradient.down)) - code_row;
+    smooth->code = fxl_low_32(fxl_bits_64(plane->gradient.at)) + band->first_row * code_row -
+                   smooth->code_down;
     const fxl_light_plane light = fxl_light_plane_of(paint->gradients);
     const uint32_t row_along = band->width * light.along;
     smooth->along = light.along;
@@ -154,22 +155,24 @@ static inline void fxl_colour_outline_set(const fxl_depth_head *head, const fxl_
                                           fxl_colour_outline *outline)
 {
     const fxl_gradient *of = gradients->attributes;
-    const uint32_t along = (uint32_t)plane->gradient.along, code_row = band->width * along;
+    const uint32_t along = fxl_low_32(fxl_bits_64(plane->gradient.along)),
+                   code_row = band->width * along;
     fxl_colour_row *at = &outline->at, *down = &outline->down;
-    down->code = (uint32_t)plane->gradient.down - code_row;
-    down->red = (uint32_t)of[0].down;
-    down->green = (uint32_t)((uint64_t)of[0].down >> 32);
-    down->blue = (uint32_t)of[1].down;
+    down->code = fxl_low_32(fxl_bits_64(plane->gradient.down)) - code_row;
+    down->red = fxl_low_32(fxl_bits_64(of[0].down));
+    down->green = (uint32_t)(fxl_bits_64(of[0].down) >> 32);
+    down->blue = fxl_low_32(fxl_bits_64(of[1].down));
     down->origin = band->width;
-    at->code = (uint32_t)plane->gradient.at + band->first_row * code_row - down->code;
-    at->red = (uint32_t)of[0].at - down->red;
-    at->green = (uint32_t)of[1].at - down->green;
-    at->blue = (uint32_t)((uint64_t)of[1].at >> 32) - down->blue;
-    at->origin = (uint32_t)((uint64_t)of[0].at >> 32) - (band->first_row + 1u) * band->width;
+    at->code =
+        fxl_low_32(fxl_bits_64(plane->gradient.at)) + band->first_row * code_row - down->code;
+    at->red = fxl_low_32(fxl_bits_64(of[0].at)) - down->red;
+    at->green = fxl_low_32(fxl_bits_64(of[1].at)) - down->green;
+    at->blue = (uint32_t)(fxl_bits_64(of[1].at) >> 32) - down->blue;
+    at->origin = (uint32_t)(fxl_bits_64(of[0].at) >> 32) - (band->first_row + 1u) * band->width;
     outline->cells = (uint16_t *)(uintptr_t)(head + 1);
     outline->pixels = fxl_depth_outline_pixels(head, band, 2) - 2u;
-    outline->step = (uint32_t)of[0].along;
-    outline->green_step = (uint32_t)((uint64_t)of[0].along >> 32);
+    outline->step = fxl_low_32(fxl_bits_64(of[0].along));
+    outline->green_step = (uint32_t)(fxl_bits_64(of[0].along) >> 32);
     outline->code_along = along;
     outline->border = fxl_depth_border(head->scale, plane);
 }
@@ -220,21 +223,21 @@ static inline void fxl_texel_words_of(const fxl_gradients *gradients, const fxl_
 {
     const fxl_gradient *u = &gradients->attributes[FXL_ATTRIBUTE_U];
     const fxl_gradient *v = &gradients->attributes[FXL_ATTRIBUTE_V];
-    planes->at.code = (uint32_t)depth->gradient.at;
-    planes->down.code = (uint32_t)depth->gradient.down;
-    planes->along.code = (uint32_t)depth->gradient.along;
-    planes->at.u = (uint32_t)u->at;
-    planes->down.u = (uint32_t)u->down;
-    planes->along.u = (uint32_t)u->along;
-    planes->at.v = (uint32_t)v->at;
-    planes->down.v = (uint32_t)v->down;
-    planes->along.v = (uint32_t)v->along;
+    planes->at.code = fxl_low_32(fxl_bits_64(depth->gradient.at));
+    planes->down.code = fxl_low_32(fxl_bits_64(depth->gradient.down));
+    planes->along.code = fxl_low_32(fxl_bits_64(depth->gradient.along));
+    planes->at.u = fxl_low_32(fxl_bits_64(u->at));
+    planes->down.u = fxl_low_32(fxl_bits_64(u->down));
+    planes->along.u = fxl_low_32(fxl_bits_64(u->along));
+    planes->at.v = fxl_low_32(fxl_bits_64(v->at));
+    planes->down.v = fxl_low_32(fxl_bits_64(v->down));
+    planes->along.v = fxl_low_32(fxl_bits_64(v->along));
     planes->at.light = planes->down.light = planes->along.light = 0;
     if (gradients->count > FXL_SEGMENT_LIGHT) {
         const fxl_gradient *light = &gradients->attributes[FXL_SEGMENT_LIGHT];
-        planes->at.light = (uint32_t)light->at;
-        planes->down.light = (uint32_t)light->down;
-        planes->along.light = (uint32_t)light->along;
+        planes->at.light = fxl_low_32(fxl_bits_64(light->at));
+        planes->down.light = fxl_low_32(fxl_bits_64(light->down));
+        planes->along.light = fxl_low_32(fxl_bits_64(light->along));
     }
 }
 
@@ -285,12 +288,12 @@ typedef struct {
  * whole number of textures. */
 static inline void fxl_texel_planes_scale(fxl_texel_planes *of, uint32_t u_drop, uint32_t v_drop)
 {
-    of->at.u = (uint32_t)((int32_t)of->at.u >> u_drop);
-    of->down.u = (uint32_t)((int32_t)of->down.u >> u_drop);
-    of->along.u = (uint32_t)((int32_t)of->along.u >> u_drop);
-    of->at.v = (uint32_t)((int32_t)of->at.v >> v_drop);
-    of->down.v = (uint32_t)((int32_t)of->down.v >> v_drop);
-    of->along.v = (uint32_t)((int32_t)of->along.v >> v_drop);
+    of->at.u = fxl_bits_32(fxl_signed_32(of->at.u) >> u_drop);
+    of->down.u = fxl_bits_32(fxl_signed_32(of->down.u) >> u_drop);
+    of->along.u = fxl_bits_32(fxl_signed_32(of->along.u) >> u_drop);
+    of->at.v = fxl_bits_32(fxl_signed_32(of->at.v) >> v_drop);
+    of->down.v = fxl_bits_32(fxl_signed_32(of->down.v) >> v_drop);
+    of->along.v = fxl_bits_32(fxl_signed_32(of->along.v) >> v_drop);
 }
 
 /* All but the planes, and their light where it is the same everywhere. paint: as of fxl_draw_texels, but

@@ -219,10 +219,10 @@ static inline void fxl_edge_divide(const fxl_edge_divider *divider, int32_t divi
     int64_t product = (int64_t)(dividend * 4) * divider->reciprocal;
     int32_t high = (int32_t)(product >> 32);
     unsigned shift = divider->shift, rest_shift = 32 - shift;
-    uint32_t estimate = (uint32_t)high << shift | (uint32_t)product >> rest_shift;
+    uint32_t estimate = fxl_bits_32(high) << shift | fxl_low_32(fxl_bits_64(product)) >> rest_shift;
     uint32_t left = divider->half - estimate * divider->height;
     int32_t more = (int32_t)(left / divider->height) - (int32_t)((1u << shift) >> 1) + 1;
-    uint32_t sum = estimate + (uint32_t)more;
+    uint32_t sum = estimate + fxl_bits_32(more);
     *whole = (high >> rest_shift) + (more >> 31) + (sum < estimate);
     *fraction = sum;
 }
@@ -268,9 +268,9 @@ static inline int32_t fxl_edge_first_dividend(int32_t start, int32_t dx, int32_t
 static inline int32_t fxl_edge_first_dividend(int32_t start, int32_t dx, int32_t height,
                                               int32_t top_y)
 {
-    const uint32_t part = (uint32_t)start & 65535u,
+    const uint32_t part = fxl_bits_32(start) & 65535u,
                    t = fxl_bits_32(FXL_HALF_PIXEL - top_y) & 65535u;
-    const uint32_t a = part * ((uint32_t)height & 65535u), b = t * ((uint32_t)dx & 65535u);
+    const uint32_t a = part * ((uint32_t)height & 65535u), b = t * (fxl_bits_32(dx) & 65535u);
     const int32_t low = (int32_t)((a & 65535u) + (b & 65535u)) - 1;
     const int32_t high = (int32_t)(part * ((uint32_t)height >> 16)) + (int32_t)t * (dx >> 16);
     return high + (int32_t)(a >> 16) + (int32_t)(b >> 16) + (low >> 16);

@@ -79,13 +79,14 @@ static uint32_t cover(const fxl_screen_point *a, const fxl_screen_point *b,
     const int32_t ab = edge_at(a, b, x, y), bc = edge_at(b, c, x, y), ca = edge_at(c, a, x, y);
     const int32_t ab_along = ab - (b->y - a->y), bc_along = bc - (c->y - b->y),
                   ca_along = ca - (a->y - c->y);
-    uint32_t outside = (uint32_t)(ab | bc | ca) >> 31;
-    outside |= (uint32_t)(ab_along | bc_along | ca_along) >> 31 << 1;
+    uint32_t outside = fxl_bits_32(ab | bc | ca) >> 31;
+    outside |= fxl_bits_32(ab_along | bc_along | ca_along) >> 31 << 1;
     if (box->rows > 1) {
         const int32_t ab_down = b->x - a->x, bc_down = c->x - b->x, ca_down = a->x - c->x;
-        outside |= (uint32_t)((ab + ab_down) | (bc + bc_down) | (ca + ca_down)) >> 31 << 2;
-        outside |= (uint32_t)((ab_along + ab_down) | (bc_along + bc_down) | (ca_along + ca_down)) >>
-                   31 << 3;
+        outside |= fxl_bits_32((ab + ab_down) | (bc + bc_down) | (ca + ca_down)) >> 31 << 2;
+        outside |=
+            fxl_bits_32((ab_along + ab_down) | (bc_along + bc_down) | (ca_along + ca_down)) >>
+            31 << 3;
     } else {
         outside |= 12;
     }

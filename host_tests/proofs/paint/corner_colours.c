@@ -399,7 +399,6 @@ uint64_t any_product_unsigned(uint32_t a, uint32_t b)
  * checks = 211
  * unwind = 4
  * stands_in = { fxl_multiply_s32 = "any_product" }
- * narrows = "words modulo 2^32, whose conversions go through no named function yet"
  */
 void prove_find_value(void)
 {
@@ -421,7 +420,6 @@ void prove_find_value(void)
  * unwind = 4
  * stands_in = { fxl_multiply_u32 = "any_product_unsigned" }
  * stubs = { fxl_multiply_u32 = "any function of two numbers: the rule is one of such products" }
- * narrows = "words modulo 2^32, whose conversions go through no named function yet"
  */
 void prove_is_nearly_linear(void)
 {

@@ -216,13 +216,11 @@ void prove_words_at(void)
  * function = "lib/paint/smooth_outline.h:fxl_texel_words_of"
  * property = "gradients in words: each word is the gradient's, and light is 0 where it is none of them"
  * checks = 218
- * narrows = "the conversions in it that are meant go through no named function yet"
  */
 /* [[row]]
  * function = "lib/paint/smooth_outline.h:fxl_texel_planes_scale"
  * property = "any words, shifts of up to 16 bits: rounded down, and no other word changes"
  * checks = 218
- * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_texel_words(void)
 {
@@ -231,15 +229,16 @@ void prove_texel_words(void)
     fxl_texel_planes of;
     const uint32_t u_drop = nondet_u32(), v_drop = nondet_u32();
     ASSUME(u_drop <= 8 && v_drop <= 16 && (gradients.count == 2 || gradients.count == 3));
-    const int32_t u = (int32_t)gradients.attributes[FXL_ATTRIBUTE_U].along, v = (int32_t)gradients.attributes[FXL_ATTRIBUTE_V].down;
+    const int32_t u = fxl_signed_32(fxl_low_32(fxl_bits_64(gradients.attributes[FXL_ATTRIBUTE_U].along)));
+    const int32_t v = fxl_signed_32(fxl_low_32(fxl_bits_64(gradients.attributes[FXL_ATTRIBUTE_V].down)));
     fxl_texel_words_of(&gradients, &depth, &of);
-    ASSERT("u and v", of.along.u == (uint32_t)u && of.down.v == (uint32_t)v);
-    ASSERT("light, or none", of.along.light == (gradients.count == 3 ? (uint32_t)gradients.attributes[FXL_SEGMENT_LIGHT].along : 0));
-    ASSERT("depth", of.at.code == (uint32_t)depth.gradient.at && of.down.code == (uint32_t)depth.gradient.down);
+    ASSERT("u and v", of.along.u == fxl_bits_32(u) && of.down.v == fxl_bits_32(v));
+    ASSERT("light, or none", of.along.light == (gradients.count == 3 ? fxl_low_32(fxl_bits_64(gradients.attributes[FXL_SEGMENT_LIGHT].along)) : 0));
+    ASSERT("depth", of.at.code == fxl_low_32(fxl_bits_64(depth.gradient.at)) && of.down.code == fxl_low_32(fxl_bits_64(depth.gradient.down)));
     fxl_texel_planes_scale(&of, u_drop, v_drop);
-    ASSERT("u, by its level", of.along.u == (uint32_t)(u >> u_drop));
-    ASSERT("v, by its level and columns", of.down.v == (uint32_t)(v >> v_drop));
-    ASSERT("depth stays", of.at.code == (uint32_t)depth.gradient.at);
+    ASSERT("u, by its level", of.along.u == fxl_bits_32(u >> u_drop));
+    ASSERT("v, by its level and columns", of.down.v == fxl_bits_32(v >> v_drop));
+    ASSERT("depth stays", of.at.code == fxl_low_32(fxl_bits_64(depth.gradient.at)));
     PROOF_ENDS();
 }
 
@@ -275,7 +274,6 @@ void prove_texel_outline_set(void)
  * function = "lib/paint/smooth_outline.h:fxl_smooth_outline_set"
  * property = "any plane and light in words, any paint, pixels of 8 or 16 bits: the steps are the planes', and there is a limit exactly where codes have no border"
  * checks = 334
- * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_smooth_outline_set(void)
 {
@@ -300,7 +298,7 @@ void prove_smooth_outline_set(void)
     ASSUME(plane.one == FXL_DEPTH_IS_LINEAR || (plane.one >= FXL_DEPTH_IS_BENT && plane.one < FXL_DEPTH_IS_BENT + memory.head.scale.octaves));
     fxl_smooth_outline_set(&memory.head, &plane, &paint, &band, nondet_bool() ? 1 : 2, &smooth);
     ASSERT("the cells", smooth.cells == memory.cells);
-    ASSERT("steps", smooth.code_along == (uint32_t)plane.gradient.along);
+    ASSERT("steps", smooth.code_along == fxl_low_32(fxl_bits_64(plane.gradient.along)));
     ASSERT("a limit", (smooth.limit == 0) == (smooth.border != 0));
     PROOF_ENDS();
 }

@@ -70,7 +70,7 @@ void prove_edge_advance(void)
  * property = "the same of the text for cores with a divider of 32 bits"
  * checks = 50
  * flags = ["-DFXL_CORE_HAS=3"]
- * narrows = "the conversions in it that are meant go through no named function yet"
+ * links = ["lib/math/arith.c"]
  */
 void prove_edge_divide(void)
 {
@@ -112,7 +112,6 @@ void prove_edge_divider_shift(void)
  * property = "the same of the text for cores without long products"
  * checks = 8
  * flags = ["-DFXL_CORE_HAS=0"]
- * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_edge_first_dividend(void)
 {

@@ -21,7 +21,6 @@ void prove_edge_at(void)
  * checks = 555
  * contract = true
  * uses = ["edge_at"]
- * narrows = "the conversions in it that are meant go through no named function yet"
  */
 void prove_cover(void)
 {
