@@ -53,7 +53,7 @@ def measured(build, folder, workload):
     subprocess.run([build / "host" / "judge", file, dumped, "--json", folder / "judge.json"], check=False, capture_output=True)
     verdict = json.loads((folder / "judge.json").read_text())
     unlike = None
-    if workload.startswith(("tq", "crates", "balls")):
+    if workload.startswith(("tq", "crates", "balls", "t64", "bx300", "padd")):
         exact = pixels(divided(build, file, folder))
         unlike = sum(int((one != other).sum()) for one, other in zip(frames, exact, strict=True))
     return {"covered": sum(int((frame != 0).sum()) for frame in frames),
