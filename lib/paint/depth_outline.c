@@ -113,7 +113,7 @@ static inline __attribute__((always_inline)) void paint_codes(uint16_t *cells, u
     FXL_HIDE(pixel);
 #endif
 #define PAINT(left) \
-    case left: \
+    case (left): \
         paint_pixel((uint16_t *)cell + (SHORT - (left)), \
                     (uint8_t *)pixel + (SHORT - (left)) * bytes, code, filling, bits); \
         code += step; \
@@ -129,8 +129,8 @@ static inline __attribute__((always_inline)) void paint_codes(uint16_t *cells, u
     default:
         paint_pixel((uint16_t *)cell + (SHORT - 1), (uint8_t *)pixel + (SHORT - 1) * bytes, code,
                     filling, bits);
+        break;
     }
-#undef PAINT
 }
 
 /* An edge, or its step, as one number: fxl_edge_step is a sum then, which wraps. */
