@@ -41,3 +41,43 @@ void fxl_list_model(const fxl_traversal *traversal, const fxl_model_view *model_
 {
     fxl_list_found_faces(traversal, model_view, model, find_clusters, find_front);
 }
+
+#if FXL_WALKS_FACES
+
+/* SPEC 6.4 */
+bool fxl_submit_walk(const fxl_traversal *traversal, const fxl_model_view *model_view,
+                     const fxl_model *model, fxl_next_face *next)
+{
+    const bool reverse = traversal->renderer->near_first;
+    const uint32_t first = traversal->resume->faces;
+    const fxl_shader *shader = model_view->shader;
+    fxl_face_walk walk;
+    walk.next = next != NULL ? next : fxl_next_front_face;
+    walk.left = model->face_count - first;
+    walk.face = traversal->renderer->scene->faces;
+    if (walk.left != 0) { /* a scene without faces may have no table */
+        walk.face += model->first_face + (reverse ? walk.left - 1 : first);
+    }
+    walk.step = reverse ? -1 : 1;
+    walk.outside = walk.submitted = 0;
+    walk.drops =
+        model->kind == FXL_MODEL_SORTED && fxl_drops_outside(traversal, model_view, model);
+    if (shader->code->faces == NULL || !shader->code->faces(model_view, traversal, &walk)) {
+        const fxl_face *face;
+        while ((face = walk.next(model_view, &walk)) != NULL) {
+            if (!fxl_submit_face(model_view, face, traversal)) {
+                walk.left++;
+                break;
+            }
+            walk.submitted++;
+        }
+    }
+    const uint32_t number = model->face_count - walk.left;
+    traversal->resume->faces = (uint16_t)number;
+    traversal->counters->in += number - first;
+    traversal->counters->backfacing += number - first - walk.outside - walk.submitted;
+    traversal->counters->outside += walk.outside;
+    return walk.left == 0;
+}
+
+#endif

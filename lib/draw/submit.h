@@ -8,6 +8,10 @@
 #include "../view/clusters.h"
 #include "../view/cull.h"
 
+/* Whether faces of sorted models are walked (fxl_face_walk), where the next one is found by a kernel. In C
+ * the loop of fxl_submit_convex takes fewer instructions: on RV32IMC a smooth head 5 % fewer. */
+#define FXL_WALKS_FACES (FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT)
+
 /* What becomes of a face of which the clipper gives one polygon at most. */
 typedef enum {
     FXL_SUBMIT_ANY,     /* nothing is known: the clipper may give several, any target draws */
@@ -57,6 +61,15 @@ bool fxl_drops_outside(const fxl_traversal *traversal, const fxl_model_view *mod
  * of them. Faces that the clipper would find outside may be left out of the order. */
 void fxl_list_model(const fxl_traversal *traversal, const fxl_model_view *model_view,
                     const fxl_model *model);
+
+#if FXL_WALKS_FACES
+
+/* fxl_submit_convex (lib/draw/submit_instance.h) of an instance whose faces are walked. next: null is
+ * fxl_next_front_face. */
+bool fxl_submit_walk(const fxl_traversal *traversal, const fxl_model_view *model_view,
+                     const fxl_model *model, fxl_next_face *next);
+
+#endif
 
 /* The faces of an instance that are left, from traversal->resume->faces on: all of them counted, by
  * number or by distance, in the order of the method. False where the traversal was stopped. */
@@ -167,10 +180,6 @@ bool fxl_pieces_end(fxl_pieces *pieces);
 
 /* --- shaders ---------------------------------------------------------------- */
 
-/* Whether faces of sorted models are walked (fxl_face_walk), where the next one is found by a kernel. In C
- * the loop of fxl_submit_convex takes fewer instructions: on RV32IMC a smooth head 5 % fewer. */
-#define FXL_WALKS_FACES (FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT)
-
 /* The ranks: a shader gets the face that those of a lower rank made. */
 enum {
     FXL_SHADER_SURFACES, /* faces with surfaces, which go no further */
@@ -207,6 +216,10 @@ typedef struct fxl_shader_code {
     /* Takes all faces of a walk, or returns false: then it has taken none. Null: it never takes them. */
     bool (*faces)(const fxl_model_view *model_view, const fxl_traversal *traversal,
                   fxl_face_walk *walk);
+    /* fxl_submit_walk, if it is the last shader of a target with a depth buffer. Flat programs do
+     * not link it. */
+    bool (*walk)(const fxl_traversal *traversal, const fxl_model_view *model_view,
+                 const fxl_model *model, fxl_next_face *next);
 #endif
 } fxl_shader_code;
 

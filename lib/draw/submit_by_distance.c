@@ -51,7 +51,7 @@ bool fxl_submit_instance(const fxl_traversal *traversal, const fxl_draw_entry *e
     }
 #if FXL_WALKS_FACES
     if (fxl_walks_faces(&model_view, model)) {
-        return fxl_submit_walk(traversal, &model_view, model, fxl_next_front_face);
+        return fxl_walk_instance(traversal, &model_view, model, NULL);
     }
 #endif
     return fxl_submit_convex(traversal, &model_view, model, fxl_model_view_face_is_front);

@@ -67,51 +67,22 @@ static inline bool fxl_submit_convex(const fxl_traversal *traversal,
 
 #if FXL_WALKS_FACES
 
-/* Whether the faces of an instance are walked: those of a sorted model, of which many may be turned
- * away or lie outside, and those that the shader takes at once. */
+/* Whether the faces of an instance that has no list of them are walked: those of a sorted model, of
+ * which many may be turned away or lie outside, and those that the shader takes at once. The target
+ * has a depth buffer then. */
 static inline bool fxl_walks_faces(const fxl_model_view *model_view, const fxl_model *model)
 {
     const fxl_shader *shader = model_view->shader;
-    return model->kind == FXL_MODEL_SORTED || (shader != NULL && shader->code->faces != NULL);
+    return shader != NULL && (model->kind == FXL_MODEL_SORTED || shader->code->faces != NULL);
 }
 
-/* fxl_submit_convex of an instance whose faces are walked. */
-/* SPEC 6.4 */
-static inline bool fxl_submit_walk(const fxl_traversal *traversal,
-                                   const fxl_model_view *model_view, const fxl_model *model,
-                                   fxl_next_face *next)
+/* fxl_submit_walk, which a flat program does not link. */
+static inline bool fxl_walk_instance(const fxl_traversal *traversal,
+                                     const fxl_model_view *model_view, const fxl_model *model,
+                                     fxl_next_face *next)
 {
-    const bool reverse = traversal->renderer->near_first;
-    const uint32_t first = traversal->resume->faces;
-    const fxl_shader *shader = model_view->shader;
-    fxl_face_walk walk;
-    walk.next = next;
-    walk.left = model->face_count - first;
-    walk.face = traversal->renderer->scene->faces;
-    if (walk.left != 0) { /* a scene without faces may have no table */
-        walk.face += model->first_face + (reverse ? walk.left - 1 : first);
-    }
-    walk.step = reverse ? -1 : 1;
-    walk.outside = walk.submitted = 0;
-    walk.drops =
-        model->kind == FXL_MODEL_SORTED && fxl_drops_outside(traversal, model_view, model);
-    if (shader == NULL || shader->code->faces == NULL ||
-        !shader->code->faces(model_view, traversal, &walk)) {
-        const fxl_face *face;
-        while ((face = next(model_view, &walk)) != NULL) {
-            if (!fxl_submit_face(model_view, face, traversal)) {
-                walk.left++;
-                break;
-            }
-            walk.submitted++;
-        }
-    }
-    const uint32_t number = model->face_count - walk.left;
-    traversal->resume->faces = (uint16_t)number;
-    traversal->counters->in += number - first;
-    traversal->counters->backfacing += number - first - walk.outside - walk.submitted;
-    traversal->counters->outside += walk.outside;
-    return walk.left == 0;
+    const fxl_shader *last = traversal->renderer->target->extras->last;
+    return last->code->walk(traversal, model_view, model, next);
 }
 
 #endif

@@ -306,8 +306,8 @@ static bool submit_turned(const fxl_traversal *traversal, const fxl_draw_entry *
     }
 #if FXL_WALKS_FACES
     if (fxl_walks_faces(&view.model_view, model)) {
-        return fxl_submit_walk(traversal, &view.model_view, model,
-                               view.eye_shift == 0 ? next_face_to_near : next_face_to_any);
+        return fxl_walk_instance(traversal, &view.model_view, model,
+                                 view.eye_shift == 0 ? next_face_to_near : next_face_to_any);
     }
 #endif
     return !FXL_IS_COMPACT && view.eye_shift == 0

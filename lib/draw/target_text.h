@@ -459,8 +459,11 @@ static const fxl_shader_code code = {
     .reaches = reaches,
     .face = submit,
     .split = split,
-#if FXL_WALKS_FACES && FXL_TARGET_DEPTH_BITS == 16
+#if FXL_WALKS_FACES
+    .walk = fxl_submit_walk,
+#if FXL_TARGET_DEPTH_BITS == 16
     .faces = submit_faces,
+#endif
 #endif
 };
 static const fxl_shader last = {NULL, FXL_SHADER_TARGET, &code};

@@ -86,9 +86,11 @@ static inline unsigned fxl_outside(const fxl_view_frustum *frustum, unsigned pla
 {
     unsigned outside = 0;
     const int32_t inset = (int32_t)(frustum->inset >> 34);
-    if (FXL_HAS_LONG_PRODUCT && !FXL_IS_SMALL && fxl_is_inside(frustum, point, inset + 4)) {
+#if FXL_HAS_LONG_PRODUCT && !FXL_IS_SMALL && !FXL_KERNELS_ARMV7M /* which asks for open ones */
+    if (fxl_is_inside(frustum, point, inset + 4)) {
         return 0;
     }
+#endif
     if (planes & FXL_PLANES_ACROSS) {
         outside |= fxl_pair_outside(FXL_PLANE_LEFT, fxl_upper_term(frustum->x_side, point->x),
                                     fxl_upper_term(frustum->x_depth, point->z) - inset);
