@@ -460,10 +460,10 @@ static const fxl_shader_code code = {
     .face = submit,
     .split = split,
 #if FXL_WALKS_FACES
-    .walk = fxl_submit_walk,
 #if FXL_TARGET_DEPTH_BITS == 16
     .faces = submit_faces,
 #endif
+    .walk = fxl_submit_walk,
 #endif
 };
 static const fxl_shader last = {NULL, FXL_SHADER_TARGET, &code};
