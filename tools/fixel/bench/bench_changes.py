@@ -98,7 +98,7 @@ def _rolled(data):
 
 
 def _half_a_pixel(data):
-    _of_view(centre=[data["screen"]["width"] / 2 + 0.5, data["screen"]["height"] / 2 + 0.5])(data)
+    _of_view(inset=0, centre=[data["screen"]["width"] / 2 + 0.5, data["screen"]["height"] / 2 + 0.5])(data)
 
 
 # Of a workload's `with`, in its order. SCREENS change the screen, with the same field of view.
