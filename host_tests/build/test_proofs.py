@@ -57,8 +57,8 @@ def test_every_row_has_its_harness_and_its_checks_on_record():
 
 
 # Rows in which a conversion may change a value: none is added, and one that needs it no more is taken out.
-NARROWS = {"fxl_billboard_find_texels", "fxl_edge_set_far", "fxl_fraction", "fxl_is_rotation", "fxl_project_inside",
-           "has_sixteens", "log_at", "next_row_of_chains", "normalise", "show_any", "weight_after"}
+NARROWS = {"fxl_billboard_find_texels", "fxl_fraction", "fxl_is_rotation", "fxl_project_inside",
+           "next_row_of_chains", "show_any"}
 
 
 def test_conversions_keep_values_but_in_rows_that_are_named():

@@ -74,7 +74,7 @@ static inline bool fxl_is_unit(const fxl_direction *normal)
  * value < 2^64 - 2^32. At the end the remainder is value - root^2, and it is compared with
  * root because (root + 1/2)^2 is root^2 + root + 1/4. */
 static inline uint32_t fxl_square_root(uint64_t value)
-    FXL_REQUIRES(value < UINT64_MAX - UINT32_MAX) FXL_ASSIGNS()
+    FXL_REQUIRES(1) FXL_ASSIGNS()
 {
     uint64_t root = 0;
     for (uint64_t bit = (uint64_t)1 << 62; bit != 0; bit >>= 2) {
@@ -85,7 +85,7 @@ static inline uint32_t fxl_square_root(uint64_t value)
             root >>= 1;
         }
     }
-    return (uint32_t)(value > root ? root + 1 : root);
+    return (uint32_t)((value > root ? root + 1 : root) & UINT32_MAX);
 }
 
 #ifdef __cplusplus

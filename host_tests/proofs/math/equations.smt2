@@ -273,7 +273,7 @@
 ;     "value -= root + bit;",
 ;     "root = (root >> 1) + bit;",
 ;     "root >>= 1;",
-;     "return (uint32_t)(value > root ? root + 1 : root);",
+;     "return (uint32_t)((value > root ? root + 1 : root) & UINT32_MAX);",
 ; ]
 
 ; fxl_square_root of lib/math/plane.h, and what normalise of lib/math/plane.c takes from it. N is the value at first. Before a

@@ -112,7 +112,6 @@ void prove_shifted(void)
  * contract = true
  * equations = true
  * uses = ["fxl_square_root", "fxl_divide_round", "shifted"]
- * narrows = "it takes over a minute of CPU time with the check"
  */
 void prove_normalise(void)
 {

@@ -9,7 +9,6 @@
  * contract = true
  * unwind = 33
  * uses = ["fxl_slope_set"]
- * narrows = "it does not end in 120 s of CPU time with the check"
  */
 void prove_edge_set_far(void)
 {
