@@ -32,6 +32,7 @@
  * property = "the same of the text for cores with a divider of 32 bits"
  * checks = 67108863
  * flags = ["-DFXL_CORE_HAS=3"]
+ * links = ["lib/math/arith.c"]
  */
 /* The same for all texts: the edge holds for 2^shift rows. */
 void enumerate_divider_shift(void)
@@ -58,6 +59,7 @@ void enumerate_divider_shift(void)
  * property = "the reciprocal is off by -2^-29.38 to 2^-30.9 of itself, for every height"
  * checks = 67108863
  * flags = ["-DFXL_CORE_HAS=3"]
+ * links = ["lib/math/arith.c"]
  */
 /* The error relative to 2^(47 - shift) / height. */
 void enumerate_divider(void)
