@@ -78,7 +78,7 @@ fxl_clip_result any_assembled(const fxl_model_view *model_view, const fxl_face *
 /* [[row]]
  * function = "fxl_clip_by_view"
  * property = "any face of 3 to 24 corners, any vertices: nothing is out of bounds, and each shift and sum is in its range"
- * checks = 248
+ * checks = 250
  * unwind = 25
  * stands_in = { fxl_fetch_vertex = "any_fetch", fxl_face_is_outside = "any_is_outside", fxl_clip_assembled = "any_assembled" }
  * stubs = { fxl_clip_assembled = "any result: no row proves it", fxl_project_inside = "any place on the screen: that a vertex inside the planes has one is what make report measures" }

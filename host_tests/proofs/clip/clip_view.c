@@ -5,7 +5,7 @@
 /* [[row]]
  * function = "project_onto"
  * property = "nothing overflows"
- * checks = 12
+ * checks = 16
  * contract = true
  * equations = true
  */
@@ -51,7 +51,7 @@ static void any_cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, uin
 /* [[row]]
  * function = "lib/clip/cut_polygon.h:fxl_cut_edge"
  * property = "one step in any state at capacity 32: never more vertices than the capacity, never out of bounds, each crossing from inside to outside"
- * checks = 418
+ * checks = 424
  */
 void prove_cut_edge(void)
 {
@@ -172,7 +172,7 @@ bool any_cut_edge(fxl_cut *cut, fxl_cut_copy *copies, fxl_cut_cross *crosses, ui
 /* [[row]]
  * function = "fxl_clip_view_to_plane"
  * property = "any polygon of up to 32 vertices: each step is one that the row of fxl_cut_edge takes, and what is cut has 3 to 32 vertices"
- * checks = 196
+ * checks = 197
  * unwind = 33
  * stands_in = { fxl_view_distance = "any_distance", fxl_cut_edge = "any_cut_edge" }
  */
@@ -225,7 +225,7 @@ fxl_clip_result any_cut(const fxl_view_polygon *in, const fxl_view_frustum *frus
 /* [[row]]
  * function = "by_plane"
  * property = "any polygon, any plane: the row of fxl_clip_view_to_plane takes it, and counts are those of polygons"
- * checks = 70
+ * checks = 71
  * unwind = 8
  * stands_in = { fxl_clip_view_to_plane = "any_cut", fxl_clip_stats_add = "any_stats" }
  */
@@ -247,7 +247,7 @@ void prove_by_plane(void)
 /* [[row]]
  * function = "fxl_clip_view_by_planes"
  * property = "any polygon, any planes: each cut is one that the row of fxl_clip_view_to_plane takes, and the result is the input, a polygon of the workspace, or null"
- * checks = 106
+ * checks = 109
  * unwind = 8
  * stands_in = { fxl_clip_view_to_plane = "any_cut", fxl_clip_stats_add = "any_stats" }
  */
@@ -289,7 +289,7 @@ void prove_clip_stats_add(void)
  * function = "project_onto"
  * id = "project_onto, its result"
  * property = "the floor of the two products of three words each, added, over 2^30"
- * checks = 11
+ * checks = 20
  * stands_in = { fxl_multiply_u32 = "any_unsigned", fxl_multiply_s32 = "any_signed" }
  * stubs = { fxl_multiply_u32 = "C's product of two words" }
  */

@@ -5,7 +5,7 @@
 /* [[row]]
  * function = "fxl_intersection_fraction"
  * property = "nothing overflows"
- * checks = 24
+ * checks = 26
  * contract = true
  * uses = ["fxl_fraction"]
  */
@@ -18,7 +18,7 @@ void prove_intersection_fraction(void)
 /* [[row]]
  * function = "fxl_intersection_part"
  * property = "nothing overflows, and the result lies between the ends"
- * checks = 26
+ * checks = 29
  * contract = true
  * uses = ["fxl_multiply_high"]
  */
@@ -31,7 +31,7 @@ void prove_intersection_part(void)
 /* [[row]]
  * function = "fxl_intersection_varying"
  * property = "nothing overflows, and the result lies between the ends"
- * checks = 26
+ * checks = 29
  * contract = true
  * uses = ["fxl_multiply_high"]
  */
@@ -73,7 +73,7 @@ void prove_copy_vertex(void)
 /* [[row]]
  * function = "fxl_intersect_edge"
  * property = "nothing overflows, and the point is in range"
- * checks = 263
+ * checks = 267
  * contract = true
  * uses = ["fxl_fraction", "fxl_multiply_high"]
  */
@@ -88,7 +88,7 @@ void prove_intersect_edge(void)
 /* [[row]]
  * function = "lib/clip/intersection.h:fxl_intersection_screen"
  * property = "any edge and border of the screen: nothing overflows"
- * checks = 7
+ * checks = 8
  * stands_in = { fxl_divide_round = "any_part" }
  */
 void prove_intersection_screen(void)
@@ -122,14 +122,14 @@ static int64_t part_of(int64_t from, int64_t to, uint64_t fraction)
 /* [[row]]
  * function = "interpolate"
  * property = "from the one end towards the other by the upper word of their distance times the fraction"
- * checks = 11
+ * checks = 20
  * stands_in = { fxl_multiply_high = "any_high" }
  */
 /* [[row]]
  * function = "fxl_intersection_part"
  * id = "fxl_intersection_part, its result"
  * property = "the same"
- * checks = 11
+ * checks = 20
  * stands_in = { fxl_multiply_high = "any_high" }
  */
 void prove_interpolate(void)
@@ -146,7 +146,7 @@ void prove_interpolate(void)
  * function = "fxl_intersection_varying"
  * id = "fxl_intersection_varying, its result"
  * property = "the same, to the nearest: by half of the upper word of twice the distance, and one"
- * checks = 8
+ * checks = 14
  * stands_in = { fxl_multiply_high = "any_high" }
  */
 void prove_intersection_varying_result(void)
@@ -171,7 +171,7 @@ uint64_t any_fraction(uint64_t part, uint64_t whole)
  * function = "fxl_intersect_edge"
  * id = "fxl_intersect_edge, its result"
  * property = "each coordinate is the same part of the way, that of the inside distance in both distances"
- * checks = 109
+ * checks = 119
  * stands_in = { fxl_multiply_high = "any_high", fxl_fraction = "any_fraction" }
  */
 void prove_intersect_edge_result(void)

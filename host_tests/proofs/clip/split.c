@@ -5,7 +5,7 @@
 /* [[row]]
  * function = "along"
  * property = "nothing overflows, and the result lies between the ends"
- * checks = 26
+ * checks = 29
  * contract = true
  * uses = ["fxl_multiply_high"]
  */

@@ -19,7 +19,7 @@ void prove_half_space_from_plane(void)
 /* [[row]]
  * function = "side_plane"
  * property = "the normal is one of a half-space"
- * checks = 49
+ * checks = 54
  */
 void prove_side_plane(void)
 {
@@ -33,7 +33,7 @@ void prove_side_plane(void)
 /* [[row]]
  * function = "fxl_volume_from_sides"
  * property = "nothing is undefined for any frustum and focal length"
- * checks = 107
+ * checks = 112
  * unwind = 7
  */
 void prove_volume_from_sides(void)
@@ -68,7 +68,7 @@ int64_t any_s32(int32_t a, int32_t b)
 /* [[row]]
  * function = "fxl_half_space_distance"
  * property = "any half-space and point of the view: nothing overflows"
- * checks = 245
+ * checks = 251
  * contract = true
  * stands_in = { fxl_multiply_su32 = "any_su32", fxl_multiply_s32 = "any_s32" }
  */
@@ -108,7 +108,7 @@ void prove_volume_code(void)
 /* [[row]]
  * function = "fxl_volume_from_window"
  * property = "any window, or null: nothing overflows, and its planes are half-spaces"
- * checks = 130
+ * checks = 135
  * unwind = 7
  */
 void prove_volume_from_window(void)

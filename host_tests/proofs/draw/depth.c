@@ -42,7 +42,7 @@ static bool is_range(const fxl_band *band)
 /* [[row]]
  * function = "lib/draw/depth.c:fxl_depth_clear"
  * property = "any rows: nothing but cells of the band is cleared, and the rows that are clear stay rows of the band; bands of up to 4 rows of 4 cells"
- * checks = 159
+ * checks = 166
  * stubs = { fxl_fill_band = "asserts that all lies within the cells of the band" }
  */
 void prove_depth_clear(void)
@@ -62,7 +62,7 @@ void prove_depth_clear(void)
 /* [[row]]
  * function = "lib/draw/depth.c:fxl_depth_clear_all"
  * property = "from any state: nothing but cells of the band is cleared, and all are clear; bands of up to 4 rows of 4 cells"
- * checks = 172
+ * checks = 179
  * stubs = { fxl_fill_band = "asserts that all lies within the cells of the band" }
  */
 void prove_depth_clear_all(void)

@@ -45,7 +45,7 @@ void prove_display_list_append(void)
 /* [[row]]
  * function = "fxl_display_list_next"
  * property = "any list of up to two polygons of up to 8 points: nothing is out of bounds, and a record of the list is found"
- * checks = 135
+ * checks = 149
  */
 /* A list of any records that are whole: up to two. */
 void prove_display_list_next(void)

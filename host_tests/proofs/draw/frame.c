@@ -133,7 +133,7 @@ void prove_workspace_begin(void)
 /* [[row]]
  * function = "lib/draw/workspace.c:are_equal"
  * property = "any two records up to a camera's size: whether all bytes are the same, and none beyond is read"
- * checks = 31
+ * checks = 34
  * unwind = 50
  */
 /* No record that is compared is larger than a camera. */
@@ -155,7 +155,7 @@ void prove_are_equal(void)
 /* [[row]]
  * function = "lib/draw/workspace.c:has_room"
  * property = "up to 2 models, any room: whether the tables are the same ones and each sorted model fits"
- * checks = 129
+ * checks = 130
  */
 void prove_has_room(void)
 {
@@ -174,7 +174,7 @@ void prove_has_room(void)
 /* [[row]]
  * function = "lib/draw/workspace.c:note_settings"
  * property = "any renderer of up to 2 shaders: what is noted is current as long as nothing changes"
- * checks = 503
+ * checks = 505
  * unwind = 50
  */
 /* What was noted is current as long as nothing is changed; a change of one member is noticed. */
@@ -206,7 +206,7 @@ bool any_are_equal(const void *a, const void *b, size_t size)
 /* [[row]]
  * function = "lib/draw/workspace.c:is_current"
  * property = "any renderer of up to 2 shaders, any workspace: current only with the same number, parts, shaders, sizes, lens and camera"
- * checks = 482
+ * checks = 483
  * unwind = 8
  * stands_in = { are_equal = "any_are_equal" }
  */

@@ -86,7 +86,7 @@ uint32_t fxl_lit_corners_needed(const fxl_beam *beams, uint32_t beam_count)
 /* [[row]]
  * function = "lib/draw/beam_light.c:fxl_beam_light_workspace_size"
  * property = "any beams, or null: a multiple of 8 that does not overflow, with room for the corners"
- * checks = 2
+ * checks = 3
  * stubs = { fxl_beams_fit = "its own row", fxl_lit_pieces_needed = "at most 9^4, as its row says", fxl_lit_corners_needed = "up to six for each piece" }
  */
 void prove_beam_light_workspace_size(void)

@@ -31,7 +31,7 @@ static void *copy_words(void *to, const void *from, size_t size)
 /* [[row]]
  * function = "fxl_surface_polygon_append"
  * property = "any list of up to 128 words, any polygon: nothing is written beyond the capacity"
- * checks = 292
+ * checks = 296
  * stubs = { memcpy = "asserts that both objects have so many bytes", __builtin_memcpy = "copies words" }
  * unwind = 8
  */
@@ -54,7 +54,7 @@ void prove_surface_polygon_append(void)
 /* [[row]]
  * function = "fxl_surface_polygon_read"
  * property = "any record of up to 8 points: nothing is read beyond its longest form"
- * checks = 148
+ * checks = 152
  * stubs = { __builtin_memcpy = "copies words" }
  * unwind = 8
  */

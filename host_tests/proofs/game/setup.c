@@ -58,7 +58,7 @@ static void make_any(void)
 /* [[row]]
  * function = "fxl_setup_divide"
  * property = "any plan of a checked scene with up to 2^24 bytes for each of tree, pieces and beams, and null pointers: no size wraps, each share is aligned and holds its records; refused, none is written"
- * checks = 269
+ * checks = 273
  */
 void prove_setup_divide(void)
 {
@@ -115,7 +115,7 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *of, const 
 /* [[row]]
  * function = "fxl_setup_init"
  * property = "any shares, memory of up to 512 bytes, and null pointers: no share lies outside it; set up whole, or what is missing is told"
- * checks = 473
+ * checks = 476
  * stands_in = { fxl_setup_divide = "any_divide" }
  * stubs = { fxl_renderer_init = "any status" }
  */

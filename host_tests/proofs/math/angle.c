@@ -19,7 +19,7 @@ void prove_quarter_sine_q62(void)
 /* [[row]]
  * function = "fxl_sin_q31"
  * property = "nothing overflows, and the sine is within -1 and 1, for every angle"
- * checks = 28
+ * checks = 29
  * contract = true
  * uses = ["quarter_sine_q62"]
  */
@@ -45,7 +45,7 @@ void prove_cos_q31(void)
 /* [[row]]
  * function = "fxl_sin"
  * property = "nothing overflows, and the sine is within -1 and 1, for every angle"
- * checks = 28
+ * checks = 30
  * contract = true
  * uses = ["quarter_sine_q62"]
  */

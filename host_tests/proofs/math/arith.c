@@ -5,7 +5,7 @@
 /* [[row]]
  * function = "lib/math/core.h:fxl_leading_zeros"
  * property = "the number of zeros above the highest 1, exactly"
- * checks = 5
+ * checks = 6
  */
 void prove_leading_zeros(void)
 {
@@ -20,7 +20,7 @@ void prove_leading_zeros(void)
 /* [[row]]
  * function = "lib/math/arith.h:fxl_bit_length"
  * property = "the number of bits, exactly"
- * checks = 4
+ * checks = 6
  */
 void prove_bit_length(void)
 {
@@ -52,7 +52,7 @@ void prove_round_shift(void)
 /* [[row]]
  * function = "fxl_divide_u64"
  * property = "nothing overflows"
- * checks = 101
+ * checks = 112
  * contract = true
  * equations = true
  */
@@ -79,7 +79,7 @@ void prove_fraction(void)
 /* [[row]]
  * function = "lib/math/arith.h:fxl_divide_down"
  * property = "nothing overflows; a quotient of a coordinate of the screen is below 2^28"
- * checks = 55
+ * checks = 60
  * contract = true
  * uses = ["fxl_divide_u64"]
  */
@@ -92,7 +92,7 @@ void prove_divide_down(void)
 /* [[row]]
  * function = "lib/math/arith.h:fxl_divide_round"
  * property = "nothing overflows; a quotient of a coordinate of the screen is below 2^28"
- * checks = 30
+ * checks = 36
  * contract = true
  * uses = ["fxl_divide_down"]
  */
@@ -105,7 +105,7 @@ void prove_divide_round(void)
 /* [[row]]
  * function = "lib/math/arith.h:fxl_divide_floor"
  * property = "nothing overflows, and the remainder is below the denominator"
- * checks = 83
+ * checks = 88
  * contract = true
  * uses = ["fxl_divide_u32"]
  * flags = ["--object-bits", "8"]
@@ -120,7 +120,7 @@ void prove_divide_floor(void)
 /* [[row]]
  * function = "fxl_ratio"
  * property = "nothing overflows, and each quotient fits"
- * checks = 71
+ * checks = 80
  * contract = true
  * uses = ["fxl_divide_round"]
  */
@@ -174,7 +174,7 @@ void prove_point_in_range(void)
 /* [[row]]
  * function = "lib/math/arith.h:fxl_real_of"
  * property = "the mantissa's highest bit is 1"
- * checks = 10
+ * checks = 13
  */
 void prove_real_of(void)
 {
@@ -204,7 +204,7 @@ void prove_mantissa_ratio(void)
 /* [[row]]
  * function = "lib/math/arith.h:fxl_magnitude"
  * property = "the magnitude of every value, exactly"
- * checks = 1
+ * checks = 3
  */
 void prove_magnitude(void)
 {
@@ -231,7 +231,7 @@ void prove_divide_u32(void)
 /* [[row]]
  * function = "lib/math/core.h:fxl_multiply_high"
  * property = "nothing is undefined"
- * checks = 7
+ * checks = 9
  * contract = true
  * equations = true
  */
@@ -278,7 +278,7 @@ uint32_t any_quotient(uint64_t numerator, uint32_t denominator, uint32_t *remain
  * id = "fxl_divide_down, its result"
  * function = "lib/math/arith.h:fxl_divide_down"
  * property = "the quotient of the numerator; -1 less that of -1 less the numerator where the numerator is below 0"
- * checks = 11
+ * checks = 19
  * stands_in = { fxl_divide_u64 = "any_quotient" }
  */
 void prove_divide_down_result(void)
@@ -297,7 +297,7 @@ void prove_divide_down_result(void)
  * id = "fxl_divide_round, its result"
  * function = "lib/math/arith.h:fxl_divide_round"
  * property = "the floor of the numerator and half the denominator, over the denominator"
- * checks = 7
+ * checks = 10
  * stands_in = { fxl_divide_down = "any_down" }
  */
 void prove_divide_round_result(void)
@@ -326,7 +326,7 @@ uint32_t any_quotient_32(uint32_t numerator, uint32_t denominator, uint32_t *rem
  * id = "fxl_divide_floor, its result"
  * function = "lib/math/arith.h:fxl_divide_floor"
  * property = "quotient and remainder of the magnitude; below 0 those that make the numerator and whose remainder is not below 0"
- * checks = 34
+ * checks = 45
  * stands_in = { fxl_divide_u32 = "any_quotient_32" }
  */
 void prove_divide_floor_result(void)

@@ -29,8 +29,8 @@ static void any_row(void)
 /* [[row]]
  * function = "fxl_billboard_find_texels"
  * property = "any walk, up to 4 columns: nothing is out of bounds, and they are there afterwards"
- * narrows = "the number of a texel, which lies in the sprite: no row says so of a walk"
  * checks = 79
+ * narrows = "the number of a texel, which lies in the sprite: no row says so of a walk"
  * unwind = 6
  */
 void prove_billboard_find_texels(void)
@@ -44,7 +44,7 @@ void prove_billboard_find_texels(void)
 /* [[row]]
  * function = "fxl_billboard_find_entries"
  * property = "any sprite, up to 4 columns: nothing is out of bounds, and runs are in the columns, in their order and not empty"
- * checks = 171
+ * checks = 178
  * unwind = 6
  */
 void prove_billboard_find_entries(void)

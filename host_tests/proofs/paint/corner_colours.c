@@ -26,7 +26,7 @@ static fxl_corner_planes any_weights(void)
 /* [[row]]
  * function = "shorten"
  * property = "the least weight has 15 bits, no two are more than three times that apart, and nothing overflows"
- * checks = 38
+ * checks = 42
  * unwind = 4
  */
 void prove_shorten(void)
@@ -98,7 +98,7 @@ void prove_stays_within(void)
 /* [[row]]
  * function = "lib/paint/corner_planes.h:fxl_corner_planes_mean"
  * property = "nothing overflows, for all weights of a face and values that differ by at most 2^22"
- * checks = 66
+ * checks = 71
  * unwind = 4
  */
 void prove_corner_planes_mean(void)
@@ -119,7 +119,7 @@ void prove_corner_planes_mean(void)
 /* [[row]]
  * function = "lib/paint/smooth_outline.h:fxl_colour_outline_set"
  * property = "nothing is undefined, for any words"
- * checks = 317
+ * checks = 328
  */
 void prove_colour_outline_set(void)
 {
@@ -157,7 +157,7 @@ void prove_is_near(void)
 /* [[row]]
  * function = "differences_fit"
  * property = "true only where all differences are below 2^31 - 2^23 when shifted"
- * checks = 39
+ * checks = 40
  * unwind = 10
  */
 void prove_differences_fit(void)
@@ -178,7 +178,7 @@ void prove_differences_fit(void)
 /* [[row]]
  * function = "share"
  * property = "nothing overflows, and the place of a corner is that of its pixel and less than half of one"
- * checks = 283
+ * checks = 287
  */
 void prove_share(void)
 {
@@ -212,7 +212,7 @@ static shared_planes any_shared(void)
 /* [[row]]
  * function = "find_channel"
  * property = "sums of two products do not overflow"
- * checks = 50
+ * checks = 53
  */
 void prove_find_channel(void)
 {
@@ -226,7 +226,7 @@ void prove_find_channel(void)
 /* [[row]]
  * function = "two_words"
  * property = "both words, exactly"
- * checks = 2
+ * checks = 3
  */
 void prove_two_words(void)
 {
@@ -240,7 +240,7 @@ void prove_two_words(void)
 /* [[row]]
  * function = "channel_of_colours"
  * property = "nothing overflows, for all colours"
- * checks = 91
+ * checks = 95
  */
 void prove_channel_of_colours(void)
 {
@@ -255,7 +255,7 @@ void prove_channel_of_colours(void)
 /* [[row]]
  * function = "channel_of_values"
  * property = "nothing overflows, for all levels from 1/16 to 63 15/16"
- * checks = 143
+ * checks = 146
  * unwind = 4
  */
 void prove_channel_of_values(void)
@@ -296,7 +296,7 @@ void prove_set_words(void)
 /* [[row]]
  * function = "fxl_corner_colours"
  * property = "any colours of corners: each channel is a level of it"
- * checks = 69
+ * checks = 70
  */
 void prove_corner_colours(void)
 {
@@ -313,7 +313,7 @@ void prove_corner_colours(void)
 /* [[row]]
  * function = "fxl_corner_colours_light"
  * property = "any light of a ramp and any channels: nothing overflows"
- * checks = 76
+ * checks = 81
  */
 void prove_corner_colours_light(void)
 {
@@ -333,7 +333,7 @@ void prove_corner_colours_light(void)
 /* [[row]]
  * function = "lib/paint/colour_run.c:fxl_paint_colour_run"
  * property = "any words: no other pixel is written, and the first one has the levels of the words; runs of up to 4 pixels"
- * checks = 48
+ * checks = 50
  */
 void prove_paint_colour_run(void)
 {
@@ -396,7 +396,7 @@ uint64_t any_product_unsigned(uint32_t a, uint32_t b)
 /* [[row]]
  * function = "lib/paint/corner_planes.c:find_value"
  * property = "nothing overflows, and all are words, for small faces and values that differ by at most 2^23"
- * checks = 211
+ * checks = 219
  * unwind = 4
  * stands_in = { fxl_multiply_s32 = "any_product" }
  */
@@ -466,7 +466,7 @@ bool any_depth_words(const fxl_corner_planes *planes, fxl_depth_plane *depth)
 /* [[row]]
  * function = "lib/paint/corner_planes.c:fxl_find_texels"
  * property = "nothing is out of bounds; where it is true the gradients are words of u, v and perhaps light, and of a constant weight"
- * checks = 295
+ * checks = 299
  * unwind = 5
  * stands_in = { is_nearly_linear = "any_is_nearly_linear", find_value = "any_find_value", fxl_corner_planes_depth_words = "any_depth_words" }
  * stubs = { fxl_corner_planes_depth_words = "any depth: it is measured" }
@@ -474,7 +474,7 @@ bool any_depth_words(const fxl_corner_planes *planes, fxl_depth_plane *depth)
 /* [[row]]
  * function = "lib/paint/smooth_outline.h:fxl_has_texel_words"
  * property = "so it is of what fxl_find_texels finds, also where a level of the texture leaves up to 8 bits out"
- * checks = 295
+ * checks = 299
  * unwind = 5
  * stands_in = { is_nearly_linear = "any_is_nearly_linear", find_value = "any_find_value", fxl_corner_planes_depth_words = "any_depth_words" }
  * stubs = { fxl_corner_planes_depth_words = "any depth: it is measured" }

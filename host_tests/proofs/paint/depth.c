@@ -10,7 +10,7 @@
 /* [[row]]
  * function = "fxl_depth_keep_visible"
  * property = "for runs of up to 6 cells, any codes and any cells: visible cells keep their code, others stay, none is out of bounds"
- * checks = 78
+ * checks = 79
  * unwind = 10
  */
 void prove_depth_keep_visible(void)
@@ -57,7 +57,7 @@ static fxl_depth_scale any_scale(void)
 /* [[row]]
  * function = "lib/paint/depth_code.h:fxl_depth_scale_of"
  * property = "for every lens: 1 to 24 octaves, 11 to 15 bits, at most 65,536 codes"
- * checks = 19
+ * checks = 24
  */
 void prove_depth_scale_of(void)
 {
@@ -73,7 +73,7 @@ void prove_depth_scale_of(void)
 /* [[row]]
  * function = "lib/paint/depth_code.h:fxl_depth_octave_of"
  * property = "nothing overflows, and every shift is in its range"
- * checks = 133
+ * checks = 138
  */
 void prove_depth_octave_of(void)
 {
@@ -88,7 +88,7 @@ void prove_depth_octave_of(void)
 /* [[row]]
  * function = "lib/paint/depth_code.h:fxl_depth_octave_of_word"
  * property = "every shift is in its range, and the octave holds the word"
- * checks = 68
+ * checks = 69
  */
 void prove_depth_octave_of_word(void)
 {
@@ -105,7 +105,7 @@ void prove_depth_octave_of_word(void)
 /* [[row]]
  * function = "lib/paint/depth_code.h:fxl_depth_shifted"
  * property = "the lowest 32 bits of the floor, exactly"
- * checks = 17
+ * checks = 18
  */
 void prove_depth_shifted(void)
 {
@@ -142,7 +142,7 @@ static fxl_texel_outline any_texels(void)
 /* [[row]]
  * function = "lib/paint/texel_outline.c:colour_of"
  * property = "no texel is read that is not of the level, and without light it is that of the column and row of u and v, for any words"
- * checks = 139
+ * checks = 141
  */
 void prove_colour_of_words(void)
 {
@@ -160,13 +160,13 @@ void prove_colour_of_words(void)
 /* [[row]]
  * function = "lib/paint/texel_outline.c:paint_near"
  * property = "runs of up to 4 pixels of any words: visible cells take the code, others stay with their pixels, none is out of bounds"
- * checks = 285
+ * checks = 291
  * unwind = 6
  */
 /* [[row]]
  * function = "lib/paint/texel_outline.c:paint_any"
  * property = "the same in any order, and beyond the end of an octave a cell is not nearer than the word"
- * checks = 285
+ * checks = 291
  * unwind = 6
  */
 void prove_paint_near(void)
@@ -215,12 +215,12 @@ void prove_words_at(void)
 /* [[row]]
  * function = "lib/paint/smooth_outline.h:fxl_texel_words_of"
  * property = "gradients in words: each word is the gradient's, and light is 0 where it is none of them"
- * checks = 218
+ * checks = 254
  */
 /* [[row]]
  * function = "lib/paint/smooth_outline.h:fxl_texel_planes_scale"
  * property = "any words, shifts of up to 16 bits: rounded down, and no other word changes"
- * checks = 218
+ * checks = 254
  */
 void prove_texel_words(void)
 {
@@ -245,7 +245,7 @@ void prove_texel_words(void)
 /* [[row]]
  * function = "lib/paint/smooth_outline.h:fxl_texel_outline_set"
  * property = "any paint of a level with sides of up to 256 texels: its masks, what pixels there are, and even light"
- * checks = 241
+ * checks = 242
  */
 void prove_texel_outline_set(void)
 {
@@ -273,7 +273,7 @@ void prove_texel_outline_set(void)
 /* [[row]]
  * function = "lib/paint/smooth_outline.h:fxl_smooth_outline_set"
  * property = "any plane and light in words, any paint, pixels of 8 or 16 bits: the steps are the planes', and there is a limit exactly where codes have no border"
- * checks = 334
+ * checks = 338
  */
 void prove_smooth_outline_set(void)
 {

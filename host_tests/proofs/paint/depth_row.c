@@ -70,7 +70,7 @@ uint32_t fxl_depth_skip_hidden(const uint16_t *cells, uint32_t count, uint32_t c
 /* [[row]]
  * function = "lib/paint/depth_cells.h:fxl_depth_visible_end"
  * property = "runs of up to 4 cells of 16 or 32 bits, by either rule: nothing is out of bounds, and it ends at a hidden one"
- * checks = 356
+ * checks = 362
  * unwind = 6
  * cases = [16, 32]
  * stubs = { fxl_depth_keep_visible = "any number of the run's", fxl_depth_skip_hidden = "any number of the run's" }
@@ -92,7 +92,7 @@ void prove_depth_visible_end(void)
 /* [[row]]
  * function = "lib/paint/depth_cells.h:fxl_depth_hidden_end"
  * property = "runs of up to 4 cells of 16 or 32 bits, by either rule: nothing is out of bounds, and it ends at a visible one"
- * checks = 296
+ * checks = 302
  * unwind = 6
  * cases = [16, 32]
  * stubs = { fxl_depth_keep_visible = "any number of the run's", fxl_depth_skip_hidden = "any number of the run's" }
@@ -141,7 +141,7 @@ void prove_depth_passes(void)
 /* [[row]]
  * function = "lib/paint/depth_cells.h:fxl_depth_keep"
  * property = "any cell: no other changes, and the pixel passes again only where equal ones do"
- * checks = 146
+ * checks = 148
  * cases = [16, 32]
  * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
  */
@@ -250,7 +250,7 @@ void prove_depth_octave_holds(void)
 /* [[row]]
  * function = "fxl_depth_words_end"
  * property = "any 16 columns of the screen: it ends, after one column or more"
- * checks = 39
+ * checks = 48
  * unwind = 6
  * stands_in = { fxl_depth_octave_of_word = "any_octave_of_word", fxl_depth_octave_holds = "any_holds" }
  * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
@@ -315,7 +315,7 @@ void any_line(const fxl_depth_painting *of, void *cells, int32_t x0, int32_t x1,
 /* [[row]]
  * function = "fxl_depth_paint_row"
  * property = "rows of up to 4 cells of 16 and 32 bits, any plane that changes by up to 2^52 a pixel: nothing overflows, and each column is tested once, in cells of the band"
- * checks = 392
+ * checks = 408
  * cases = [16, 32]
  * unwind = 6
  * stands_in = { fxl_depth_words_end = "any_words_end", fxl_depth_octave_end = "any_octave_end", fxl_depth_paint_line = "any_line" }
@@ -355,7 +355,7 @@ void prove_depth_begin(void)
 /* [[row]]
  * function = "lib/paint/depth_rows.h:fxl_depth_rows_go"
  * property = "any plane and row: nothing overflows, and the cells are those of the row"
- * checks = 211
+ * checks = 214
  * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
  */
 void prove_depth_rows(void)

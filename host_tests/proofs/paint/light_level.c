@@ -5,7 +5,7 @@
 /* [[row]]
  * function = "fxl_light_corners_of"
  * property = "any checked settings and normals: nothing overflows or is out of bounds"
- * checks = 192
+ * checks = 200
  */
 void prove_light_corners_of(void)
 {
@@ -29,7 +29,7 @@ void prove_light_corners_of(void)
 /* [[row]]
  * function = "lib/paint/light_level.h:fxl_light_corner_level"
  * property = "any brightness from 0 to 1: a level of the ramp"
- * checks = 1
+ * checks = 5
  */
 void prove_light_corner_level(void)
 {
@@ -44,7 +44,7 @@ void prove_light_corner_level(void)
 /* [[row]]
  * function = "lib/paint/light_level.h:fxl_light_level"
  * property = "any brightness from 0 to 1: a level of the ramp"
- * checks = 1
+ * checks = 3
  */
 void prove_light_level(void)
 {
@@ -58,7 +58,7 @@ void prove_light_level(void)
 /* [[row]]
  * function = "lib/paint/light_level.h:fxl_light_shade"
  * property = "any brightness from 0 to 1: nothing overflows, and 1 leaves all of a colour"
- * checks = 1
+ * checks = 3
  */
 void prove_light_shade(void)
 {

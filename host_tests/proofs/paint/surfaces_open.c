@@ -95,7 +95,7 @@ fxl_status any_set(const fxl_surface_set *found, const fxl_scene *of, uint32_t p
 /* [[row]]
  * function = "fxl_surfaces_open"
  * property = "any image of up to 2 textures: texels lie in the image, a set is opened after its check, and refused, it stays"
- * checks = 365
+ * checks = 367
  * stands_in = { check_place = "any_place", fxl_surfaces_check = "any_set" }
  */
 void prove_surfaces_open(void)
@@ -203,7 +203,7 @@ static void any_tables(void)
 /* [[row]]
  * function = "check_corner"
  * property = "any corner of a checked scene: one that passes has a vertex and a normal of their tables, texels in their range, and colours of 24 bits"
- * checks = 356
+ * checks = 357
  * unwind = 8
  */
 void prove_check_corner(void)

@@ -5,7 +5,7 @@
 /* [[row]]
  * function = "fxl_texel_area"
  * property = "nothing overflows for coordinates below 2^30"
- * checks = 100
+ * checks = 101
  */
 void prove_texel_area(void)
 {
@@ -20,7 +20,7 @@ void prove_texel_area(void)
 /* [[row]]
  * function = "fxl_texel_density_find"
  * property = "any depth, projection and volume: nothing overflows, and both numbers have 32 bits"
- * checks = 39
+ * checks = 46
  */
 void prove_texel_density_find(void)
 {
@@ -38,7 +38,7 @@ void prove_texel_density_find(void)
 /* [[row]]
  * function = "fxl_texture_level_choose"
  * property = "any texture and density: nothing overflows, and the level is one that the texture has"
- * checks = 86
+ * checks = 95
  */
 void prove_texture_level_choose(void)
 {
@@ -58,12 +58,12 @@ void prove_texture_level_choose(void)
 /* [[row]]
  * function = "lib/paint/texture_level.h:fxl_texture_level_set"
  * property = "so it is of its sides"
- * checks = 133
+ * checks = 135
  */
 /* [[row]]
  * function = "fxl_texture_level_find"
  * property = "textures of up to 16 x 16 texels and 5 levels: nothing overflows, and the level lies in the texture"
- * checks = 133
+ * checks = 135
  */
 void prove_texture_level_find(void)
 {

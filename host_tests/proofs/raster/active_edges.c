@@ -35,7 +35,7 @@ static uint32_t find(fxl_active_edges *edges, uint32_t most)
 /* [[row]]
  * function = "find_edges"
  * property = "any outline of up to 5 points that a row crosses: two edges or more, each with what its set-up requires"
- * checks = 216
+ * checks = 217
  * unwind = 7
  * unwindset = { "any_outline.0" = 33 }
  * stands_in = { fxl_slope_set = "any_slope" }
@@ -52,7 +52,7 @@ void prove_find_edges(void)
  * id = "find_edges, windings"
  * function = "find_edges"
  * property = "any outline of up to 4 points: as many edges go down as up"
- * checks = 218
+ * checks = 219
  * unwind = 6
  * unwindset = { "any_outline.0" = 33 }
  * stands_in = { fxl_slope_set = "any_slope" }
@@ -72,7 +72,7 @@ void prove_windings(void)
 /* [[row]]
  * function = "next_vertex_row"
  * property = "any outline of up to 8 points: a row below, at most the end"
- * checks = 45
+ * checks = 46
  * unwind = 10
  * unwindset = { "any_outline.0" = 33 }
  */
@@ -149,7 +149,7 @@ static bool is_state(const fxl_active_edges *edges)
 /* [[row]]
  * function = "next_row"
  * property = "one step in any state: the next row, with two edges or more, until the end"
- * checks = 185
+ * checks = 187
  * stands_in = { step_edges = "any_step_edges", find_edges = "any_find_edges", next_vertex_row = "any_vertex_row" }
  */
 void prove_next_row(void)
@@ -216,7 +216,7 @@ int32_t any_end(fxl_active_edges *edges)
 /* [[row]]
  * function = "fxl_active_edges_next"
  * property = "any state with up to 2 rows and 2 stretches to come: a span of the band, or none"
- * checks = 128
+ * checks = 130
  * stands_in = { next_row = "any_next_row", end_of_two = "any_end", end_of_stretch = "any_end" }
  */
 void prove_active_edges_next(void)
@@ -244,7 +244,7 @@ void *any_memset(void *to, int byte, size_t size)
 /* [[row]]
  * function = "fxl_active_edges_fill"
  * property = "up to 3 rows of up to 16 pixels: each stretch lies in its row of the band, and the last is above the next vertex"
- * checks = 142
+ * checks = 146
  * stands_in = { step = "any_step", memset = "any_memset" }
  * stubs = { memset = "asserts that all bytes lie in the band" }
  */
@@ -301,7 +301,7 @@ void prove_band_is_aligned(void)
 /* [[row]]
  * function = "lib/raster/columns.h:fxl_pixel_at"
  * property = "a pixel of a byte, and of two, at any column of a row of four"
- * checks = 32
+ * checks = 33
  */
 void prove_pixel_at(void)
 {

@@ -5,7 +5,7 @@
 /* [[row]]
  * function = "fxl_edge_set_far"
  * property = "any edge of the screen: nothing overflows, and it holds for 1 to all of the rows"
- * checks = 292
+ * checks = 297
  * contract = true
  * unwind = 33
  * uses = ["fxl_slope_set"]
@@ -59,7 +59,7 @@ int32_t any_set(const fxl_screen_point *above, const fxl_screen_point *below, in
 /* [[row]]
  * function = "begin_edge"
  * property = "any outline of up to 5 points that is scanned by chains, any vertex above the row, in both directions: the loop ends, the edge crosses the row, and the next one begins above its end"
- * checks = 306
+ * checks = 313
  * cases = [1, 2]
  * unwind = 7
  * stands_in = { fxl_edge_set = "any_set" }
@@ -124,7 +124,7 @@ static bool is_scan(const fxl_scan *scan)
 /* [[row]]
  * function = "fxl_scan_next_trapezoid"
  * property = "one step in any state: rows of the scan, at least one, from the end of those before; both chains end there or below"
- * checks = 336
+ * checks = 348
  * stands_in = { begin_edge = "any_begin_edge" }
  * stubs = { fxl_active_edges_next = "any span of a band, or none", fxl_active_edges_begin = "not called" }
  */
@@ -174,7 +174,7 @@ const fxl_trapezoid *any_trapezoid(fxl_scan *scan)
 /* [[row]]
  * function = "lib/raster/scan.c:next_row_of_chains"
  * property = "any state with up to 3 rows to come: it ends, with a row of the scan or none"
- * checks = 256
+ * checks = 262
  * narrows = "x of an edge, which lies on the screen: that is the exactness of fxl_edge, which no row of CBMC states"
  * stands_in = { fxl_scan_next_trapezoid = "any_trapezoid" }
  * stubs = { fxl_active_edges_next = "not called", fxl_active_edges_begin = "not called" }
@@ -195,7 +195,7 @@ void prove_next_row_of_chains(void)
  * function = "lib/raster/scan.c:next_row_of_chains"
  * id = "a row's ends"
  * property = "any row within a trapezoid, whose edges differ there: from the lesser x of the two edges, a row lower, to the greater; none of a scan that is over"
- * checks = 267
+ * checks = 270
  * unwind = 2
  * stands_in = { fxl_edge_advance = "a_row_lower", fxl_scan_next_trapezoid = "any_trapezoid" }
  * stubs = { fxl_active_edges_next = "not called", fxl_active_edges_begin = "not called" }

@@ -126,7 +126,7 @@ static bool draw(unsigned kind, const fxl_band *band)
 /* [[row]]
  * function = "lib/raster/draw_outline_text.h:fxl_draw_outline"
  * property = "any polygon, and up to 3 trapezoids or spans of the band, in bytes and RGB565: what is filled are pixels of the band"
- * checks = 1102
+ * checks = 1134
  * cases = [0, 1, 2, 3]
  * stubs = { fxl_scan_outline = "begins", fxl_scan_next_trapezoid = "up to 3", fxl_active_edges_begin = "begins", fxl_active_edges_next = "up to 3 spans of the band", fxl_rows_of_points = "any rows", fxl_fill_trapezoid = "has a row", fxl_fill_trapezoid_rgb565 = "has a row", fxl_fill_span = "has a row", fxl_fill_row_rgb565 = "asserts that all lies within the band", fxl_active_edges_fill = "not of this build" }
  */

@@ -5,7 +5,7 @@
 /* [[row]]
  * function = "lib/raster/edge_divide.h:fxl_edge_dividend"
  * property = "nothing overflows, and the dividend is at most 2^43"
- * checks = 11
+ * checks = 13
  * contract = true
  * equations = true
  */
@@ -18,7 +18,7 @@ void prove_edge_dividend(void)
 /* [[row]]
  * function = "fxl_edge_first_pixel"
  * property = "nothing overflows, and the quotient fits"
- * checks = 186
+ * checks = 192
  * contract = true
  * uses = ["fxl_edge_dividend", "fxl_divide_down"]
  */
@@ -33,7 +33,7 @@ void prove_edge_first_pixel(void)
 /* [[row]]
  * function = "fxl_slope_set"
  * property = "nothing overflows; both remainders are below the height"
- * checks = 325
+ * checks = 328
  * contract = true
  * uses = ["fxl_edge_first_pixel", "fxl_divide_floor"]
  */
@@ -48,7 +48,7 @@ void prove_slope_set(void)
 /* [[row]]
  * function = "fxl_edge_advance"
  * property = "nothing overflows over the rows of a screen"
- * checks = 27
+ * checks = 35
  */
 void prove_edge_advance(void)
 {
@@ -62,13 +62,13 @@ void prove_edge_advance(void)
 /* [[row]]
  * function = "lib/raster/edge_divide.h:fxl_edge_divide"
  * property = "nothing overflows"
- * checks = 24
+ * checks = 25
  */
 /* [[row]]
  * function = "lib/raster/edge_divide.h:fxl_edge_divide"
  * id = "fxl_edge_divide by a divider of 32 bits"
  * property = "the same of the text for cores with a divider of 32 bits"
- * checks = 50
+ * checks = 58
  * flags = ["-DFXL_CORE_HAS=3"]
  * links = ["lib/math/arith.c"]
  */
@@ -104,13 +104,13 @@ void prove_edge_divider_shift(void)
 /* [[row]]
  * function = "lib/raster/edge_divide.h:fxl_edge_first_dividend"
  * property = "nothing overflows, and the dividend is in the range that the division takes"
- * checks = 5
+ * checks = 9
  */
 /* [[row]]
  * function = "lib/raster/edge_divide.h:fxl_edge_first_dividend"
  * id = "fxl_edge_first_dividend in halves"
  * property = "the same of the text for cores without long products"
- * checks = 8
+ * checks = 15
  * flags = ["-DFXL_CORE_HAS=0"]
  */
 void prove_edge_first_dividend(void)
@@ -160,7 +160,7 @@ unsigned any_shift(const fxl_edge_divider *divider)
 /* [[row]]
  * function = "fxl_edge_set_near"
  * property = "any edge of two rows or more: nothing overflows, each dividend is one that the division takes, and a row changes by at most 1,026 pixels"
- * checks = 170
+ * checks = 171
  * stands_in = { fxl_edge_divide = "any_divide", fxl_edge_divider_shift = "any_shift", fxl_edge_first_dividend = "any_dividend" }
  */
 void prove_edge_set_near(void)
@@ -219,7 +219,7 @@ int32_t any_dividend(int32_t start, int32_t dx, int32_t height, int32_t top_y)
 /* [[row]]
  * function = "fxl_edge_set"
  * property = "any edge on any row that it crosses: nothing overflows, each set-up gets what it requires, and the edge holds for 1 to all of the rows"
- * checks = 216
+ * checks = 226
  * stands_in = { fxl_edge_set_near = "any_near", fxl_divide_floor = "any_floor", fxl_edge_first_dividend = "any_dividend" }
  * stubs = { fxl_edge_set_far = "its contract" }
  */
@@ -282,7 +282,7 @@ int32_t some_quotient(int64_t numerator, uint32_t denominator)
  * function = "fxl_edge_first_pixel"
  * id = "fxl_edge_first_pixel, its result"
  * property = "the start's whole pixels, the floor of the dividend over the height, and 1"
- * checks = 80
+ * checks = 85
  * stands_in = { fxl_edge_dividend = "some_dividend", fxl_divide_down = "some_quotient" }
  */
 /* [[row]]
@@ -360,7 +360,7 @@ void prove_slope_set_result(void)
  * function = "fxl_edge_advance"
  * id = "fxl_edge_advance, its result"
  * property = "x and fraction, as one number of 64 bits, are larger by so many steps, for 1, 2, 3 and 1,023 rows"
- * checks = 144
+ * checks = 184
  * cases = [1, 2, 3, 1023]
  * stands_in = { fxl_multiply_u32 = "any_unsigned" }
  * stubs = { fxl_multiply_u32 = "C's product of two words" }
@@ -411,7 +411,7 @@ int32_t some_first(int32_t start, int32_t dx, int32_t height, int32_t top_y)
  * function = "fxl_edge_set_near"
  * id = "fxl_edge_set_near, its result"
  * property = "on the first row the start's whole pixels, the quotient of the first dividend and 1; the step is the quotient of dx; refused, and untouched, where so many rows need more bits than the shift"
- * checks = 175
+ * checks = 177
  * stands_in = { fxl_edge_divide = "some_divide", fxl_edge_divider_shift = "some_shift", fxl_edge_first_dividend = "some_first" }
  */
 void prove_edge_set_near_result(void)

@@ -54,7 +54,7 @@ static fxl_trapezoid any_trapezoid(const fxl_band *band)
 /* [[row]]
  * function = "lib/raster/fill.c:fxl_fill_trapezoid"
  * property = "any edges that lie within the band on each row: nothing but the band is filled; bands of up to 3 rows of up to 16 pixels at any address"
- * checks = 226
+ * checks = 235
  * unwind = 4
  * stubs = { fxl_fill_row = "fills any bytes of the band: its own text is within the row of fxl_fill_row_rgb565" }
  */
@@ -69,7 +69,7 @@ void prove_fill_trapezoid(void)
 /* [[row]]
  * function = "lib/raster/fill_rgb565.c:fxl_fill_trapezoid_rgb565"
  * property = "any edges that lie within the band on each row: nothing but the band is filled; bands of up to 3 rows of up to 16 pixels at any even address"
- * checks = 277
+ * checks = 286
  * unwind = 4
  * stubs = { fxl_fill_row = "fills any bytes of the band: its own text is within the row of fxl_fill_row_rgb565" }
  */
@@ -84,7 +84,7 @@ void prove_fill_trapezoid_rgb565(void)
 /* [[row]]
  * function = "lib/raster/fill.c:fxl_fill_span"
  * property = "any span of the band: nothing else is filled; bands of up to 3 rows of up to 16 pixels at any address"
- * checks = 298
+ * checks = 313
  * unwind = 4
  * stubs = { fxl_fill_row = "fills any bytes of the band: its own text is within the row of fxl_fill_row_rgb565" }
  */
@@ -101,7 +101,7 @@ void prove_fill_span(void)
 /* [[row]]
  * function = "lib/raster/fill.c:fxl_fill_band"
  * property = "nothing but the band is filled; bands of up to 3 rows of up to 16 pixels at any address"
- * checks = 252
+ * checks = 267
  * unwind = 4
  * stubs = { fxl_fill_row = "fills any bytes of the band: its own text is within the row of fxl_fill_row_rgb565" }
  */
@@ -115,7 +115,7 @@ void prove_fill_band(void)
 /* [[row]]
  * function = "lib/raster/fill_rgb565.c:fxl_fill_band_rgb565"
  * property = "nothing but the band is filled; bands of up to 3 rows of up to 16 pixels at any even address"
- * checks = 360
+ * checks = 372
  * unwind = 4
  * stubs = { fxl_fill_row = "fills any bytes of the band: its own text is within the row of fxl_fill_row_rgb565" }
  */
@@ -131,7 +131,7 @@ void prove_fill_band_rgb565(void)
 /* [[row]]
  * function = "fxl_edge_step"
  * property = "nothing overflows; by the step or one pixel more"
- * checks = 30
+ * checks = 37
  */
 void prove_edge_step(void)
 {
@@ -147,7 +147,7 @@ void prove_edge_step(void)
  * function = "fxl_edge_step"
  * id = "fxl_edge_step, its result"
  * property = "x and fraction, as one number of 64 bits, are larger by the step"
- * checks = 34
+ * checks = 41
  */
 void prove_edge_step_result(void)
 {

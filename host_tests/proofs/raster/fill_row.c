@@ -9,7 +9,7 @@
 /* [[row]]
  * function = "fxl_fill_row_rgb565"
  * property = "no other pixel is written, at any place of up to 12 pixels"
- * checks = 346
+ * checks = 349
  */
 void prove_fill_row_rgb565(void)
 {
@@ -32,7 +32,7 @@ void prove_fill_row_rgb565(void)
 /* [[row]]
  * function = "lib/raster/line_pixels.c:fxl_draw_line_pixels"
  * property = "a step in any state: the line stays within its pixel, and nothing is written out of bounds; bands of up to 3 rows of 12 pixels"
- * checks = 191
+ * checks = 196
  */
 void prove_draw_line_pixels(void)
 {

@@ -83,7 +83,7 @@ void prove_end_of_two(void)
 /* [[row]]
  * function = "fxl_active_edges_begin"
  * property = "its rows and columns are those of the band"
- * checks = 111
+ * checks = 116
  * unwind = 33
  */
 void prove_active_edges_begin(void)
@@ -100,7 +100,7 @@ void prove_active_edges_begin(void)
 /* [[row]]
  * function = "lib/raster/scan.c:fxl_rows_of_points"
  * property = "for up to 32 points: rows of the screen, the first not past the end"
- * checks = 33
+ * checks = 35
  * unwind = 33
  */
 void prove_rows_of_points(void)
@@ -115,7 +115,7 @@ void prove_rows_of_points(void)
 /* [[row]]
  * function = "lib/raster/scan.c:fxl_scan_rows"
  * property = "the same of a polygon of up to 32 points"
- * checks = 39
+ * checks = 41
  * unwind = 33
  */
 void prove_scan_rows(void)
@@ -134,7 +134,7 @@ void prove_scan_rows(void)
 /* [[row]]
  * function = "lib/raster/scan.c:fxl_outline_has_rows"
  * property = "for up to 32 points: nothing is undefined"
- * checks = 38
+ * checks = 40
  * unwind = 33
  */
 void prove_outline_has_rows(void)
@@ -151,7 +151,7 @@ void prove_outline_has_rows(void)
 /* [[row]]
  * function = "lib/raster/scan.c:survey"
  * property = "for up to 32 points: a vertex and rows of the outline; nothing overflows"
- * checks = 104
+ * checks = 112
  * unwind = 33
  */
 void prove_survey(void)
@@ -169,7 +169,7 @@ void prove_survey(void)
 /* [[row]]
  * function = "lib/raster/scan.c:fxl_scan_begin"
  * property = "for every polygon, band and null pointer: nothing is undefined"
- * checks = 473
+ * checks = 496
  * unwind = 33
  */
 void prove_scan_begin(void)
@@ -187,7 +187,7 @@ void prove_scan_begin(void)
 /* [[row]]
  * function = "lib/raster/scan.c:fxl_scan_outline"
  * property = "for up to 32 points and any band: nothing is undefined"
- * checks = 427
+ * checks = 450
  * unwind = 33
  */
 void prove_scan_outline(void)

@@ -19,7 +19,7 @@ bool any_next(fxl_active_edges *edges, fxl_span *span)
 /* [[row]]
  * function = "fxl_scan_next_of_active_edges"
  * property = "any span of a band: a trapezoid of one row, the left edge before the right one"
- * checks = 69
+ * checks = 70
  * stubs = { fxl_active_edges_next = "any span of a band, or none" }
  */
 void prove_scan_next_of_active_edges(void)

@@ -33,7 +33,7 @@ void prove_cover(void)
 /* [[row]]
  * function = "fxl_tiny_find"
  * property = "any triangle and band: nothing overflows, and the pixels found begin in the band and are 4"
- * checks = 752
+ * checks = 754
  * uses = ["edge_at", "cover"]
  */
 void prove_tiny_find(void)

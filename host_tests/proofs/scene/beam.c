@@ -5,7 +5,7 @@
 /* [[row]]
  * function = "fxl_beam_plane_at"
  * property = "the halves of its distance, exactly, and nothing out of bounds"
- * checks = 28
+ * checks = 29
  */
 void prove_beam_plane_at(void)
 {
@@ -105,7 +105,7 @@ fxl_status fxl_plane_from_points(const fxl_point *a, const fxl_point *b, const f
 /* [[row]]
  * function = "fxl_beam_from_point"
  * property = "any light and window of up to 4 corners, and null pointers: nothing overflows or is out of bounds, and there is a plane for each side and one more"
- * checks = 599
+ * checks = 602
  * unwind = 5
  * uses = ["fxl_unit_cross", "fxl_plane_from_point", "fxl_plane_distance"]
  * stubs = { fxl_plane_from_points = "any plane in range, or a status" }
@@ -124,7 +124,7 @@ void prove_beam_from_point(void)
 /* [[row]]
  * function = "fxl_beam_from_direction"
  * property = "any direction and window of up to 4 corners, and null pointers: nothing overflows or is out of bounds, and there is a plane for each side and one more"
- * checks = 661
+ * checks = 664
  * unwind = 5
  * uses = ["fxl_unit_cross", "fxl_plane_from_point", "fxl_plane_distance", "fxl_is_unit", "fxl_dot"]
  * stubs = { fxl_plane_from_points = "any plane in range, or a status" }

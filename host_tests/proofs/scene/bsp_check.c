@@ -81,7 +81,7 @@ void prove_lies_on(void)
 /* [[row]]
  * function = "square_between"
  * property = "any two points below 2^30: nothing overflows"
- * checks = 60
+ * checks = 63
  * unwind = 8
  */
 void prove_square_between(void)
@@ -96,7 +96,7 @@ void prove_square_between(void)
 /* [[row]]
  * function = "square"
  * property = "any radius: nothing overflows"
- * checks = 1
+ * checks = 2
  */
 void prove_square(void)
 {
@@ -244,7 +244,7 @@ void prove_bsp_check(void)
 /* [[row]]
  * function = "lib/scene/bsp_node.h:fxl_bsp_is_front"
  * property = "any checked node and any point below 2^30: nothing overflows, and the distance is that of both halves"
- * checks = 86
+ * checks = 87
  * stands_in = { fxl_dot = "any_dot" }
  */
 /* As check_plane of lib/scene/bsp_check.c leaves a node: its row asserts it. */

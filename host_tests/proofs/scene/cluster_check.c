@@ -55,7 +55,7 @@ void prove_centre_is_among(void)
  * id = "sphere_holds of a cluster"
  * function = "sphere_holds"
  * property = "any sphere, and one vertex of any face: nothing overflows or is out of bounds"
- * checks = 413
+ * checks = 417
  * unwind = 8
  */
 /* One round: a vertex of a face. */
@@ -104,7 +104,7 @@ int64_t any_dot_units(const fxl_direction *a, const fxl_direction *b)
 /* [[row]]
  * function = "faces_away"
  * property = "any face of a checked cluster and any cone: nothing overflows or is out of bounds"
- * checks = 518
+ * checks = 519
  * unwind = 8
  * stands_in = { dot_units = "any_dot_units", fxl_dot = "any_dot" }
  */

@@ -26,7 +26,7 @@ void prove_light_check(void)
 /* [[row]]
  * function = "fxl_light_settings_of"
  * property = "any light of up to 4 points: nothing is out of bounds, and the settings are the light's"
- * checks = 152
+ * checks = 154
  */
 void prove_light_settings_of(void)
 {

@@ -134,7 +134,7 @@ uint32_t any_root(uint64_t value)
 /* [[row]]
  * function = "length_of"
  * property = "any place below 2^30: nothing overflows"
- * checks = 40
+ * checks = 43
  * unwind = 11
  * stands_in = { fxl_square_root = "any_root" }
  */
@@ -167,7 +167,7 @@ int64_t any_length(const int64_t place[3])
 /* [[row]]
  * function = "chain_in_world"
  * property = "any chain of up to nine: nothing overflows"
- * checks = 313
+ * checks = 315
  * unwind = 11
  * stands_in = { fxl_multiply_s64 = "any_product", reach_of = "any_reach", length_of = "any_length" }
  */

@@ -19,7 +19,7 @@ void prove_is_rotation(void)
 /* [[row]]
  * function = "fxl_placement_radius"
  * property = "nothing overflows for a scale and a radius in range, and the radius has the slack"
- * checks = 8
+ * checks = 13
  */
 void prove_placement_radius(void)
 {
@@ -34,7 +34,7 @@ void prove_placement_radius(void)
 /* [[row]]
  * function = "fxl_placement_check"
  * property = "any placement, centre and radius, and null pointers: nothing overflows, and what passes is in range"
- * checks = 67
+ * checks = 69
  * uses = ["fxl_is_rotation"]
  */
 void prove_placement_check(void)
@@ -51,7 +51,7 @@ void prove_placement_check(void)
 /* [[row]]
  * function = "fxl_placement_places_are_in_range"
  * property = "nothing overflows or is out of bounds; up to 2 turned instances of 3"
- * checks = 137
+ * checks = 144
  */
 void prove_placement_places_are_in_range(void)
 {
@@ -71,7 +71,7 @@ void prove_placement_places_are_in_range(void)
 /* [[row]]
  * function = "fxl_placement_check_all"
  * property = "nothing overflows or is out of bounds, and a turned instance is at fault; up to 2 of 3"
- * checks = 117
+ * checks = 119
  * uses = ["fxl_is_rotation"]
  */
 void prove_placement_check_all(void)

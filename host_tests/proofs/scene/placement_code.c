@@ -15,7 +15,7 @@ static fxl_q16_16 any_radius(const fxl_scene *of, uint32_t number)
 /* [[row]]
  * function = "fxl_instance_radius"
  * property = "any instance of a checked scene, turned or not: its placement's, or its model's, which is in its range"
- * checks = 1764
+ * checks = 1765
  * unwind = 8
  */
 void prove_instance_radius(void)

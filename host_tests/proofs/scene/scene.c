@@ -33,7 +33,7 @@ void prove_explain(void)
 /* [[row]]
  * function = "lib/scene/crc.c:fxl_crc"
  * property = "for up to 8 bytes: nothing is read out of bounds, and every remainder is in its table"
- * checks = 15
+ * checks = 16
  * unwind = 9
  */
 void prove_crc(void)

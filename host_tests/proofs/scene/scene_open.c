@@ -112,7 +112,7 @@ fxl_status any_lens(const fxl_image_header *head, fxl_lens *lens)
 /* [[row]]
  * function = "check_settings"
  * property = "any header: one that passes has a start in the world and motion limits in their range"
- * checks = 197
+ * checks = 198
  * stands_in = { check_lens = "any_lens" }
  * stubs = { fxl_scene_section = "any entry that lies in the image, or none", fxl_lens_from_fov = "any status", fxl_lens_set_centre = "any status", fxl_light_settings_of = "any settings", fxl_light_check = "any status", fxl_scene_sections_check = "any status", fxl_scene_check_all = "any status, after the sections", fxl_motion_check = "any status, after the scene" }
  */
@@ -213,7 +213,7 @@ fxl_status any_path(const fxl_scene_image *of, fxl_scene_fault *to)
 /* [[row]]
  * function = "fxl_scene_open"
  * property = "any pointer and size: an image is opened after all checks passed, in their order; refused, what was opened stays"
- * checks = 34
+ * checks = 36
  * stands_in = { check_settings = "any_settings", open_sections = "any_sections", check_light = "any_light", check_path = "any_path" }
  * stubs = { fxl_scene_section = "any entry that lies in the image, or none", fxl_lens_from_fov = "any status", fxl_lens_set_centre = "any status", fxl_light_settings_of = "any settings", fxl_light_check = "any status", fxl_scene_sections_check = "any status", fxl_scene_check_all = "any status, after the sections", fxl_motion_check = "any status, after the scene" }
  */

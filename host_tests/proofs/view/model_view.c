@@ -162,7 +162,7 @@ void prove_face_is_outside(void)
 /* [[row]]
  * function = "lib/view/model_view.h:fxl_set_face_of_points"
  * property = "any number of points: those of a triangle have the indices 0, 1 and 2, and the listed ones of others begin at 0"
- * checks = 29
+ * checks = 30
  */
 void prove_set_face_of_points(void)
 {
@@ -177,7 +177,7 @@ void prove_set_face_of_points(void)
 /* [[row]]
  * function = "lib/view/order.h:fxl_draw_entry_of"
  * property = "any distance, index and layer: each member has its part"
- * checks = 2
+ * checks = 4
  */
 void prove_draw_entry_of(void)
 {

@@ -91,7 +91,7 @@ fxl_planes any_outcode(const fxl_view_frustum *frustum, fxl_planes planes, const
 /* [[row]]
  * function = "fxl_transform_vertex"
  * property = "any model view, any vertex below 2^30: no sum overflows, and the entry gets the vertex's tag"
- * checks = 426
+ * checks = 427
  * uses = ["fxl_rotate"]
  * stands_in = { fxl_outside = "any_outside", fxl_outcode = "any_outcode" }
  */
@@ -166,7 +166,7 @@ unsigned any_pair(const fxl_view_frustum *frustum, int plane, const fxl_view_poi
 /* [[row]]
  * function = "lib/view/outcode.h:fxl_outside"
  * property = "any frustum and point of the view: no sum overflows, and bits of the given planes alone, or that a pair is open"
- * checks = 124
+ * checks = 208
  */
 void prove_outside(void)
 {
@@ -181,7 +181,7 @@ void prove_outside(void)
 /* [[row]]
  * function = "lib/view/outcode.c:fxl_outcode"
  * property = "any frustum and point of the view: bits of the given planes alone, also where a pair is open"
- * checks = 85
+ * checks = 87
  * stands_in = { fxl_outside = "any_outside", fxl_outside_of_pair = "any_pair" }
  */
 void prove_outcode(void)
