@@ -100,7 +100,7 @@ static void check_words(double spread, bool is_even, word_counts *counts)
     counts->bent += last != o;
 }
 
-/* SPEC 9.1.1s-t, accuracy 5.1.1k, 5.1.1n, 5.1.1u-v */
+/* SPEC 9.1.1s-t, accuracy 5.1.1k, 5.1.1n */
 void test_words_are_codes_and_light(void)
 {
     word_counts counts = {0, 0, 0, 0, 0, 0};

@@ -69,7 +69,7 @@ static void choose_texture(uint8_t flags)
 
 /* Opaque texels, which are painted in a loop of their own, and the same with a key that no texel
  * has. */
-/* SPEC 9.6j, 9.7a */
+/* SPEC 9.7 */
 void test_even_light_of_a_texture_without_segments(void)
 {
     uint32_t differing = 0;

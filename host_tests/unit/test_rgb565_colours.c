@@ -77,7 +77,7 @@ void test_channels_are_added_up_to_the_largest(void)
     check_blend(FXL_SURFACE_ADD, sum);
 }
 
-/* rgb565 2.1a-b, 2.1g */
+/* rgb565 2.1a-b, 2.1g, SPEC 9.6j */
 void test_light_takes_a_part_of_each_channel(void)
 {
     static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(64)];

@@ -372,7 +372,7 @@ void test_entries_of_the_table_of_sections(void)
     }
 }
 
-/* formats 1.2at */
+/* formats 1.2 */
 /* A path is poses or segments, and not both. */
 void test_an_image_has_one_path(void)
 {

@@ -120,7 +120,7 @@ void test_faults_name_the_last_element_as_well_as_the_first(void)
     expect_fault(FXL_E_FACE_BOUNDS, "face", 11, &tiny->scene);
 }
 
-/* formats 1.4c-d */
+/* formats 1.2k-o */
 void test_tables_of_too_few_and_too_many(void)
 {
     static const struct {

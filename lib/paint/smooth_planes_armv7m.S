@@ -75,6 +75,33 @@
     orr     \low, \low, \high
     .endm
 
+/* A value r0 of corner 0, and what the other two have more, r2 and r5, become the word at the first
+ * centre, r0, and its changes along, r4, and down, r12. r1: the drop + \more, then the drop; r3, r6: where
+ * corner 0 is; r8-r11: the coefficients. Goes to \refused where they are no words. */
+    .macro words_of_values more, refused
+    smull   r4, r7, r2, r11
+    smlal   r4, r7, r5, r9
+    smull   r12, lr, r2, r10
+    smlal   r12, lr, r5, r8
+    eor     r2, r7, r7, asr #31
+    eor     r5, lr, lr, asr #31
+    orr     r2, r2, r5
+    sub     r5, r1, #\more + 1
+    lsrs    r2, r2, r5
+    bne     \refused
+    .if     \more
+    sub     r1, r1, #\more
+    .endif
+    rsb     r2, r1, #32
+    lower_of_shifted r4, r7, r1, r2
+    lower_of_shifted r12, lr, r1, r2
+    smull   r5, r7, r4, r3
+    smlal   r5, r7, r12, r6
+    lsr     r5, r5, #16
+    orr     r5, r5, r7, lsl #16
+    rsb     r0, r5, r0, lsl #8
+    .endm
+
 /* Light, if it is nearly affine: r7:r4 and lr:r12 become along and down. */
     .macro find_light
     ldr     r7, [sp, #LIGHT]
@@ -91,25 +118,7 @@
     sbcs    r4, r4, r12
     blo     .Ltwisted_light
 .Lbalanced_light:
-    smull   r4, r7, r2, r11
-    smlal   r4, r7, r5, r9
-    smull   r12, lr, r2, r10
-    smlal   r12, lr, r5, r8
-    eor     r2, r7, r7, asr #31
-    eor     r5, lr, lr, asr #31
-    orr     r2, r2, r5
-    sub     r5, r1, #9
-    lsrs    r2, r2, r5
-    bne     .Lrefused_light
-    sub     r1, r1, #8
-    rsb     r2, r1, #32
-    lower_of_shifted r4, r7, r1, r2
-    lower_of_shifted r12, lr, r1, r2
-    smull   r5, r7, r4, r3
-    smlal   r5, r7, r12, r6
-    lsr     r5, r5, #16
-    orr     r5, r5, r7, lsl #16
-    rsb     r0, r5, r0, lsl #8
+    words_of_values 8, .Lrefused_light
     ldr     r5, [sp, #GRADIENTS]
     asr     r1, r0, #31
     strd    r0, r1, [r5, #GRADIENTS_ATTRIBUTES + GRADIENT_AT]
@@ -185,24 +194,7 @@
     subs    r7, r7, r4
     sbcs    lr, lr, r12
     blo     .Lrefused_texels
-    smull   r4, r7, r2, r11
-    smlal   r4, r7, r5, r9
-    smull   r12, lr, r2, r10
-    smlal   r12, lr, r5, r8
-    eor     r2, r7, r7, asr #31
-    eor     r5, lr, lr, asr #31
-    orr     r2, r2, r5
-    sub     r5, r1, #1
-    lsrs    r2, r2, r5
-    bne     .Lrefused_texels
-    rsb     r2, r1, #32
-    lower_of_shifted r4, r7, r1, r2
-    lower_of_shifted r12, lr, r1, r2
-    smull   r5, r7, r4, r3
-    smlal   r5, r7, r12, r6
-    lsr     r5, r5, #16
-    orr     r5, r5, r7, lsl #16
-    rsb     r0, r5, r0, lsl #8
+    words_of_values 0, .Lrefused_texels
     ldr     r5, [sp, #WORDS]
     str     r0, [r5, #4 + 4 * \number]
     str     r12, [r5, #TEXEL_OUTLINE_DOWN + 4 + 4 * \number]
