@@ -60,7 +60,7 @@ static fxl_pose shuffle(void)
 
 /* Cubes that pass through each other are cut where a third cube's planes are, but two that move
  * are not cut by each other: those are kept apart. */
-/* bsp 1.2a, 2.1b, 2.2a, 2.2c-f, 3.1a, 3.1c */
+/* bsp 1.2a, 2.1b, 2.2a, 2.2c-f, 3.1a, 3.1c, 3.2b */
 void test_what_a_ray_sees_first_is_seen(void)
 {
     const uint32_t rounds = UNIT_REPEAT / 100;

@@ -225,14 +225,14 @@ static void any_faces(uint32_t beam_count, int grid)
     TEST_ASSERT_TRUE(split > UNIT_REPEAT / 100);
 }
 
-/* beams 3.4, 3.2d, 3.3b-c, 3.5a, 3.6b */
+/* beams 3.4, 3.2d, 3.3b-c, 3.5a, 3.6b, clippers 9.3a */
 void test_neighbours_fit_on_a_coarse_grid(void)
 {
     any_faces(1, 65536);
     any_faces(2, 65536);
 }
 
-/* beams 3.1, 3.4, 3.5, 2.3b, 3.3c, 3.6b */
+/* beams 3.1, 3.4, 3.5, 2.3b, 3.3c, 3.6b, clippers 9.3a */
 void test_neighbours_fit_anywhere(void)
 {
     any_faces(1, 46341);

@@ -119,6 +119,7 @@ void test_a_line_has_both_its_ends(void)
     overlay_expect_wanted();
 }
 
+/* billboards 3.2b */
 void test_sprites_of_every_depth_are_drawn_bit_by_bit(void)
 {
     static const uint8_t depths[] = {1, 4, 8};

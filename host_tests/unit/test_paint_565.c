@@ -267,7 +267,7 @@ static uint32_t draw_words(void)
 
 /* Texels of 8 and of 16 bits, unlit, lit, and lit evenly, of one octave and of two, near to far and
  * far to near. */
-/* SPEC 9.5, rgb565 2.1 */
+/* SPEC 9.5, 10.3d, rgb565 2.1 */
 void test_texels_in_words(void)
 {
     uint32_t hidden = 0;

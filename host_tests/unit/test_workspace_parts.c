@@ -169,6 +169,7 @@ void test_the_memory_of_a_clipper_is_aligned(void)
     }
 }
 
+/* rgb565 3.6a */
 /* A power of two of entries, enough for the largest of all models and for no more, as far as the
  * bytes go. */
 void test_entries_for_the_largest_model(void)
@@ -219,6 +220,7 @@ static fxl_status init_again(const fxl_scene *scene, const fxl_lens *lens)
     return fxl_renderer_init_with(&renderer, scene, lens, &tables);
 }
 
+/* rgb565 3.6a */
 /* Another scene, also one in the same record; another lens; and other frames of the same ones. */
 void test_a_workspace_from_before_init_is_refused(void)
 {
@@ -296,6 +298,7 @@ void test_changes_are_counted_to_the_last_number(void)
     TEST_ASSERT_EQUAL(FXL_OK, draw_in_the_second(0));
 }
 
+/* rgb565 3.6a */
 /* A centre of the lens is one of the settings; the same one again is no other. */
 void test_a_centre_that_moved_is_another_lens(void)
 {
