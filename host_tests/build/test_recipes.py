@@ -72,6 +72,12 @@ def test_a_tag_that_no_pattern_finds_fails_also_where_only_a_tag_has_the_words(t
     assert [words.split(" ")[0] for words in wrong()] == ["lib/a.c:2:"]
 
 
+def test_the_name_of_a_clause_is_no_place(tmp_path):
+    texts = {"lib/a.c": "/* tint_of 3.6a, SPEC 9.6j */\nint a;\n", "lib/b.c": "/* tint_of */\n", "lib/c.c": "/* tint_of 3.6a */ tint_of();\n"}
+    *_, wrong = checkout(tmp_path, HEAD, texts)
+    assert [words.split(" ")[0] for words in wrong()] == ["lib/b.c:1", "lib/c.c:1"]
+
+
 def test_a_file_is_either_a_place_or_none(tmp_path):
     none = '[light.not_places]\n"only use it" = ["lib/*.c", "tools/gone.py"]\n'
     *_, wrong = checkout(tmp_path, HEAD + none, {"lib/a.c": "tint_of\n", "lib/b.c": tag("light", "b") + "tint_of\n"})

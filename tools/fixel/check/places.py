@@ -35,6 +35,7 @@ KINDS = ("code", "tests", "documents")
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 RECORD = "host_tests/build/recipes.toml"
 OPENS = r"^[[:space:]]*(/\*|//|#|<!--) place [a-z-]+: "      # for git grep: a line that is a tag
+CLAUSE = r"^[[:space:]]*(/\*|#) [A-Za-z0-9_]+ [0-9]+\.[-0-9a-zA-Z_., ]*(\*/)?[[:space:]]*$"     # and one that names clauses: their page's name is no place
 TAG = re.compile(r"^\s*(?:/\* place ([a-z-]+): (.+) \*/|(?://|#) place ([a-z-]+): (.+)|<!-- place ([a-z-]+): (.+) -->)\s*$")
 COMMENTS = {"/* {} */": (".c", ".h", ".S", ".ld"), "// {}": (".rs", ".mjs"), "<!-- {} -->": (".md",), "# {}": (".py", ".toml", ".mk", ".txt", "Makefile")}
 
@@ -100,7 +101,7 @@ def listed(*arguments, folder=ROOT):
 
 def _grep(recipe, how, folder, files=()):
     return [line for pattern, paths in recipe.finds
-            for line in listed("grep", "--untracked", how, "-e", pattern, "--and", "--not", "-e", OPENS, "--", *(files or paths), folder=folder)]
+            for line in listed("grep", "--untracked", how, "-e", pattern, "--and", "--not", "(", "-e", OPENS, "--or", "-e", CLAUSE, ")", "--", *(files or paths), folder=folder)]
 
 
 def load(folder=ROOT):
