@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: MIT */
+/* Part of smooth_planes_armv7m.S: the planes of a face's three channels, from the colours of its corners.
+ * corner_colours.c has the C text. Assembly. */
+#ifndef FXL_COLOUR_CHANNELS_ARMV7M_H
+#define FXL_COLOUR_CHANNELS_ARMV7M_H
+
+/* clang-format off */
+
+/* A channel of the values at r7, in r0, along, in r4, and down, in r1. r3, r6: where corner 0 is,
+ * lr: what moves a difference up. */
+    .macro find_channel offset
+    ldr     r0, [r7, #\offset]
+    ldrd    r1, r2, [r7, #\offset + 4]
+    lsl     r1, r1, lr
+    lsl     r2, r2, lr
+    smull   r5, r4, r1, r11
+    smlal   r5, r4, r2, r9
+    smull   r5, r1, r1, r10
+    smlal   r5, r1, r2, r8
+    smull   r5, r2, r4, r3
+    smlal   r5, r2, r1, r6
+    ldr     r5, [sp, #ROW]
+    rsb     r0, r2, r0, lsl #6
+    mls     r0, r1, r5, r0
+    .endm
+
+#define FIRST  GRADIENTS_ATTRIBUTES
+#define SECOND (GRADIENTS_ATTRIBUTES + GRADIENT_SIZE)
+
+/* The three channels, if a constant weight changes none too much. r7: the values of a channel,
+ * whose second and third become differences from the first; r12: their end. */
+    .macro find_channels
+    ldr     r7, [sp, #VALUES]
+    ldrd    r4, r5, [sp, #LEAST]
+    add     r12, r7, #COLOUR_VALUES_LIMIT
+    ldr     r2, [r12]
+    cmp     r5, r4, lsr #7
+    it      hi
+    cmphi   r2, #0
+    bls     .Lany_bend              /* weights are near, or are not asked for */
+    clz     r0, r4
+    rsb     r0, r0, #17
+    lsrs    r4, r4, r0
+    mul     r5, r2, r4
+    ldrd    r3, r6, [sp, #APART]
+
+    /* r4: the least weight, r3, r6: the others less the first one, r5: what needs no mean. */
+.Lbend:
+    ldm     r7, {r0, r1, r2}
+    subs    r1, r1, r0
+    subs    r2, r2, r0
+    strd    r1, r2, [r7, #4]
+    asrs    r1, r1, #8
+    asrs    r2, r2, #8
+    subs    r0, r2, r1
+    sub     lr, r6, r3
+    mul     r1, r3, r1
+    mul     r2, r6, r2
+    mul     r0, lr, r0
+    add     lr, r1, r5
+    cmp     lr, r5, lsl #1
+    itt     ls
+    addls   lr, r2, r5
+    cmpls   lr, r5, lsl #1
+    itt     ls
+    addls   lr, r0, r5
+    cmpls   lr, r5, lsl #1
+    bhi     .Lmean
+.Lbalanced:
+    adds    r7, r7, #12
+    cmp     r7, r12
+    bne     .Lbend
+.Ldifferences:
+    ldr     r7, [sp, #VALUES]
+    ldr     r0, [sp, #EXPONENT]
+    mov     lr, #9
+    subs    r0, r0, #29
+    blt     .Lshort_side
+    asr     r8, r8, r0
+    asr     r9, r9, r0
+    asr     r10, r10, r0
+    asr     r11, r11, r0
+.Lscaled:
+    ldrd    r3, r6, [sp, #X]
+    ldr     r12, [sp, #GRADIENTS]
+    add     r0, r6, #32768
+    add     r1, r3, #32768
+    asrs    r0, r0, #16
+    asrs    r1, r1, #16
+    str     r0, [sp, #ROW]
+    str     r1, [r12, #FIRST + GRADIENT_AT + 4]
+    lsls    r3, r3, #16
+    lsls    r6, r6, #16
+    find_channel 0
+    add     r0, r0, #1024
+    str     r0, [r12, #FIRST + GRADIENT_AT]
+    str     r1, [r12, #FIRST + GRADIENT_DOWN]
+    str     r4, [r12, #SECOND + GRADIENT_ALONG]
+    add     r4, r4, #1024
+    asrs    r4, r4, #11
+    str     r4, [r12, #FIRST + GRADIENT_ALONG]
+    find_channel 12
+    lsls    r4, r4, #4
+    str     r0, [r12, #SECOND + GRADIENT_AT]
+    str     r1, [r12, #FIRST + GRADIENT_DOWN + 4]
+    str     r4, [r12, #FIRST + GRADIENT_ALONG + 4]
+    find_channel 24
+    add     r0, r0, #1024
+    ldr     r2, [r12, #FIRST + GRADIENT_ALONG]
+    str     r0, [r12, #SECOND + GRADIENT_AT + 4]
+    str     r4, [r12, #SECOND + GRADIENT_ALONG + 4]
+    add     r4, r4, #1024
+    asrs    r4, r4, #11
+    add     r2, r2, r4, lsl #16
+    asrs    r5, r1, #31
+    str     r2, [r12, #FIRST + GRADIENT_ALONG]
+    strd    r1, r5, [r12, #SECOND + GRADIENT_DOWN]
+    movs    r0, #0
+    mov     r1, #1 << 29            /* FXL_CONSTANT_WEIGHT */
+    strd    r0, r1, [r12, #GRADIENT_AT]
+    strd    r0, r0, [r12, #GRADIENT_ALONG]
+    strd    r0, r0, [r12, #GRADIENT_DOWN]
+    movs    r0, #1
+    strd    r0, r0, [r12, #GRADIENTS_WEIGHT_MIN]
+    mov     r1, #0x7f7f7f7f         /* FXL_SHIFT_OF_WORDS */
+    movs    r2, #2                  /* FXL_GRADIENTS_OF_WORDS */
+    str     r1, [r12, #GRADIENTS_SHIFTS]
+    strb    r2, [r12, #GRADIENTS_COUNT]
+    .endm
+
+/* What find_channels does in other faces. */
+    .macro find_channel_mean
+.Lany_bend:
+    ldm     r7, {r0, r1, r2}
+    subs    r1, r1, r0
+    subs    r2, r2, r0
+    strd    r1, r2, [r7, #4]
+    adds    r7, r7, #12
+    cmp     r7, r12
+    bne     .Lany_bend
+    b       .Ldifferences
+
+    /* A channel bends by r1, r2 and r0: as find_means and mean_of have it. r5: the most, r6: the
+     * least, r3: the sum, then the mean; lr: what the most may be above the least. */
+.Lmean:
+    ldr     lr, [r12]
+    cmp     lr, #60                 /* FXL_BEND_NONE */
+    bne     .Lrefused_colours
+    push    {r3, r5, r6}
+    adds    r3, r1, r2
+    adds    r3, r3, r0
+    cmp     r1, r2
+    itete   lt
+    movlt   r5, r2
+    movge   r5, r1
+    movlt   r6, r1
+    movge   r6, r2
+    cmp     r0, r5
+    it      gt
+    movgt   r5, r0
+    cmp     r0, r6
+    it      lt
+    movlt   r6, r0
+    bic     r5, r5, r5, asr #31
+    and     r6, r6, r6, asr #31
+    mov     lr, #600                /* BEND_BOTH */
+    mul     lr, lr, r4
+    subs    r0, r5, r6
+    cmp     r0, lr
+    bhi     .Ltoo_bent
+    sub     r0, r5, lr, lsr #1
+    add     r0, r0, r0, lsl #1
+    add     r1, r6, lr, lsr #1
+    add     r1, r1, r1, lsl #1
+    cmp     r3, r0
+    it      lt
+    movlt   r3, r0
+    cmp     r3, r1
+    it      gt
+    movgt   r3, r1
+    lsls    r3, r3, #4
+    sdiv    r3, r3, r4
+    lsls    r3, r3, #2
+    movs    r0, #3
+    sdiv    r3, r3, r0
+    rsbs    r6, r6, #0
+    cmp     r6, r5
+    it      hi
+    movhi   r5, r6                  /* to the farther side */
+    ldm     r7, {r0, r1, r2}
+    adds    r0, r0, r3
+    add     r1, r1, r0
+    add     r2, r2, r0
+    sub     r6, r12, r7
+    cmp     r6, #24                 /* green */
+    ite     eq
+    moveq   r6, #64 << 16
+    movne   r6, #32 << 16
+    sub     r6, r6, #2 * 4096
+    sub     r3, r0, #4096
+    cmp     r3, r6
+    itt     ls
+    subls   r1, r1, #4096
+    cmpls   r1, r6
+    itt     ls
+    subls   r2, r2, #4096
+    cmpls   r2, r6
+    itt     ls
+    strls   r0, [r7]
+    movls   r5, #0
+    cmp     r5, lr, lsr #1
+    bhi     .Ltoo_bent
+    pop     {r3, r5, r6}
+    b       .Lbalanced
+.Ltoo_bent:
+    add     sp, sp, #12
+    b       .Lrefused_colours
+
+    /* A side of the face is short: coefficients and differences share the shift, -r0. */
+.Lshort_side:
+    rsbs    r0, r0, #0
+    eor     r1, r8, r8, asr #31
+    .irp    coefficient, r9, r10, r11
+    eor     r2, \coefficient, \coefficient, asr #31
+    orrs    r1, r1, r2
+    .endr
+    clz     r1, r1
+    subs    r1, r1, #1
+    cmp     r1, r0
+    it      hi
+    movhi   r1, r0
+    .irp    coefficient, r8, r9, r10, r11
+    lsl     \coefficient, \coefficient, r1
+    .endr
+    subs    r0, r0, r1
+    beq     .Lscaled
+    cmp     r0, #4                  /* LESS_MAX */
+    bhi     .Lrefused_colours
+    add     lr, lr, r0
+    movs    r5, #0
+.Lfits:
+    ldrd    r1, r2, [r7, #4]
+    eor     r1, r1, r1, asr #31
+    eor     r2, r2, r2, asr #31
+    orrs    r1, r1, r2
+    orrs    r5, r5, r1
+    adds    r7, r7, #12
+    cmp     r7, r12
+    bne     .Lfits
+    ldr     r7, [sp, #VALUES]
+    add     r5, r5, #1 << 14
+    rsb     r0, r0, #22
+    lsrs    r5, r5, r0
+    bne     .Lrefused_colours
+    b       .Lscaled
+    .endm
+
+/* clang-format on */
+
+#endif
