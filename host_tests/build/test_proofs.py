@@ -44,8 +44,26 @@ def test_every_row_and_what_is_measured_is_a_function():
     own, (measured, wrong) = {row.function for row in every if row.is_whole}, rows.measured(CHECKOUT)
     assert not wrong
     assert not own & set(measured)
-    known = set(functions.find(CHECKOUT, functions.rooms_of(every)))
-    assert not (own | set(measured)) - known, "there is no such function any more"
+    known = functions.find(CHECKOUT)
+    assert not (own | set(measured)) - set(known), "there is no such function any more"
+
+
+def test_documents_have_the_numbers_of_the_table(all_functions):
+    """What neither a row proves nor a list names as measured is proved within a row: make prove fails otherwise."""
+    every, measured = rows.read(CHECKOUT), set(rows.measured(CHECKOUT)[0])
+    own = {row.function for row in every if row.is_whole}
+    external = {key for key, is_external in all_functions.items() if is_external}
+    entries, wrong = proving.state_of_assembly(CHECKOUT)
+    assert not wrong
+    kernels = {kernel for each in entries for kernel in each["by"]}
+    numbers = [*(len(every) for _ in range(2)), sum(row.tool == "cbmc" for row in every), sum(row.checks for row in every if row.tool == "cbmc"),
+               len(all_functions), len(own), len(set(all_functions) - own - measured), len(measured),
+               len(external), len(external & own), len(external - own - measured), len(external & measured),
+               len(entries), len({each["entry"].partition(":")[0] for each in entries}), len(kernels)]
+    said = re.search(r"it printed: (.*?) All rows take", (CHECKOUT / "SOUNDNESS.md").read_text(encoding="utf-8"), re.S)[1]
+    assert [int(number.replace(",", "")) for number in re.findall(r"\b[\d,]*\d\b", said)] == numbers
+    readme = (CHECKOUT / "README.md").read_text(encoding="utf-8")
+    assert f"{len(all_functions) - len(measured):,} of the {len(all_functions):,} functions of `lib/`" in " ".join(readme.split())
 
 
 def test_every_row_has_its_harness_and_its_checks_on_record():
@@ -229,9 +247,18 @@ def test_the_table_says_what_has_no_row():
     assert len(wrong) == 1 and wrong[0].startswith("lib/math/arith.c:d has no row")
     _, wrong = proving.state_of_all(every, [result], {f"lib/math/arith.c:{name}": ("fuzz", "why") for name in "bcd"})
     assert len(wrong) == 1 and "b is proved within now" in wrong[0]
-    other = {**result, "function": "lib/game/setup.c:a", "within": []}  # a room of which only some functions have rows
-    shown, wrong = proving.state_of_all({"lib/game/setup.c:a": True, "lib/game/setup.c:b": True}, [other], {})
-    assert [each["function"] for each in shown] == ["lib/game/setup.c:a"] and not wrong
+
+
+def test_assembly_that_no_kernel_compares_is_named(tmp_path):
+    measured_file(tmp_path, '[assembly]\n"lib/a/b.S" = ["fill"]\n"lib/a/gone.S" = ["fill", "nothing"]\n')
+    (tmp_path / "lib/a").mkdir(parents=True)
+    for name in "bc":
+        (tmp_path / f"lib/a/{name}.S").write_text(f"    .global fxl_{name}\n", encoding="utf-8")
+    (tmp_path / "firmware/equality").mkdir(parents=True)
+    (tmp_path / "firmware/equality/record.txt").write_text(f"m3 fill {'a' * 12} {'b' * 12} 5\nm0 fill {'a' * 12} {'b' * 12} 7\n", encoding="utf-8")
+    entries, wrong = proving.state_of_assembly(tmp_path)
+    assert entries == [{"entry": "lib/a/b.S:fxl_b", "by": {"fill": 5}}, {"entry": "lib/a/c.S:fxl_c", "by": {}}]
+    assert [words.split()[0] for words in wrong] == ["lib/a/c.S", "measured.toml", "measured.toml:"] and "nothing" in wrong[2]
 
 
 def test_only_some_tools_show_that_nothing_is_undefined():
@@ -283,6 +310,14 @@ HARNESS = " */\nvoid prove_a(void)\n{\n}\n"
 ROW = '/* [[row]]\n * function = "a"\n'
 
 
+def measured_file(folder, text):
+    """What is measured, in a checkout that has nothing else."""
+    path = folder / rows.MEASURED
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
 def harness_file(folder, text, name="arith.c"):
     """A file of harnesses in a checkout that has nothing else."""
     path = folder / rows.PROOFS / "math" / name
@@ -321,11 +356,13 @@ def test_rows_of_a_prover_have_the_text_below_them(tmp_path):
 
 
 def test_tidy_takes_out_what_is_proved_and_writes_checks(tmp_path):
-    path = harness_file(tmp_path, '# c\nmost = 4\n\n[[measured]]\nby = ["fuzz"]\nwhy = "v"\n[measured.functions]\n"f" = [\n    "c",\n]\n\n'
-                        '[[measured]]\nby = ["fuzz"]\nwhy = "w"\n[measured.functions]\n"f" = [\n    "a",\n]\n"g" = [\n    "a",\n    "b",\n]\n', "measured.toml")
-    rows.tidy(tmp_path, {"f:a", "f:c", "g:b"})
-    assert rows.measured(tmp_path) == ({"g:a": ("fuzz", "w")}, [])
+    path = measured_file(tmp_path, '[most]\nx = 4\n\n[[measured]]\nby = ["fuzz"]\nwhy = "v"\n[measured.functions]\n"lib/x/f" = "c"\n\n'
+                         '[[measured]]\nby = ["fuzz"]\nwhy = "w"\n[measured.functions]\n"lib/x/f" = "a"\n"lib/x/g" = "a b"\n')
+    rows.tidy(tmp_path, {"lib/x/f:a", "lib/x/f:c", "lib/x/g:b"})
+    assert rows.measured(tmp_path) == ({"lib/x/g:a": ("fuzz", "w")}, [])
     assert path.read_text(encoding="utf-8").count("[[measured]]") == 1
+    path.write_text(path.read_text(encoding="utf-8").replace("x = 1", "x = 2"), encoding="utf-8")
+    assert "write x = 1" in rows.measured(tmp_path)[1][0]
     path = harness_file(tmp_path, '#include "math/a.c"\n' + ROW + PROPERTY + HARNESS)
     for checks in (7, 8):
         rows.record_checks(tmp_path, {"a": checks})

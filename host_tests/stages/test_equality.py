@@ -14,6 +14,7 @@ from conftest import assert_one_sentence, environment, run_cli
 from fixel.campaign.shards import Shard
 from fixel.base.errors import ToolError
 from fixel.check import equality as kernel_equality, kernel_text
+from fixel.prove import functions, rows
 
 CORES = ("m0", "m3", "m4f", "m55", "m0-small", "m3-small", "m3-os")
 FEWEST = "m3-small"     # of these, the program with the fewest kernels
@@ -52,6 +53,22 @@ def fixture_compared(tmp_path_factory):
                           capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     return done
+
+
+def test_entries_in_assembly_are_reached_by_the_kernels_that_compare_them():
+    """What host_tests/proofs/measured.toml says of a file's entries, by the programs whose libraries have the file."""
+    reached = {}
+    for core in ("m0", "m3", "m3-os"):
+        program = kernel_text._Program(made(f"build/equality/{core}.elf").with_suffix(".map"))
+        for kernel, function in program.tests():
+            reached.setdefault(kernel, set()).update(name for name, place in program.defined.items()
+                                                     if place in program.reached(function) and program.objects[place[0]][0] == "machine")
+    listed = rows.assembly(ROOT)
+    lost = [key for key in functions.assembly(ROOT) if not any(key.partition(":")[2] in reached[kernel] for kernel in listed[key.partition(":")[0]])]
+    assert not lost
+    idle = [(file, kernel) for file, kernels in listed.items() for kernel in kernels
+            if not any(key.startswith(f"{file}:") and key.partition(":")[2] in reached[kernel] for key in functions.assembly(ROOT))]
+    assert idle == [("lib/raster/fill_rows_mve.S", "fill")]     # another text of the entries of fill_rows_armv7m.S
 
 
 @pytest.mark.parametrize("core", CORES)

@@ -41,6 +41,14 @@ static inline void palette_from(uint32_t first, uint8_t *palette)
  * checks = 16842752
  * flags = ["-DOF_RGB332"]
  */
+/* [[row]]
+ * id = "every colour of RGB565 as RGB332"
+ * function = "entry_of_rgb565"
+ * property = "the same"
+ * checks = 16842752
+ * flags = ["-DOF_RGB332"]
+ * every = true
+ */
 void enumerate_rgb332(void)
 {
     for (uint32_t colour = 0; colour < 1u << 16; colour++) {
@@ -101,6 +109,7 @@ void enumerate_rgb565(void)
  * function = "lib/screen/grey.c:fxl_luma"
  * property = "it is the weighted mean, rounded to nearest, for every colour of 24 bits"
  * checks = 16777216
+ * every = true
  */
 void enumerate_luma(void)
 {
@@ -116,6 +125,7 @@ void enumerate_luma(void)
  * function = "lib/screen/grey.c:fxl_grey_of_rgb565"
  * property = "channels are rounded to nearest bytes, and no level is lost by rounding down, for every colour and highest level"
  * checks = 16711680
+ * every = true
  */
 /* A level is reached where 128 entry is not below 255 thresholds, and thresholds are odd. */
 void enumerate_grey_of_rgb565(void)

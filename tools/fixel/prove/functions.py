@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every function of the rooms that are proved, as the host's compiler finds them in the shipped text.
+"""Every function of the library, as the host's compiler finds them in the shipped text, and the entries of its assembly.
 
 GCC writes for each file that it reads which functions it defines and where (-aux-info), those of headers, static ones and
 those of macros too. A function is known as FILE:NAME, by the file that has its text. Functions of one text that several
@@ -14,16 +14,12 @@ import re
 from fixel.base import children, scratch
 from fixel.base.errors import ToolError
 
-ROOMS = ("math", "view", "clip", "raster", "scene", "draw", "paint")
+ROOMS = ("math", "view", "clip", "raster", "scene", "draw", "paint", "order", "game", "screen", "study", "include")
 FLAGS = ("-std=c11", "-Ilib/include", "-Ilib")
 # Its text is one file's definition: /* lib/math/arith.c:35:NF */ extern uint32_t fxl_divide_u64 (uint64_t, ...
 LINE = re.compile(r"/\* (lib/\S+?):(\d+):.F \*/ (.*)")
 NAME = re.compile(r"(?:\(\*\s*)?\b([A-Za-z_]\w*) \(")
-
-
-def rooms_of(rows):
-    """ROOMS, and the other rooms of which a row proves some function: of these no list says what is measured."""
-    return (*ROOMS, *sorted({row.function.split("/")[1] for row in rows if row.is_whole} - set(ROOMS)))
+ENTRY = re.compile(r"^\s*\.global (fxl_\w+)$", re.MULTILINE)      # of assembly
 
 
 def name_in(declaration):
@@ -57,3 +53,10 @@ def find(root, rooms=ROOMS):
     for (file, _), (name, static) in sorted(names.items(), key=lambda each: (rooms.index(each[0][0].split("/")[1]), *each[0])):
         functions[f"{file}:{name}"] = functions.get(f"{file}:{name}", False) or not static
     return functions
+
+
+def assembly(root):
+    """{FILE:NAME} of the entries of the library's assembly: functions that C calls, and tables of code."""
+    root = pathlib.Path(root)
+    return {f"{path.relative_to(root).as_posix()}:{name}" for path in sorted((root / "lib").glob("*/*.S"))
+            for name in ENTRY.findall(path.read_text(encoding="utf-8"))}

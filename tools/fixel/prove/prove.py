@@ -3,8 +3,8 @@
 
     fixel prove [--only WORD] [--bugs] [--mutants] [--fresh] [--cluster tcp://HOST:PORT]
 
-Every function of the rooms is proved, proved within a row of another, or measured, which host_tests/proofs/ROOM/measured.toml
-says with the reason. Writes DIR/prove/prove.json. With --bugs each seeded bug that names a row must make the row fail.
+Every function of the library is proved, proved within a row of another, or measured, which host_tests/proofs/measured.toml
+says with the reason; of assembly it says which kernel of make equality compares it with the C text. Writes DIR/prove/prove.json. With --bugs each seeded bug that names a row must make the row fail.
 Exit: 0 all proved, 1 a row is not proved, was skipped or lost a check, a function has no row, or a bug was not noticed,
 2 could not run.
 """

@@ -14,6 +14,7 @@ from fixel.base.errors import ToolError
 from fixel.base.table import coloured, table
 from fixel.campaign import runner
 from fixel.campaign.shards import AGAIN, Shard
+from fixel.check import equality
 from fixel.prove import cbmc, functions, others, prove, provers, recomputed, rows as records
 
 PROVERS = {"cbmc": cbmc, "z3": others, "gappa": others, "enumeration": others, "recomputed": recomputed}
@@ -153,8 +154,6 @@ def state_of_all(all_functions, results, measured):
     own = {key: some for key, some in own.items() if any(each["whole"] for each in some)}
     shown = []
     for key, external in all_functions.items():
-        if key.split("/")[1] not in functions.ROOMS and key not in own:
-            continue    # of another room only what has a row
         state, by, why = "no row", "", ""
         if key in own:
             state = "proved" if all(each["state"] in ("proved", "no record") for each in own[key]) else "not proved"
@@ -172,7 +171,20 @@ def state_of_all(all_functions, results, measured):
     return shown, wrong
 
 
-def _print(results, shown, wrong):
+def state_of_assembly(root):
+    """([{"entry", "by": {kernel: fewest random inputs on record of a core}}], what is wrong with the list)."""
+    entries, listed, least = functions.assembly(root), records.assembly(root), {}
+    for (_, kernel, *_), inputs in equality.recorded(pathlib.Path(root) / "firmware/equality/record.txt").items():
+        least[kernel] = min(inputs, least.get(kernel, inputs))
+    files = {path.relative_to(root).as_posix() for path in pathlib.Path(root).glob("lib/*/*.S")}
+    wrong = [f"{file} is assembly: say in measured.toml which kernel of make equality compares it with the C text" for file in sorted(files - set(listed))]
+    wrong += [f"measured.toml has {file}, and there is no such file" for file in sorted(set(listed) - files)]
+    wrong += [f"measured.toml: {file} is compared as {kernel}, and firmware/equality/record.txt has no such kernel"
+              for file, kernels in listed.items() for kernel in kernels if kernel not in least]
+    return [{"entry": key, "by": {kernel: least.get(kernel, 0) for kernel in listed.get(key.partition(":")[0], ())}} for key in sorted(entries)], wrong
+
+
+def _print(results, shown, assembly, wrong):
     bad = [result for result in results if result["state"] != "proved"]
     for result in bad:
         print(f"{result['row']}: {coloured(result['state'], 'red')}: {result['why']}")
@@ -182,10 +194,14 @@ def _print(results, shown, wrong):
         rooms = list(dict.fromkeys(each["function"].split("/")[1] for each in shown))
         states = ("proved", "proved within", "measured", "not proved", "no row")
         counts = [[room, *(sum(each["function"].split("/")[1] == room and each["state"] == state for each in shown) for state in states),
-                   sum(each["function"].split("/")[1] == room and each["external"] and each["state"] == "proved" for each in shown)]
+                   sum(each["function"].split("/")[1] == room and each["external"] and each["state"] == "proved" for each in shown),
+                   sum(each["entry"].split("/")[1] == room for each in assembly)]
                   for room in rooms]
         counts.append(["all", *(sum(column) for column in list(zip(*counts))[1:])])
-        print(table(counts, ["functions of", *states, "external proved"]))
+        print(table(counts, ["functions of", *states, "external proved", "entries in assembly"]))
+        kernels = {kernel: inputs for each in assembly for kernel, inputs in each["by"].items()}
+        print(f"{sum(bool(each['by']) for each in assembly)} of {len(assembly)} entries in assembly are compared with the C text, by {len(kernels)} kernels of "
+              f"make equality: each on {min(kernels.values(), default=0):,} random inputs or more, as on record")
     tools = {tool: [result for result in results if result["tool"] == tool] for tool in records.TOOLS}
     print(table([[tool, len(some), sum(each["state"] == "proved" for each in some), f"{sum(each['checks'] for each in some):,}",
                   f"{sum(each['seconds'] for each in some):.0f}"] for tool, some in tools.items() if some],
@@ -207,17 +223,18 @@ def command(options):
         _programs(options.build)    # fetched once, before the processes ask for them
     results = prove_all(root, chosen, options)
     gone = set()
-    shown, wrong = [], records.circles(rows) + records.lemmas(root, rows)
+    shown, assembly, wrong = [], [], records.circles(rows) + records.lemmas(root, rows)
     if not options.only:
         measured, more = records.measured(root)
-        shown, most = state_of_all(functions.find(root, functions.rooms_of(rows)), results, measured)
-        wrong += more + most
+        shown, most = state_of_all(functions.find(root), results, measured)
+        assembly, unbound = state_of_assembly(root)
+        wrong += more + most + unbound
         every = {each["function"] for each in shown}
         gone = {key for key in measured if key not in every}
     if options.tidy:
         proved = [result for result in results if result["checks"]]
         records.record_checks(root, {result["row"]: result["checks"] for result in proved})
         records.tidy(root, gone | {key for result in proved if result["whole"] for key in (result["function"], *result["within"])})
-    output.write_json(pathlib.Path(options.build) / "prove/prove.json", {"rows": results, "functions": shown, "wrong": wrong})
-    _print(results, shown, wrong)
+    output.write_json(pathlib.Path(options.build) / "prove/prove.json", {"rows": results, "functions": shown, "assembly": assembly, "wrong": wrong})
+    _print(results, shown, assembly, wrong)
     return 1 if wrong or any(result["state"] != "proved" for result in results) else 0

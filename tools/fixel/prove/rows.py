@@ -2,17 +2,25 @@
 """The rows of make prove, and the lists of what is measured: host_tests/proofs/README.md says what they hold.
 
 A row is TOML in a comment above its harness: a function of a C or Python file, or the text of Z3 or Gappa below it.
-host_tests/proofs/ROOM/measured.toml has the functions of a room that no row proves, each with the campaign that measures it.
+host_tests/proofs/measured.toml has the functions that no row proves, each with the campaign that measures it, and the kernels of
+make equality that compare the files of assembly with the C text.
 """
 
 import dataclasses
+import json
 import pathlib
 import re
+import textwrap
 import tomllib
 
 from fixel.base.errors import ToolError
 
 PROOFS = pathlib.Path("host_tests/proofs")
+MEASURED = PROOFS / "measured.toml"
+MEASURED_HEAD = """# SPDX-License-Identifier: MIT
+# Functions that no row proves, what measures them, and why no row does; most: how many a room has. The lists only become shorter:
+# fixel prove --tidy takes out what is proved. [assembly]: the kernels of make equality that compare a file with the C text.
+"""
 TOOLS = ("cbmc", "z3", "gappa", "enumeration", "recomputed")
 TOOL_OF = {".py": "recomputed", ".smt2": "z3", ".gappa": "gappa"}
 ENUMERATES = '#include "enumeration.h"'     # in a .c whose rows are not of CBMC
@@ -157,21 +165,24 @@ def read(root):
 
 def measured(root):
     """({FILE:NAME: (campaign, why it is not proved)}, what is wrong with the length of the lists, which only become shorter)."""
-    found, wrong = {}, []
-    for path in sorted((pathlib.Path(root) / PROOFS).glob("*/measured.toml")):
-        table = _read(path)
-        before = len(found)
-        for number, entry in enumerate(table.get("measured", []), 1):
-            _check_measured(path, number, entry)
-            for key in [f"{file}:{name}" for file, names in entry["functions"].items() for name in names]:
-                if key in found:
-                    raise ToolError(f"{path}: {key} is named twice")
-                found[key] = (", ".join(entry["by"]), entry["why"])
-        count, most = len(found) - before, table.get("most")
-        if count != most:
-            wrong.append(f"{path}: it names {count} functions, and 'most' allows {most}: "
-                         f"{'prove the new ones' if count > (most or 0) else f'write most = {count}, so that none comes back'}")
-    return found, wrong
+    found, counts, path = {}, {}, pathlib.Path(root) / MEASURED
+    listed = _read(path)
+    for number, entry in enumerate(listed.get("measured", []), 1):
+        _check_measured(path, number, entry)
+        for key in [f"{file}:{name}" for file, names in entry["functions"].items() for name in names.split()]:
+            if key in found:
+                raise ToolError(f"{path}: {key} is named twice")
+            found[key] = (", ".join(entry["by"]), entry["why"])
+            counts[key.split("/")[1]] = counts.get(key.split("/")[1], 0) + 1
+    most = listed.get("most", {})
+    return found, [f"{path}: it names {counts.get(room, 0)} functions of {room}, and 'most' allows {most.get(room, 0)}: "
+                   f"{'prove the new ones' if counts.get(room, 0) > most.get(room, 0) else f'write {room} = {counts.get(room, 0)}, so that none comes back'}"
+                   for room in sorted({*counts, *most}) if counts.get(room, 0) != most.get(room, 0)]
+
+
+def assembly(root):
+    """{FILE: the kernels of make equality that compare it with the C text}."""
+    return _read(pathlib.Path(root) / MEASURED).get("assembly", {})
 
 
 def _check_measured(path, number, entry):
@@ -182,21 +193,32 @@ def _check_measured(path, number, entry):
         raise ToolError(f"{path}: entry {number}: no campaign '{unknown[0]}'; there are: {', '.join(CAMPAIGNS)}")
 
 
+def save_measured(root, listed):
+    """Writes the lists of what is measured, as tomllib reads them, but with the names of a file as a list or a string."""
+    def names(some):
+        text = " ".join(sorted(some.split() if isinstance(some, str) else some))
+        short = len(text) < 100
+        return f'"{text}"' if short else '"""\n' + textwrap.fill(text, 150, initial_indent="    ", subsequent_indent="    ") + '"""'
+
+    out = [MEASURED_HEAD + "\n[most]\n" + "".join(f"{room} = {count}\n" for room, count in sorted(listed["most"].items()) if count)]
+    for entry in listed["measured"]:
+        out.append(f"[[measured]]\nby = {json.dumps(entry['by'])}\nwhy = {json.dumps(entry['why'])}\n[measured.functions]\n"
+                   + "".join(f'"{file}" = {names(some)}\n' for file, some in sorted(entry["functions"].items())))
+    out.append("[assembly]\n" + "".join(f'"{file}" = {json.dumps(some)}\n' for file, some in sorted(listed["assembly"].items())))
+    (pathlib.Path(root) / MEASURED).write_text("\n".join(out), encoding="utf-8")
+
+
 def tidy(root, gone):
     """Takes functions, FILE:NAME, out of the lists of what is measured, and lowers the limits of these."""
-    for path in sorted((pathlib.Path(root) / PROOFS).glob("*/measured.toml")):
-        out, file, count = [], "", 0
-        for line in path.read_text(encoding="utf-8").splitlines():
-            file = line.split('"')[1] if line.startswith('"') else file
-            name = line.strip().strip('",') if line.startswith('    "') else ""
-            if f"{file}:{name}" not in gone:
-                out.append(line)
-                count += bool(name)
-        text = "\n".join(f"most = {count}" if line.startswith("most = ") else line for line in out) + "\n"
-        # a file without functions, then an entry without files
-        text = re.sub(r'(?m)^"[^\n]*" = \[\n\]\n', "", text)
-        text = re.sub(r"\n\[\[measured\]\]\n(?:\w+ = [^\n]*\n)*\[measured\.functions\]\n(?=\n|\Z)", "\n", text)
-        path.write_text(re.sub(r"\n{3,}", "\n\n", text).rstrip("\n") + "\n", encoding="utf-8")
+    listed = {"most": {}, "assembly": {}, "measured": [], **_read(pathlib.Path(root) / MEASURED)}
+    listed["most"] = dict.fromkeys(listed["most"], 0)
+    for entry in listed["measured"]:
+        left = {file: [name for name in names.split() if f"{file}:{name}" not in gone] for file, names in entry["functions"].items()}
+        entry["functions"] = {file: names for file, names in left.items() if names}
+        for file, names in left.items():
+            listed["most"][file.split("/")[1]] = listed["most"].get(file.split("/")[1], 0) + len(names)
+    listed["measured"] = [entry for entry in listed["measured"] if entry["functions"]]
+    save_measured(root, listed)
 
 
 def record_checks(root, counts):
