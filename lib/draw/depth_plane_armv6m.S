@@ -111,32 +111,6 @@
     asrs    r3, r3, #16
     .endm
 
-/* Shifts r2, which is not 0, until its highest bit is 1; r4: by how many bits. Overwrites r0. */
-    .macro  normalise
-    movs    r4, #0
-    lsrs    r0, r2, #16
-    bne     1f
-    adds    r4, r4, #16
-    lsls    r2, r2, #16
-1:  lsrs    r0, r2, #24
-    bne     1f
-    adds    r4, r4, #8
-    lsls    r2, r2, #8
-1:  lsrs    r0, r2, #28
-    bne     1f
-    adds    r4, r4, #4
-    lsls    r2, r2, #4
-1:  lsrs    r0, r2, #30
-    bne     1f
-    adds    r4, r4, #2
-    lsls    r2, r2, #2
-1:  cmp     r2, #0
-    blt     1f
-    adds    r4, r4, #1
-    lsls    r2, r2, #1
-1:
-    .endm
-
 /* r7 = one of two digits of 16 bits of the quotient of r0 and r3, whose upper halfword is r6 and
  * whose lower one is r5; what is left stays in r0. r4: the reciprocal of r6. The estimate is off by a
  * few units, so the rest is small and its sign says which way. Overwrites r2. */
@@ -244,7 +218,7 @@ height:
     b       low
 2:  b       infinity
 1:  movs    r2, r7
-    normalise
+    normalise r2, r4, r0
     movs    r5, #32
     subs    r5, r5, r4              /* the height's exponent */
     lsrs    r6, r6, r5
@@ -262,7 +236,7 @@ normal:
     movs    r2, r3
     bne     1f
     b       unscaled
-1:  normalise
+1:  normalise r2, r4, r0
     movs    r5, #32
     subs    r5, r5, r4              /* the divisor's exponent */
     lsrs    r7, r7, r5
@@ -272,7 +246,7 @@ scaled:
     ldr     r0, [sp, #ONE]
     adds    r5, r5, r0
     ldr     r2, [r1, #VIEW_NEAR_Z]
-    normalise
+    normalise r2, r4, r0
     adds    r5, r5, r4
     str     r5, [sp, #ONE]
 
@@ -338,7 +312,7 @@ scaled:
     /* The upper word of the height is 0. */
 low:
     movs    r2, r6
-    normalise
+    normalise r2, r4, r0
     rsbs    r5, r4, #0
     b       normal
 

@@ -121,28 +121,8 @@ fxl_project_inside:
     cmp     r3, r4
     blt     slow_path
 
-    movs    r5, #0                          /* n */
-    lsrs    r6, r3, #16
-    bne     1f
-    adds    r5, r5, #16
-    lsls    r3, r3, #16
-1:  lsrs    r6, r3, #24
-    bne     1f
-    adds    r5, r5, #8
-    lsls    r3, r3, #8
-1:  lsrs    r6, r3, #28
-    bne     1f
-    adds    r5, r5, #4
-    lsls    r3, r3, #4
-1:  lsrs    r6, r3, #30
-    bne     1f
-    adds    r5, r5, #2
-    lsls    r3, r3, #2
-1:  cmp     r3, #0
-    blt     1f
-    adds    r5, r5, #1
-    lsls    r3, r3, #1
-1:  ldr     r6, [r1, #VIEW_POINT_Z]
+    normalise r3, r5, r6                    /* n */
+    ldr     r6, [r1, #VIEW_POINT_Z]
     movs    r7, #32
     subs    r7, r7, r5
     lsrs    r6, r6, r7
