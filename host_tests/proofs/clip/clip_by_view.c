@@ -1,15 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "clip/clip_by_view.c"
 #include "proof.h"
-
-#define VERTICES 8 /* of a model */
-#define CORNERS  FXL_FACE_VERTICES_MAX
+#include "view/any_face.h"
 
 static fxl_view view;
-static uint16_t indices[CORNERS];
 static fxl_clipper_work work;
 static fxl_screen_polygon screen;
-static fxl_face face;
 
 /* Vertices in the cache are in the view; projected ones lie on the screen. */
 static bool is_vertex(const fxl_cached_vertex *vertex)
@@ -43,21 +39,6 @@ fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_p
     return nondet_bool() ? FXL_OK : FXL_E_RANGE;
 }
 
-static fxl_model_view any_face(void)
-{
-    fxl_model_view of;
-    ANY_CONTENT(indices);
-    ANY_CONTENT(&face);
-    ASSUME(face.count >= 3 && face.count <= CORNERS && (face.count == 3 || (face.indices[1] == 0 && face.indices[2] == 0)));
-    for (uint32_t i = 0; i < CORNERS; i++) {
-        ASSUME(indices[i] < VERTICES && (face.count != 3 || i >= 3 || face.indices[i] < VERTICES));
-    }
-    of.view = &view;
-    of.indices = indices;
-    of.clipper_workspace = NULL;
-    return of;
-}
-
 /* For fxl_face_is_outside and fxl_clip_assembled, which have rows of their own. */
 bool any_is_outside(const fxl_model_view *model_view, const fxl_face *of)
 {
@@ -85,7 +66,11 @@ fxl_clip_result any_assembled(const fxl_model_view *model_view, const fxl_face *
  */
 void prove_clip_by_view(void)
 {
-    const fxl_model_view of = any_face();
+    fxl_model_view of;
+    any_face();
+    of.view = &view;
+    of.indices = indices;
+    of.clipper_workspace = NULL;
     const fxl_clip_result result = fxl_clip_by_view(&of, &face, &work, &screen);
     ASSERT("between or inside, all of the face", result != FXL_CLIP_BETWEEN || (screen.count == face.count && screen.colour == face.material));
     PROOF_ENDS();

@@ -3,6 +3,7 @@
 #include "view/cull.h"
 #include "view/order.h"
 #include "proof.h"
+#include "any_face.h"
 
 #define ENTRIES 8
 
@@ -119,11 +120,6 @@ void prove_model_view_of_polygon(void)
     PROOF_ENDS();
 }
 
-#define CORNERS  FXL_FACE_VERTICES_MAX
-#define VERTICES 8 /* of a model */
-
-static uint16_t indices[CORNERS];
-static fxl_face face;
 static fxl_cached_vertex fetched;
 static uint32_t of_all;
 
@@ -146,12 +142,7 @@ fxl_cached_vertex *any_fetch(const fxl_model_view *model_view, uint32_t number)
 void prove_face_is_outside(void)
 {
     fxl_model_view of;
-    ANY_CONTENT(indices);
-    ANY_CONTENT(&face);
-    ASSUME(face.count >= 3 && face.count <= CORNERS && (face.count == 3 || (face.indices[1] == 0 && face.indices[2] == 0)));
-    for (uint32_t i = 0; i < CORNERS; i++) {
-        ASSUME(indices[i] < VERTICES && (face.count != 3 || i >= 3 || face.indices[i] < VERTICES));
-    }
+    any_face();
     of.indices = indices;
     of_all = FXL_PLANES_ALL;
     const bool is_outside = fxl_face_is_outside(&of, &face);
