@@ -234,10 +234,7 @@ static inline bool submit_flat_face(const fxl_model_view *model_view, const fxl_
             return false;
         }
     }
-    counters->drawn += 1;
-    if (cut == FXL_CLIP_CUT) {
-        counters->clipped += 1;
-    }
+    fxl_count_drawn(counters, cut, false); /* draw_at_once has counted its rows */
     return true;
 }
 

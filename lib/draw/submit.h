@@ -146,6 +146,19 @@ fxl_outcome fxl_submit_polygons(const fxl_model_view *model_view, const fxl_face
  * back to `used` words. */
 bool fxl_count_outcome(const fxl_traversal *traversal, fxl_outcome outcome, uint32_t used);
 
+/* The same of a face that is drawn at once, of which `cut` is what the clipper answered. has_rows: a
+ * row of the screen has some of it. */
+static inline void fxl_count_drawn(fxl_counters *counters, fxl_clip_result cut, bool has_rows)
+{
+    if (has_rows) {
+        counters->spilled += 1;
+    }
+    counters->drawn += 1;
+    if (cut == FXL_CLIP_CUT) {
+        counters->clipped += 1;
+    }
+}
+
 /* A face that is submitted piece by piece. It is counted once, and is in the display list whole
  * or not at all. The caller owns it. */
 typedef struct fxl_pieces fxl_pieces;

@@ -153,7 +153,6 @@ static __attribute__((noinline)) bool draw_smooth_face(const fxl_surfaces *surfa
     fxl_workspace *workspace = traversal->workspace;
     const fxl_renderer *renderer = traversal->renderer;
     const fxl_screen_polygon *screen = &workspace->screen;
-    fxl_counters *counters = traversal->counters;
     const fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
     fxl_surface_polygon polygon;
     fxl_screen_corners corners;
@@ -186,14 +185,9 @@ static __attribute__((noinline)) bool draw_smooth_face(const fxl_surfaces *surfa
     if (drawn == FXL_DEPTH_NOT_DRAWN) {
         return false;
     }
-    if (drawn == FXL_DEPTH_DRAWN ||
-        fxl_outline_has_rows(screen, renderer->frame.view.lens.height)) {
-        counters->spilled += 1;
-    }
-    counters->drawn += 1;
-    if (cut == FXL_CLIP_CUT) {
-        counters->clipped += 1;
-    }
+    fxl_count_drawn(traversal->counters, cut,
+                    drawn == FXL_DEPTH_DRAWN ||
+                        fxl_outline_has_rows(screen, renderer->frame.view.lens.height));
     return true;
 }
 
@@ -251,7 +245,6 @@ static __attribute__((noinline)) bool draw_texel_face(const fxl_surfaces *surfac
     const fxl_band *band = traversal->band;
     const fxl_lens *lens = &model_view->view->lens;
     const fxl_texture *texture = &surfaces->set->textures[surface->texture - 1];
-    fxl_counters *counters = traversal->counters;
     const fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
     fxl_screen_corners corners;
     fxl_texel_outline outline;
@@ -277,15 +270,10 @@ static __attribute__((noinline)) bool draw_texel_face(const fxl_surfaces *surfac
     paint_texels_of(surfaces, surface, band, &paint);
     fxl_texel_planes_scale(&outline.planes, 0, 8u - paint.level.log_width);
     fxl_texel_outline_set((const fxl_depth_head *)workspace->target_memory, &paint, one, &outline);
-    if (fxl_draw_texel_words(&outline, workspace->target_memory, screen->points, screen->count,
-                             band, &workspace->work.scan) ||
-        fxl_outline_has_rows(screen, renderer->frame.view.lens.height)) {
-        counters->spilled += 1;
-    }
-    counters->drawn += 1;
-    if (cut == FXL_CLIP_CUT) {
-        counters->clipped += 1;
-    }
+    fxl_count_drawn(traversal->counters, cut,
+                    fxl_draw_texel_words(&outline, workspace->target_memory, screen->points,
+                                         screen->count, band, &workspace->work.scan) ||
+                        fxl_outline_has_rows(screen, renderer->frame.view.lens.height));
     return true;
 }
 

@@ -28,6 +28,24 @@ void prove_count_outcome(void)
 }
 
 /* [[row]]
+ * function = "lib/draw/submit.h:fxl_count_drawn"
+ * property = "any counters: of a face that is drawn at once they count what fxl_count_outcome counts of it"
+ * checks = 57
+ */
+void prove_count_drawn(void)
+{
+    fxl_traversal traversal;
+    fxl_counters counters, others = counters;
+    const fxl_clip_result cut = nondet_bool() ? FXL_CLIP_INSIDE : FXL_CLIP_CUT;
+    const bool has_rows = nondet_bool();
+    traversal.counters = &others;
+    fxl_count_drawn(&counters, cut, has_rows);
+    (void)fxl_count_outcome(&traversal, (fxl_outcome)1 << cut | (has_rows ? FXL_OUTCOME_SPILLED : 0), 0);
+    ASSERT("the same", counters.drawn == others.drawn && counters.clipped == others.clipped && counters.spilled == others.spilled);
+    PROOF_ENDS();
+}
+
+/* [[row]]
  * function = "lib/draw/workspace.c:fxl_cache_entries"
  * property = "up to 2 models of any size: it ends, with a power of two that fits the memory"
  * checks = 30
