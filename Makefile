@@ -456,11 +456,11 @@ HOST_UNIT_OPTIONS = $(foreach folder,$(sort $(dir $(UNITY_TESTS))),--host-units 
 
 TEST_OPTIONS = --json $(BUILD)/tests.json $(HOST_UNIT_OPTIONS) $(TEST_UNIT_OPTIONS) $(TEST_BOARD:%=--board %)
 
-# With ONLY= the tests that it names say what they need: "unit:" and a file of tests for boards; files to make; or "everything".
+# With ONLY= the tests that it names say what they need: "unit:" and a file of tests for boards; files to make.
 TEST_NEEDS := $(if $(and $(filter test-programs,$(MAKECMDGOALS)),$(value ONLY)),$(shell $(TOOL) test --needs $(TEST_OPTIONS)))
 UNITS_CHOSEN := $(patsubst unit:%,%,$(filter unit:%,$(TEST_NEEDS)))
-TEST_BUILT = $(if $(value ONLY),$(filter-out unit:% everything,$(TEST_NEEDS)) $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS_CHOSEN.$(board))) \
-    $(if $(filter everything,$(TEST_NEEDS)),$(TEST_PROGRAMS)),$(TEST_UNITS) $(TEST_PROGRAMS))
+TEST_BUILT = $(if $(value ONLY),$(filter-out unit:%,$(TEST_NEEDS)) $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS_CHOSEN.$(board))),\
+    $(TEST_UNITS) $(TEST_PROGRAMS))
 $(if $(filter test-programs,$(MAKECMDGOALS)),$(eval test-programs: $(TEST_BUILT))\
     $(if $(value ONLY),$(foreach board,$(TEST_BOARDS),$(eval $(call BOARD_$(if $(UNITS_CHOSEN),,NONE_)CHOSEN_RULES,$(board))))))
 

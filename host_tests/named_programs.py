@@ -10,6 +10,7 @@ import pathlib
 import sys
 
 BUILD = pathlib.Path(__file__).resolve().parents[1] / "build"
+ANYWHERE = pathlib.Path(__file__).resolve().parent / "anywhere"
 NAMED = "FIXEL_BUILT_PROGRAMS"    # of the environment, which the tools that a test starts get too
 MADE = {".elf", ".a", ".so", ".json"}
 READ = (".elf", ".a", ".so")      # a program that is opened, not run, must be named too
@@ -19,16 +20,18 @@ _module, _asked_for = None, set()
 
 
 def of(module):
-    """What the tests of a module may run. For one without BUILT_PROGRAMS everything is built."""
+    """What the tests of a module may run. For make test-anywhere all is built, and its files name nothing."""
     global _module
     if module is _module:
         return
-    _module = module
     programs = getattr(module, "BUILT_PROGRAMS", None)
-    if programs is None:
+    if programs is None and ANYWHERE in pathlib.Path(module.__file__).parents:
         os.environ.pop(NAMED, None)
+    elif programs is None:
+        raise RuntimeError(f"{module.__file__} has no BUILT_PROGRAMS: the programs below build/ that its tests run")
     else:
         os.environ[NAMED] = " ".join([*programs, *_asked_for])
+    _module = module
 
 
 def add(file):

@@ -13,6 +13,7 @@ from fixel.scene import making
 from fixel.base.errors import ToolError
 from fixel.board import controllers, dump, emulator, firmware, flash_memory, wires
 
+BUILT_PROGRAMS = ("boards/*/game*", "host/judge", "host/libfixel.a", "host/predict", "host/raycast")
 SCENE = "examples/game/game.toml"
 SMALL = "128x64"
 FRAMES = 320

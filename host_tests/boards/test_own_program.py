@@ -14,6 +14,7 @@ from fixel.board import dump, own_run, room
 from fixel.scene import making
 from test_export_setup import write_planet
 
+BUILT_PROGRAMS = ("host/frames",)
 HELLO = (CHECKOUT / "docs" / "hello.md").read_text(encoding="utf-8")
 BLOCKS = dict(re.findall(r"```c\n/\* ([a-z]+\.[ch])\b[^\n]*\n(.*?)```", HELLO, re.DOTALL))
 OVERLAY = """

@@ -19,6 +19,7 @@ from fixel.base import sampling
 from fixel.check import planting, seeded_bugs
 from fixel.base.errors import ToolError
 
+BUILT_PROGRAMS = ("*",)     # a sample of bugs is built from a copy of what is built
 SAMPLE = 5
 
 

@@ -20,6 +20,7 @@ from conftest import assert_one_sentence, CHECKOUT, dry_run, environment, run_cl
 from fixel.base.errors import ToolError
 from fixel.check import test_anywhere, pytest_client, pytest_server, test as check_test
 
+BUILT_PROGRAMS = ("host/judge", "boards/*/unit/units.json")
 GOOD = "a.c:1:test_one:PASS\na.c:2:test_two:PASS\n\n-----------------------\n2 Tests 0 Failures 0 Ignored \nOK"
 BAD = "a.c:1:test_one:PASS\na.c:2:test_two:FAIL: Expected 1 Was 2\n\n2 Tests 1 Failures 0 Ignored \nFAIL"
 SKIPPED = "a.c:1:test_one:PASS\na.c:2:test_two:IGNORE: no\n\n2 Tests 0 Failures 1 Ignored \nOK"
@@ -173,11 +174,14 @@ def test_several_files_of_tests_are_built_together(tmp_path):
     assert all(target.startswith(str(tmp_path / "host")) for target in targets)
 
 
-def test_a_file_that_names_no_programs_has_all_of_them(tmp_path):
-    everything = check_test.needs(types.SimpleNamespace(only="build/test_test", board="", host_units=[], units=[]))
-    assert everything == ["everything"]
-    (tmp_path / "test_own.py").write_text("A, B = 1, 2\nBUILT_PROGRAMS = ('host/judge',)\n")
-    assert check_test.programs_of(tmp_path / "test_own.py") == ("host/judge",)
+def test_each_file_names_its_programs(tmp_path):
+    own = tmp_path / "test_own.py"
+    own.write_text("A, B = 1, 2\nBUILT_PROGRAMS = ('host/judge', 'bench/*')\n")
+    assert check_test.programs_of(own) == ("host/judge",)
+    own.write_text("A, B = 1, 2\n")
+    with pytest.raises(ToolError, match="test_own.py: .*BUILT_PROGRAMS"):
+        check_test.programs_of(own)
+    assert "build/host/judge" in check_test.needs(types.SimpleNamespace(only="", board="", host_units=[], units=[]))
 
 
 def command_of(board):
@@ -340,8 +344,10 @@ def test_a_test_that_runs_what_its_file_does_not_name_fails(monkeypatch, tmp_pat
     assert named_programs.missing() == []
     with pytest.raises(RuntimeError, match="build/host/judge, which"):
         subprocess.run([program], check=True)
-    named_programs.of(types.SimpleNamespace())
+    named_programs.of(types.SimpleNamespace(__file__=str(named_programs.ANYWHERE / "docs" / "test_own.py")))
     subprocess.run(["true", image], check=True)
+    with pytest.raises(RuntimeError, match="test_own.py has no BUILT_PROGRAMS"):
+        named_programs.of(types.SimpleNamespace(__file__=str(tmp_path / "test_own.py")))
 
 
 def test_a_tool_of_such_a_test_fails_too(build):

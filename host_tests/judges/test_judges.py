@@ -12,6 +12,7 @@ from conftest import CHECKOUT, run_cli, sampled
 from fixel.scene import making
 from fixel.board.programs import HostPrograms
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "boards/*/walk-depth-view*", "host/judge", "host/predict", "host/raycast")
 # What the scene may cost in pixels that differ from double, of a million.
 SCENES = {"plaza": 10, "plaza-turned": 10, "spin": 10, "w1": 10, "w3": 10, "tiny": 10, "cube": 10}
 MODELS = CHECKOUT.parent / "shared" / "models"

@@ -16,6 +16,7 @@ from fixel.base.errors import ToolError
 from fixel.check import equality as kernel_equality, kernel_text
 from fixel.prove import functions, rows
 
+BUILT_PROGRAMS = ("equality/*",)
 CORES = ("m0", "m3", "m4f", "m55", "m0-small", "m3-small", "m3-os")
 FEWEST = "m3-small"     # of these, the program with the fewest kernels
 DONE = re.compile(r"^(\S+) +(\S+) +([0-9,]+) (inputs  0 differ|random inputs, as on record)$", re.MULTILINE)

@@ -16,6 +16,7 @@ from fixel.board import dump
 from fixel.image import image
 from fixel.base.errors import ToolError
 
+BUILT_PROGRAMS = ("bench/*", "host/bench_counter.so", "host/frames")
 pytestmark = pytest.mark.usefixtures("bench_programs")
 BASELINE, DOCUMENT = CHECKOUT / "bench/baseline.json", CHECKOUT / "docs/performance.md"
 ROW = {"workload", "renderer", "core", "instructions", "frame", "per_unit", "unit", "ratio_to_listing_double",

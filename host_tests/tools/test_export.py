@@ -15,6 +15,7 @@ from fixel.base.errors import ToolError
 from fixel.scene import compiler, making
 from model_files import build
 
+BUILT_PROGRAMS = ("host/libfixel.a",)
 CUBE = ROOT / "examples" / "cube" / "cube.obj"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wmissing-field-initializers", "-Wredundant-decls", "-Werror"]
 COMPILERS = [["gcc", "-std=c11"], ["gcc", "-std=c2x"], ["clang", "-std=c11", "-Wmissing-variable-declarations"],

@@ -17,6 +17,8 @@ from fixel.base import kept
 from fixel.board.programs import HostPrograms
 from fixel.report import report_frames
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "boards/mps2-an386/walk.elf", "host/judge", "host/raycast",
+                  "host/wire")
 SCENE = "scenes/tiny.toml"
 PARTS = ["board", "host", "double", "rays"]
 

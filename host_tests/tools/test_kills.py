@@ -13,6 +13,8 @@ from conftest import run_cli
 from fixel.check import kills
 import viewers
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "boards/lm3s6965evb/walk.elf", "host/judge", "host/raycast", "host/live",
+                  ".fixel-kills-*/*")     # links to them in the folder of a campaign
 BOARDS = viewers.BOARDS[:2]     # of all commands but view-stream, and of that one
 KILLS, SEED = 8, 13
 

@@ -21,6 +21,7 @@ from fixel.board import counted, dump, emulator, flash_memory, fleet
 from fixel.image import image, memory_needed
 from fixel.scene import making, target
 
+BUILT_PROGRAMS = ("boards/mps2-an385/walk.elf", "boards/microbit/walk.elf", "host/frames", "host/libfixel.a", "host/predict")
 SCENES = ("scenes/spin.toml", "scenes/knot-moving.toml", "examples/game/game.toml")
 BOARDS = ("microbit", "mps2-an385")
 # With surfaces and with light at run time.

@@ -20,6 +20,8 @@ from fixel.report import report_claims, report_frames, report_page, report_plots
 from fixel.image import image
 from fixel.base.errors import ToolError
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "host/designs", "host/judge", "host/oracle", "host/raycast",
+                  "host/stage_errors")
 SAMPLES = 4000
 CHROMIUM = pathlib.Path("/usr/bin/chromium")
 STAGES = ("matrix", "vertex", "clip", "fill", "texel", "texel_16", "texel_8", "affine", "light", "depth_buffer_16",

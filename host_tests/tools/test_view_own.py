@@ -21,6 +21,7 @@ from fixel.scene import making
 from fixel.view import browser
 from viewers import HEIGHT, WIDTH, children, left, wait_for_rest
 
+BUILT_PROGRAMS = ("host/live",)
 SCENE = """
 screen = { width = 320, height = 240 }
 view = { fov = 60, near = 0.5, far = 40, inset = "4/65536", pixels = "rgb565" }

@@ -18,6 +18,7 @@ from fixel.view import browser
 from fixel.view.view_reference import FACES, FRAME, OUTLINES, Reference, VERDICT, WANTS_ALL
 from viewers import HEIGHT, WIDTH, ready
 
+BUILT_PROGRAMS = ("boards/mps2-an385/walk.elf", "host/frames", "host/judge", "host/live")
 FRAMES = 4
 NO_FACE = 0xFFFF
 EQUAL, WITHIN, BEYOND = range(3)

@@ -28,6 +28,8 @@ from fixel.view.view_window import Stream
 from viewers import (HEIGHT, WIDTH, assert_gone, assert_refuses, assert_started, children, left, own_build, own_port, plaza_image, ready,
                      ready_board)     # plaza_image and ready_board are fixtures
 
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "boards/lm3s6965evb/walk.elf", "boards/microbit/walk.elf",
+                  "boards/netduino2/walk.elf", "host/live")
 DELAY = 2.0     # seconds; 0.05 were enough for the FIFO to fill
 
 

@@ -199,23 +199,21 @@ def all_jobs(options, run_pytest):
 
 def programs_of(file):
     """What a file of tests for pytest says that it runs, below build/: its BUILT_PROGRAMS, as text, but for names with a *, which
-    its tests make. None: it does not say."""
+    its tests make."""
     for line in ast.parse(file.read_text(encoding="utf-8")).body:
         if isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "BUILT_PROGRAMS":
             return tuple(name for name in ast.literal_eval(line.value) if "*" not in name)
-    return None
+    raise ToolError(f"{file}: it does not say what it runs: give it BUILT_PROGRAMS, the paths of programs below build/, or () for none")
 
 
 def needs(options):
-    """What make must have built for the suites of --only: paths; "unit:NAME" of a file of unit tests for a board; "everything"
-    where a file of tests does not name its programs."""
+    """What make must have built for the suites of --only: paths; "unit:NAME" of a file of unit tests for a board."""
     found = set()
     for job in jobs_of_host(options, None):
         if job.function == run_host:
             found.add(str(job.argument))
         else:
-            programs = programs_of(job.argument)
-            found |= {"everything"} if programs is None else {f"build/{name}" for name in programs}
+            found |= {f"build/{name}" for name in programs_of(job.argument)}
     for board, _ in options.units:
         found |= {f"unit:{file.stem}" for file in (TESTS / "unit").glob("test_*.c") if is_chosen(options, f"{board}/{file.stem}")}
     return sorted(found)
