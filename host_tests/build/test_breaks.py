@@ -101,6 +101,30 @@ def test_a_break_whose_text_is_there_no_more_is_named_and_not_drawn(root, capsys
     assert "of 3 in the list 2 are stale" in said
 
 
+def test_sentences_are_drawn_of_all_that_are_no_prose_and_one_without_a_break_is_named(root, capsys, monkeypatch):
+    (root / "SPEC.md").write_text("**1.1** A sum is exact. It is quick. It wraps.\n\n**1.2** A sum is odd.\n")
+    clauses.accept(root, clauses.read(root), {})
+    record = root / clauses.RECORD
+    record.write_text(record.read_text().replace("1.1b:", "1.1b, prose:"))
+    (root / "host_tests/unit/test_a.c").write_text(TEST.replace("1.1", "1.1a, 1.2"))
+    listed(root, ("tag", "clause", "/* SPEC 1.1 */", "", "make trace", "SPEC 1.1a"))
+    assert sorted(breaks.draw_sentences(root, "1", 9)) == ["SPEC 1.1a", "SPEC 1.1c", "SPEC 1.2a"]
+    assert breaks.draw_sentences(root, "1", 2) == breaks.draw_sentences(root, "1", 9)[:2]
+    monkeypatch.setattr(breaks, "try_all", lambda drawn, _: [breaks.row(each, [breaks.Step("make test", NAMED)]) for each in drawn])
+    code, said, written = broken(root, capsys, "--only", "sentences")
+    assert code == 1 and written["noticed"] == 1 and sorted(written["without"]) == ["SPEC 1.1c", "SPEC 1.2a"]
+    assert "1 of 3 sentences drawn are noticed" in said
+
+
+def test_a_break_of_a_sentence_is_tried_with_the_tests_of_that_sentence(root):
+    (root / "SPEC.md").write_text("**1.1** A sum is exact. It wraps.\n")
+    clauses.accept(root, clauses.read(root), {})
+    (root / "host_tests/unit/test_a.c").write_text("".join(TEST.replace("1.1", f"1.1{letter}").replace("sum", letter) for letter in "ab"))
+    commands = commands_of(root)
+    assert [[tag.test for tag in commands._tagged(id_)] for id_ in ("SPEC 1.1", "SPEC 1.1b", "SPEC 1.1c", "SPEC 2.1")] == [
+        ["test_a", "test_b"], ["test_b"], [], []]
+
+
 def test_nothing_to_break_is_refused(root):
     with pytest.raises(ToolError, match="no break of .* has 'nothing'"):
         breaks.main(["--root", str(root), "--units", "u", "--cc", "gcc", "--only", "nothing"])

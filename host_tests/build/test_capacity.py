@@ -119,6 +119,7 @@ def test_a_face_that_is_too_much_is_refused_and_named(tmp_path, capacity, code):
 
 @pytest.mark.parametrize("capacity", [11, 33, "4"])
 def test_a_capacity_out_of_range_does_not_compile(capacity):
+    """SPEC 3.1p."""
     done = gcc("-std=c11", "-fsyntax-only", f"-DFXL_POLYGON_CAPACITY={capacity}", *INCLUDES,
                "lib/draw/display_list.c")
     assert done.returncode != 0 and "FXL_POLYGON_CAPACITY is" in done.stderr

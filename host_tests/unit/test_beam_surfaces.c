@@ -209,7 +209,7 @@ void test_texels_of_4_bits(void)
 }
 
 /* The key is that of the texel, not of what the beam makes of it. */
-/* beams 6.3a-b */
+/* beams 6.3a-c */
 void test_a_hole_stays_a_hole(void)
 {
     walls.texture.flags = FXL_TEXTURE_KEYED | FXL_TEXTURE_CLAMP;
@@ -289,7 +289,7 @@ static void draw_blended(const way *into, uint8_t opaque[PIXELS])
 }
 
 /* What is blended is the colour in the beam, over what is beneath in the beam. */
-/* beams 6.4, 6.2b */
+/* beams 6.2b, 6.3c, 6.4 */
 void test_the_beam_comes_before_blending(void)
 {
     static uint8_t opaque[PIXELS];

@@ -136,6 +136,33 @@ void test_a_pixel_shows_the_texel_at_its_centre(void)
     TEST_ASSERT_TRUE(shown > UNIT_REPEAT / 30);
 }
 
+/* Each coordinate is rounded once, on the screen: near by, half of 1/65536 of a unit in the view
+ * would move it by more. */
+/* billboards 2.1a */
+void test_corners_are_those_of_the_exact_centre(void)
+{
+    uint32_t close = 0;
+    scene.tiny->scene.instances = &scene.tiny->instances[1];
+    scene.tiny->scene.instance_count = 1;
+    for (uint32_t i = 0; i < UNIT_REPEAT / 50; i++) {
+        fxl_pose pose = any_pose();
+        uint32_t place = 0;
+        pose.position.z = unit_between(Q16(6), Q16(9.8));
+        draw_frame(&pose, BOARD_LIST_WORDS);
+        const fxl_screen_polygon *of = fxl_display_list_next(
+            &scene.renderer.frame.display_list, (fxl_rows){0, BOARD_SCENE_HEIGHT}, &place);
+        if (of != NULL) {
+            const rectangle at = exact_rectangle(1);
+            TEST_ASSERT_NEAR(at.left * 65536, of->points[0].x, 0.51);
+            TEST_ASSERT_NEAR(at.top * 65536, of->points[0].y, 0.51);
+            TEST_ASSERT_NEAR(at.right * 65536, of->points[1].x, 0.51);
+            TEST_ASSERT_NEAR(at.bottom * 65536, of->points[1].y, 0.51);
+            close += at.depth * 65536 < scene.renderer.frame.view.lens.focal;
+        }
+    }
+    TEST_ASSERT_TRUE(close > UNIT_REPEAT / 500);
+}
+
 /* The scale of a placement is that of the sprite; where it turns to does not matter. */
 /* billboards 2.1a */
 void test_a_turned_instance_scales_its_sprite(void)

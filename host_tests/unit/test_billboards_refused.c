@@ -23,7 +23,7 @@ static void expect_refusal(fxl_status status, const char *what, uint32_t index)
     setUp();
 }
 
-/* combinations 1.1a-b */
+/* combinations 1.1a-b, billboards 1.2f */
 void test_a_wrong_billboard_is_refused(void)
 {
     board_scene_start(&scene, 0);

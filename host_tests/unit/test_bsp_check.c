@@ -345,6 +345,7 @@ void test_a_sphere_is_of_its_own_faces_alone(void)
 }
 
 /* An image with a tree: its nodes follow all else, and are used in place. */
+/* formats 1.1w, 1.2s, 1.7b */
 void test_a_tree_in_an_image(void)
 {
     tiny_image *image = tiny_image_make(false);
@@ -362,4 +363,7 @@ void test_a_tree_in_an_image(void)
     tiny_seal(image);
     TEST_ASSERT_EQUAL(FXL_E_OFFSET, fxl_scene_open(image->words, image->size, &opened, &fault));
     TEST_ASSERT_EQUAL_STRING("BSP node table", fault.what);
+    tiny_put32(tiny_at(image, AT_MORE + 4), 65535 + 1);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_open(image->words, image->size, &opened, &fault));
 }

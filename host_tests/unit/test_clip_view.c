@@ -81,7 +81,7 @@ static void expect_same(const char *name, const fxl_view_polygon *expected,
 }
 
 /* The same outcome at each of the six walls. What is not cut writes nothing. */
-/* SPEC 4.7a, 4.7h, 4.7l-m */
+/* SPEC 4.7a, 4.7h, 4.7j, 4.7l-m */
 void test_cases_of_one_plane(void)
 {
     for (int i = 0; i < PLANE_CASES * FXL_PLANE_COUNT; i++) {

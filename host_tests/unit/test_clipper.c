@@ -291,6 +291,7 @@ static fxl_clip_result recording_clipper(const fxl_model_view *model_view, const
 
 static const fxl_clipper recording = {.clip = recording_clipper};
 
+/* SPEC 4.7o */
 void test_the_renderer_asks_the_clipper_that_it_was_given(void)
 {
     start(0);
@@ -308,6 +309,7 @@ void test_the_renderer_asks_the_clipper_that_it_was_given(void)
     TEST_ASSERT_EQUAL_UINT32(counters.in - counters.backfacing, asked);
 }
 
+/* SPEC 4.11e-f */
 void test_what_a_clipper_answers_is_counted(void)
 {
     static const fxl_clip_result answers[] = {FXL_CLIP_OUTSIDE, FXL_CLIP_DEGENERATE,

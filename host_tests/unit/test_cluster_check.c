@@ -36,6 +36,7 @@ void test_sound_clusters(void)
 }
 
 /* Of six faces, which have no cone. */
+/* formats 1.2v */
 void test_the_only_cluster_of_an_image_is_used_in_place(void)
 {
     const fxl_cluster only = {.radius = 113512, .face_count = 6};
@@ -47,6 +48,9 @@ void test_the_only_cluster_of_an_image_is_used_in_place(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
     TEST_ASSERT_EQUAL_UINT32(1, opened.scene.cluster_count);
     TEST_ASSERT_EQUAL_MEMORY(&only, opened.scene.clusters, sizeof only);
+    tiny_put32(tiny_at(image, AT_MORE + 4), 65535 + 1);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_open(image->words, image->size, &opened, NULL));
 }
 
 /* A check that knows no clusters refuses them; without them no code is named. */

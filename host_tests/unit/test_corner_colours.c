@@ -343,7 +343,7 @@ void test_bands_and_depth_change_no_pixel(void)
 }
 
 /* Stipple leaves pixels out, and blending mixes them, each by the rule of any surface. */
-/* surfaces 4.2 */
+/* surfaces 4.2, SPEC 9.8i */
 void test_opacity_and_blending(void)
 {
     uint32_t left_out = 0, drawn = 0;
@@ -389,7 +389,7 @@ static fxl_status status_of(quad_scene *quad, uint32_t bits)
     return fxl_surfaces_check(&quad->set, &quad->scene, bits, NULL);
 }
 
-/* surfaces 1.4e */
+/* surfaces 1.4e, SPEC 9.8a */
 void test_what_the_check_refuses(void)
 {
     quad_scene *quad = make(false, 0, FXL_DIVIDE_16);
@@ -404,9 +404,12 @@ void test_what_the_check_refuses(void)
     quad->mapped_corners[2].texel = (fxl_texel){0, 1};
     TEST_ASSERT_EQUAL(FXL_E_RANGE, status_of(quad, 16));
     quad->mapped_corners[2].texel = (fxl_texel){0, 0};
-    static const uint8_t texel[1];
-    quad->texture = (fxl_texture){.texels = texel, .levels = 1};
+    static const uint16_t texel[1];
+    quad->texture = (fxl_texture){
+        .texels = (const uint8_t *)texel, .levels = 1, .format = FXL_TEXTURE_565};
     quad->set.texture_count = 1;
     quad->surface.texture = 1;
     TEST_ASSERT_EQUAL(FXL_E_RESERVED, status_of(quad, 16));
+    quad->surface.flags = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, status_of(quad, 16));
 }

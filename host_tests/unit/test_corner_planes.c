@@ -126,7 +126,7 @@ static bool begins(void)
                                    &triangle.planes);
 }
 
-/* accuracy 5.1.1g, 5.1.1w */
+/* accuracy 5.1.1g, 5.1.1w, SPEC 10.2e */
 void test_depth_is_that_of_the_plane_through_the_corners(void)
 {
     uint32_t checked = 0;
@@ -202,7 +202,7 @@ static void check_attributes(int first, uint32_t count, bool is_affine, attribut
     }
 }
 
-/* SPEC 9.1.1f-h, accuracy 5.1.1b-e, 5.1.1h-i, 5.1.1m */
+/* SPEC 9.1.1f-h, accuracy 5.1.1b-f, 5.1.1h-i, 5.1.1m */
 void test_attributes_are_those_of_the_corners(void)
 {
     uint32_t checked = 0;

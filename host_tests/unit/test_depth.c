@@ -303,7 +303,7 @@ static void draw_wide(const fxl_target *target)
 
 /* The two faces share a corner, so that their codes are equal. Sorted by distance the nearer one is
  * seen; by number the other one hides it: at once, by a list, in bands, turned, at each target. */
-/* SPEC 6.3d, 6.4b, 10.4c */
+/* SPEC 6.3d, 6.4b, 10.4a, 10.4c */
 void test_of_equal_codes_of_a_sorted_model_that_of_the_greater_number_is_seen(void)
 {
     static const fxl_point corners[] = {{-131072, -131072, 262144}, {-131072, 131072, 262144},

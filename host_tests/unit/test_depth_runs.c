@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The depth test of a run of pixels, against its definition: random runs, most of whose codes are
  * near their cells. */
+#include <math.h>
+
+#include "draw/surface_polygon.h"
 #include "paint/depth_cells.h"
 #include "paint/depth_code.h"
 
@@ -94,6 +97,61 @@ void test_runs_of_wide_cells(void)
                                   : fxl_depth_hidden_end(wide, 0, (int32_t)end, &line, rule);
         TEST_ASSERT_EQUAL_INT32(ends < end ? ends : end, found);
         TEST_ASSERT_EQUAL_UINT32(code + (uint32_t)found * step, line.code);
+    }
+}
+
+/* The table's numbers, rounded up: the change of the distance z in which near / z changes by a code. */
+/* SPEC 10.6d-g */
+void test_the_resolutions_of_two_scenes(void)
+{
+    static const struct {
+        double near_z, far_z;
+        uint32_t octaves;
+        double largest[2][3], digit[2][3]; /* at near, between, at far: the number, its last digit */
+    } scenes[] = {{0.75, 228.2, 9, {{0.0001, 0.0018, 0.034}, {0.000003, 0.00006, 0.0011}},
+                   {{0.0001, 0.0001, 0.001}, {0.000001, 0.00001, 0.0001}}},
+                  {0.0625, 64, 11, {{0.000008, 0.0005, 0.016}, {0.0000003, 0.00002, 0.0005}},
+                   {{0.000001, 0.0001, 0.001}, {0.0000001, 0.00001, 0.0001}}}};
+    for (int i = 0; i < 6; i++) {
+        const double near_z = scenes[i / 3].near_z, far_z = scenes[i / 3].far_z;
+        const fxl_lens lens = {.near_z = (int32_t)(near_z * 65536),
+                               .far_z = (int32_t)(far_z * 65536)};
+        const fxl_depth_scale scale = fxl_depth_scale_of(&lens);
+        TEST_ASSERT_EQUAL_UINT8(scenes[i / 3].octaves, scale.octaves);
+        TEST_ASSERT_EQUAL_UINT8(12, scale.mantissa);
+        const double z = i % 3 == 0 ? near_z : i % 3 == 1 ? sqrt(near_z * far_z) : far_z;
+        double step = ldexp(z * z / near_z, -1 - scale.mantissa);
+        for (double depth = near_z / z; depth < 0.5; depth *= 2) { /* of octave 0 from 1/2 on */
+            step /= 2;
+        }
+        for (int k = 0; k < 2; k++) {
+            const double here = k == 0 ? step : step / 32, stated = scenes[i / 3].largest[k][i % 3];
+            TEST_ASSERT_TRUE(here <= stated && here > stated - scenes[i / 3].digit[k][i % 3]);
+        }
+    }
+}
+
+/* SPEC 10.3g */
+void test_a_cell_of_no_face_is_0_and_hides_nothing(void)
+{
+    enum {
+        CELLS = 6
+    };
+    static union {
+        fxl_depth_head head;
+        uint16_t words[sizeof(fxl_depth_head) / 2 + CELLS];
+    } memory;
+    static fxl_workspace workspace;
+    const fxl_band band = {.width = CELLS / 2, .stride = CELLS / 2, .rows = 2};
+    memset(&memory, 0xA5, sizeof memory);
+    memory.head.clear_from = memory.head.clear_to = 0;
+    workspace.target_memory = &memory;
+    fxl_depth_clear_all(&workspace, &band, 2);
+    const uint16_t *left = (const uint16_t *)(const void *)(&memory.head + 1);
+    for (int32_t x = 0; x < CELLS; x++) {
+        const fxl_depth_rule rule = {.wide = false};
+        TEST_ASSERT_EQUAL_UINT16(0, left[x]);
+        TEST_ASSERT_TRUE(fxl_depth_passes(left, x, 1u << 16, rule)); /* the least code */
     }
 }
 

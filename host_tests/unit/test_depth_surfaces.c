@@ -91,7 +91,7 @@ void test_a_stippled_surface_keeps_depth_where_it_is_drawn(void)
 }
 
 /* Glass: face 2 shows what is beneath it in another colour, whatever is drawn first. */
-/* SPEC 10.5b-c, surfaces 4.4b */
+/* SPEC 10.5a-c, surfaces 4.4b */
 void test_a_blended_surface_is_seen_over_what_is_behind_it(void)
 {
     static uint8_t beneath[DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT], table[FXL_BLEND_TABLE_BYTES(1)];

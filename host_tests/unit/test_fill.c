@@ -101,6 +101,28 @@ void test_edges_that_cross(void)
     }
 }
 
+/* Down a tall trapezoid the last bit of a step decides in which row an edge comes to the next
+ * pixel. */
+/* accuracy 1.1t */
+void test_no_bit_of_a_step_is_lost(void)
+{
+    enum {
+        TALL = 255
+    };
+    static uint8_t tall[TALL * 4];
+    for (uint32_t step = 1; step <= 0x10001u; step += 0x8000u) {
+        for (uint32_t turn = 1; turn < TALL; turn += 127) {
+            const fxl_band band = UNIT_BAND(tall, 4, 0, TALL);
+            const fxl_trapezoid of = {0, TALL, {{1, 0u - turn * step, 0, step}, {3, 0, 0, 0}}};
+            memset(tall, '.', sizeof tall);
+            fxl_fill_trapezoid(&band, &of, '#');
+            for (uint32_t row = 0; row < TALL; row++) {
+                TEST_ASSERT_EQUAL_STRING_LEN(row < turn ? ".##." : "..#.", &tall[4 * row], 4);
+            }
+        }
+    }
+}
+
 /* Outlines drawn in one call: the pixels of the definition, and whether they reach the band. */
 
 enum {

@@ -320,7 +320,7 @@ static fxl_q16_16 rounded(fxl_q18_46 place)
 
 /* In the world, against the clipper that is made for it: the same verdicts, and the same
  * vertices but for that one's rounding, which grows with the edge. */
-/* clippers 2.1g */
+/* clippers 2.1g, SPEC 4.7k */
 void test_planes_of_the_world(void)
 {
     int cuts = 0;

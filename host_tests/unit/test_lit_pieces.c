@@ -322,6 +322,7 @@ void test_the_room_that_a_face_took_is_the_least(void)
 /* Rounding leaves outlines with corners in a row on a plane, here on x = 0: they go to the part
  * that they lie beside, and between two parts one of them goes to both. An outline is then convex
  * only to within two units of 1/65536. */
+/* beams 3.3b */
 void test_corners_in_a_row_on_a_plane(void)
 {
     enum {

@@ -289,6 +289,28 @@ void test_every_board_plays_the_same_frames(void)
     TEST_ASSERT_EQUAL_HEX32(0xD4E2AE23u, crc);
 }
 
+/* motion 1.2b */
+void test_frames_are_the_same_in_any_order(void)
+{
+    static uint32_t forward[FRAMES];
+    fxl_motion_set set = make_lively();
+    for (set.motion_count = 1; set.motion_count <= 2; set.motion_count++) {
+        fxl_scene scene;
+        set.key_count = 2 + set.motion_count;
+        fxl_motion_player player = begin(&set, &scene);
+        for (uint32_t i = 0; i < 2 * FRAMES; i++) {
+            const uint32_t frame = i < FRAMES ? i : 2 * FRAMES - 1 - i;
+            fxl_motion_play(&player, frame);
+            const uint32_t crc = unit_crc32((const uint8_t *)instances, sizeof instances) ^
+                                 unit_crc32((const uint8_t *)placements, sizeof placements);
+            if (i < FRAMES) {
+                forward[frame] = crc;
+            }
+            TEST_ASSERT_EQUAL_HEX32(forward[frame], crc);
+        }
+    }
+}
+
 static void refuse(fxl_status status, const fxl_motion_set *set, const fxl_scene *scene,
                    const fxl_motion_memory *room)
 {

@@ -124,7 +124,7 @@ void test_motions_take_the_keys_in_turn(void)
     unit_expect_fields(fields, sizeof fields / sizeof fields[0], expect);
 }
 
-/* formats 1.10f */
+/* formats 1.10f, motion 2.1b */
 void test_keys_are_in_order(void)
 {
     make();

@@ -346,7 +346,7 @@ void test_a_centre_is_within_half_a_unit(void)
 }
 
 /* docs/extras/orientation.md, section 3: the bound by depth. */
-/* orientation 3.2b-c, 3.2e-f */
+/* orientation 3.1b, 3.2b-c, 3.2e-f */
 void test_a_chain_of_eight_is_within_its_bound(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 100; i++) {

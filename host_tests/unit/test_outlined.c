@@ -141,6 +141,23 @@ void test_sides_of_the_screen_are_no_edges(void)
     TEST_ASSERT_EACH_EQUAL_UINT8(2, outlined, sizeof outlined);
 }
 
+/* The top of a cube from just above it: the near plane cuts it 5.12 pixels below the middle, so that
+ * four pixels below is the last row that it reaches. */
+/* wire 3.2b */
+void test_the_cut_of_the_near_plane_is_an_edge(void)
+{
+    const fxl_pose pose = {{0, Q16(1.02), 0}, 0, 0, 0};
+    const int32_t row = HEIGHT / 2 + 4;
+    tiny = tiny_make();
+    tiny->scene.instance_count = 1;
+    style.line = 1;
+    style.fill = 2;
+    draw_pose(true, &pose, outlined);
+    TEST_ASSERT_EACH_EQUAL_UINT8(2, outlined[row - 1], WIDTH);
+    TEST_ASSERT_EACH_EQUAL_UINT8(1, outlined[row], WIDTH);
+    TEST_ASSERT_EACH_EQUAL_UINT8(BACKGROUND, outlined[row + 1], WIDTH);
+}
+
 void test_another_workspace_takes_the_style(void)
 {
     static uint64_t memory[32];

@@ -187,6 +187,7 @@ void test_checks_come_in_their_order(void)
     expect_status(FXL_OK, image->words, image->size);
 }
 
+/* formats 1.1w-x */
 void test_reserved_fields_and_kinds(void)
 {
     expect_word(FXL_E_RESERVED, AT_BSP_INSTANCE, 1); /* there is no tree */

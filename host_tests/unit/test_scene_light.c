@@ -21,7 +21,7 @@ static tiny_image *make(void)
         FXL_Q2_30_ONE / 4, FXL_Q2_30_ONE / 2, {0, -FXL_Q2_30_ONE, 0}, Q16(5), Q16(20)};
     static const fxl_point_light points[2] = {{{0, Q16(3), 0}, Q16(9), FXL_Q2_30_ONE},
                                               {{Q16(7), 0, Q16(-8)}, 1, 0}};
-    static const uint8_t ramp[LEVELS][LEVEL] = {{1}, {2}}; /* any bytes are a ramp */
+    static const uint8_t ramp[LEVELS][LEVEL] = {{255, 1, 128}, {2}}; /* any bytes are a ramp */
     tiny_image *image = tiny_image_make(false);
     tiny_set_section(image, SECTION_LIGHT, &base, 1, LIGHT);
     tiny_set_section(image, SECTION_POINT_LIGHTS, points, 2, POINT);
@@ -42,7 +42,7 @@ static void entry_word(fxl_status status, uint32_t table, uint32_t at, uint32_t 
 
 /* place light: a new setting: the setting out of an image */
 /* The settings are those of the image, to the last member. */
-/* formats 1.2z-ab, 1.11c */
+/* formats 1.1f, 1.2z-ab, 1.11c */
 void test_light_is_used_in_place(void)
 {
     tiny_image *image = make();
@@ -214,7 +214,7 @@ static void beam_half(fxl_status status, uint32_t offset, uint16_t value)
     expect_image_half(status, make_beams(), offset, value);
 }
 
-/* beams 1.1c */
+/* beams 1.1c, formats 1.2t-u */
 void test_the_sections_of_beams(void)
 {
     beam_word(FXL_E_COUNT, AT_BEAMS + 4, 0);

@@ -238,6 +238,7 @@ static void paint_any(uint8_t *pixels, const uint8_t *in_beam, int32_t x0, int32
 }
 
 /* Loops for what most faces have paint what the loop for any pixel paints, wherever they begin. */
+/* surfaces 1.1b */
 void test_simple_pixels_are_as_any_pixel(void)
 {
     static uint8_t same[256], blend[6 * 256];

@@ -260,7 +260,7 @@ static void expect_refused(fxl_status status, const fxl_sphere *sphere, const fx
     TEST_ASSERT_EQUAL_MEMORY(&before, &slide, sizeof slide);
 }
 
-/* collide 3.4b-c */
+/* collide 3.1a, 3.4b-c */
 void test_slides_that_cannot_be_are_refused(void)
 {
     fxl_sphere sphere = {{0, 0, Q16(-4)}, Q16(1)};
@@ -325,6 +325,29 @@ static double distance_of_turned(const fxl_point *point)
         nearest = here < nearest ? here : nearest;
     }
     return nearest;
+}
+
+/* A sphere that reaches into a cube by 10/65536 is pushed straight away from it. */
+/* collide 3.5b */
+void test_a_push_off_a_turned_face_is_what_its_scale_asks_for(void)
+{
+    static const fxl_q16_16 scales[] = {FXL_Q16_16_ONE,         FXL_Q16_16_ONE + 1, Q16(1.25),
+                                        Q16(1.25) + 1,          Q16(3.9),           Q16(45),
+                                        FXL_SCALE_MIN};
+    start_turned();
+    tiny->scene.instance_count = 1;
+    for (uint32_t i = 0; i < sizeof scales / sizeof scales[0]; i++) {
+        const fxl_point *c = &tiny->instances[0].centre;
+        placements[0].scale = scales[i];
+        const fxl_q16_16 reach = fxl_placement_radius(&placements[0], tiny->models[0].radius);
+        const fxl_q16_16 more = (4 * scales[i] + 65535) / 65536 + 4 + reach / (64 * 65536);
+        fxl_sphere sphere = {{c->x, c->y, c->z + scales[i] + Q16(1) - 10}, Q16(1)};
+        const fxl_point none = {0, 0, 0};
+        fxl_slide slide;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &none, &slide));
+        TEST_ASSERT_EQUAL_UINT16(1, slide.contacts);
+        TEST_ASSERT_EQUAL_INT32(c->z + scales[i] + Q16(1) + more + 8, sphere.centre.z);
+    }
 }
 
 static void place_all(fxl_q16_16 scale_most)

@@ -103,7 +103,7 @@ static void draw_random_faces(bool turned, uint8_t division, double tolerance)
 }
 
 /* At each pixel the level is the exact one, but for a 1/256 of a level. */
-/* surfaces 5.2a, 5.2c, 5.3b, SPEC 9.7a-b */
+/* surfaces 5.2a, 5.2c, 5.3b, SPEC 9.7a-b, accuracy 3.1q */
 void test_levels_divided_at_each_pixel(void)
 {
     draw_random_faces(false, FXL_DIVIDE_1, 1.0 / 256);

@@ -201,6 +201,7 @@ void test_surfaces(void)
     REFUSES(quad.surface.sixteenths, 17, FXL_E_RANGE, "surface");
 }
 
+/* SPEC 3.1m */
 void test_mapped_faces(void)
 {
     REFUSES(quad.face_map, 2, FXL_E_INDEX, "face");

@@ -117,7 +117,7 @@ void test_the_eye_itself_is_nowhere(void)
 }
 
 /* Turned so that forward runs along the world's diagonal: the largest sums. */
-/* SPEC 3.3a, 3.3d, 4.6b, clippers 1.4b */
+/* SPEC 3.3a, 3.3c-d, 4.6b, clippers 1.4b */
 void test_opposite_corners_of_the_world(void)
 {
     const fxl_q16_16 end = FXL_COORDINATE_MAX;

@@ -174,7 +174,7 @@ static uint64_t distance_of(uint32_t number, const fxl_point *eye, unsigned shif
            square((int64_t)(box->box_z >> shift) - 2 * (int64_t)eye->z);
 }
 
-/* SPEC 8.4c */
+/* SPEC 8.3b, 8.4c */
 void test_the_order_of_faces(void)
 {
     int shifted = 0;

@@ -145,7 +145,7 @@ static fxl_pose any_pose(void)
     return pose;
 }
 
-/* SPEC 8.5a, 8.5c-e, 8.5l */
+/* SPEC 8.4a, 8.5a, 8.5c-f, 8.5h, 8.5l */
 void test_rounded_instances_are_those_of_a_baked_model(void)
 {
     uint32_t rounded = 0, exact = 0, drawn = 0, spilled = 0;
@@ -185,6 +185,7 @@ void test_rounded_instances_are_those_of_a_baked_model(void)
 }
 
 /* A tree is over an instance that stands still. */
+/* SPEC 8.5i */
 void test_the_instance_of_a_tree_is_not_turned(void)
 {
     static fxl_placement placements[TINY_INSTANCES];
@@ -199,6 +200,25 @@ void test_the_instance_of_a_tree_is_not_turned(void)
     TEST_ASSERT_EQUAL_STRING("BSP tree", fault.what);
     tiny->scene.first_turned = 2;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&tiny->scene, &fault));
+}
+
+/* SPEC 8.5l */
+void test_each_turned_instance_in_sight_is_counted(void)
+{
+    static const fxl_q16_16 places[] = {0, Q16(40), Q16(-500)}; /* the last is behind the eye */
+    const fxl_pose pose = {.position = {0, 0, Q16(-30)}};
+    for (uint32_t first = 0; first <= TINY_INSTANCES; first++) {
+        tiny_scene *of = tiny_make();
+        static fxl_placement none[TINY_INSTANCES];
+        uint32_t expected = 0;
+        tiny_place_from(of, none, first);
+        for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
+            of->instances[i].centre = (fxl_point){0, 0, places[i % 3]};
+            expected += i >= first && i % 3 < 2;
+        }
+        draw(&of->scene, &fxl_clipper_world, 0, false, &pose, HEIGHT, frames[0]);
+        TEST_ASSERT_EQUAL_UINT16(expected, renderer.workspace.counters.rounded);
+    }
 }
 
 /* A frame with placements that fxl_frame_begin refuses. The placements may have any values then, so

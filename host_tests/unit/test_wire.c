@@ -257,7 +257,7 @@ void test_bands_and_both_clippers_draw_the_same(void)
 
 /* Without a placement an instance is drawn as one that has none. A cube that is a quarter turned looks
  * the same but for its colours. */
-/* wire 1.1a-b */
+/* wire 1.1a-b, SPEC 8.5k */
 void test_turned_cubes(void)
 {
     static fxl_placement placements[TINY_INSTANCES] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE,

@@ -3,7 +3,8 @@
 
     fixel breaks --units DIR --cc COMMAND [--seed N] [--draw N | --only WORD] [--samples N] [--build DIR]
 
-The entries of host_tests/breaks with blind = true are of four kinds. --seed draws the same number of each kind. Each is made in a copy of
+The entries of host_tests/breaks with blind = true are of four kinds. --seed draws the same number of each kind; with --only sentences it draws
+sentences of clauses.txt that are no prose, and takes the breaks that name them: a sentence without one counts as not noticed. Each is made in a copy of
 the checkout below DIR/breaks, and never in the checkout. The entry's command runs there in its narrowest form; if it
 passes, the unit tests of the host, and then the proofs of the file. A break is noticed if a command fails and names what
 the entry says. Writes DIR/breaks/breaks.json.
@@ -19,6 +20,7 @@ import concurrent.futures
 import dataclasses
 import filecmp
 import functools
+import hashlib
 import os
 import pathlib
 import random
@@ -30,7 +32,7 @@ from fixel.base import children, kept, output, spent
 from fixel.base.errors import ToolError
 from fixel.base.progress import Progress
 from fixel.base.table import coloured, table
-from fixel.check import clauses, planting, seeded_bugs, trace, trace_break
+from fixel.check import clauses, planting, seeded_bugs, sentences, trace, trace_break
 from fixel.prove import bugs as prove_bugs, provers, rows as prove_rows
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
@@ -44,6 +46,7 @@ COVERAGE = "build/host/coverage"
 SECONDS = 12.0      # of CPU time that a file of unit tests may take as it is
 TOGETHER = 10       # files of unit tests that are built before the first of them runs
 WORDS = 300
+SENTENCES = "sentences"     # of --only: draws these, not breaks
 COPIES = ("units", "proofs", "checkout")
 LAUNCHER = pathlib.Path(__file__).resolve().parents[1] / "launcher.py"
 
@@ -61,6 +64,22 @@ def draw(breaks, seed, count):
         share = count // len(kinds) + (place < count % len(kinds))
         drawn += random.Random(f"{seed} {kind}").sample(those, min(share, len(those)))
     return drawn
+
+
+def draw_sentences(root, seed, count):
+    """So many sentences that are no prose, by their ids, in an order that a new sentence does not change."""
+    _, said = clauses.recorded(root)
+    ids = [clause + letter for clause, entries in said.items() for letter, state, _ in entries if state != sentences.PROSE]
+    return sorted(ids, key=lambda id_: hashlib.sha256(f"{seed} {id_}".encode()).digest())[:count]
+
+
+def of_sentences(root, breaks, drawn):
+    """{id: breaks} of sentences: those that name it, or a claim of make report that has its tag."""
+    claims = {}
+    for tag in trace.shown_elsewhere(pathlib.Path(root), trace.pages_of(clauses.read(root))):
+        claims.setdefault(tag.id, set()).add(tag.test.removeprefix("make report: "))
+    return {id_: [each for each in breaks if each.names == id_ or
+                  (each.command == "make report" and each.names in claims.get(id_, ()))] for id_ in drawn}
 
 
 def try_break(each, commands):
@@ -123,7 +142,8 @@ def parser():
     made.add_argument("--cc", required=True, help="the compiler and the flags of the unit tests")
     made.add_argument("--seed", default="1", help="draws the breaks (SEED=)")
     made.add_argument("--draw", type=int, default=20, help="how many (DRAW=)")
-    made.add_argument("--only", default="", help="all breaks with this in their id, kind or file, and none drawn (ONLY=)")
+    made.add_argument("--only", default="", help="all breaks with this in their id, kind or file, and none drawn; "
+                      f"{SENTENCES}: draws sentences (ONLY=)")
     made.add_argument("--samples", type=int, default=1_000_000, help="of make report (SAMPLES=)")
     made.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     return made
@@ -131,7 +151,7 @@ def parser():
 
 def before(options):
     """Refuses a word that no break has, and a number that draws none."""
-    if options.only and not any(each.is_called(options.only) for each in blind(options.root)):
+    if options.only not in ("", SENTENCES) and not any(each.is_called(options.only) for each in blind(options.root)):
         raise ToolError(f"no break of {planting.FOLDER} has '{options.only}' in its id, kind or file")
     if options.draw < 1 or options.samples < 1:
         raise ToolError("DRAW= is less than 1" if options.draw < 1 else "SAMPLES= is less than 1")
@@ -142,6 +162,8 @@ def main(argv):
     every = blind(options.root)
     stale = planting.stale(options.root, every)
     ready = [each for each in every if each.id not in stale]
+    if options.only == SENTENCES:
+        return try_sentences(options, ready)
     drawn = [each for each in ready if each.is_called(options.only)] if options.only else \
         draw(ready, options.seed, options.draw)
     if not drawn:
@@ -158,6 +180,24 @@ def main(argv):
     print(f"{noticed} of {len(rows)} breaks noticed ({counts}); of {len(every)} in the list {len(stale)} are stale; "
           f"{'' if options.only else f'seed {options.seed}; '}{file}")
     return 0 if noticed >= ENOUGH * len(rows) else 1
+
+
+def try_sentences(options, ready):
+    """Draws sentences and tries their breaks; only the command of a break counts, which for a sentence is its tagged tests."""
+    named = of_sentences(options.root, ready, draw_sentences(options.root, options.seed, options.draw))
+    drawn = list({each.id: each for breaks in named.values() for each in breaks}.values())
+    rows = try_all(drawn, Commands(options, drawn))
+    noticed_ids = {each["id"] for each in rows if each["result"] == NAMED}
+    noticed = [id_ for id_, breaks in named.items() if any(each.id in noticed_ids for each in breaks)]
+    print_rows(rows, [])
+    spent.tell()
+    without = [id_ for id_, breaks in named.items() if not breaks]
+    print(f"without a break: {', '.join(without) or 'none'}")
+    print(f"{len(noticed)} of {len(named)} sentences drawn are noticed when they are broken; seed {options.seed}")
+    file = pathlib.Path(options.build) / "breaks/breaks.json"
+    output.write_json(file, {"seed": options.seed, "only": options.only, "sentences": list(named), "noticed": len(noticed),
+                             "without": without, "breaks": rows})
+    return 0 if len(noticed) >= ENOUGH * len(named) else 1
 
 
 @dataclasses.dataclass
@@ -220,8 +260,17 @@ class Commands:
         return tree, trace_break.Breaker(tree, {})
 
     @functools.cached_property
-    def _tags(self):
-        return trace.read(self._root)[2]
+    def _rows_of_trace(self):
+        found, code, tests, seeded = trace.read(self._root)
+        clauses.match_sentences(found, clauses.recorded(self._root)[1])
+        return trace.join(found, code, tests, seeded)
+
+    def _tagged(self, id_):
+        """The tests that have the tag of a clause, or of a sentence."""
+        row = self._rows_of_trace.get(clauses.clause_of(id_))
+        if row is None or id_ == row["id"]:
+            return row["tests"] if row else []
+        return [tag for each in row["clause"].sentences if row["id"] + each.letter == id_ for tag in trace.tests_of(row, each)]
 
     @functools.cached_property
     def _every(self):
@@ -243,8 +292,8 @@ class Commands:
         return Step(command, PASSED, "" if tried["result"] == "survived" else tried["result"])
 
     def tagged_tests(self, each):
-        """The tests that have the clause's tag."""
-        suites = trace_break.suites_of([tag for tag in self._tags if tag.id == each.names])
+        """The tests that have the tag of the clause or sentence."""
+        suites = trace_break.suites_of(self._tagged(each.names))
         if not suites:
             return Step("make test", PASSED, f"no unit test of the host has the tag {each.names}")
         return self._try_suites(each, suites, is_named=True)
