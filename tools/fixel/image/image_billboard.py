@@ -7,7 +7,6 @@ from fixel.image.fields import entry
 from fixel.image.image_tables import Ranges
 from fixel.image.image_tree import COORDINATE_MAX, SORTED, fail
 
-BOARDS_MAX = 65535
 PIXELS_MAX = 16 << 20       # bytes of all sprites
 OPAQUE = 256                # the key of a sprite all of whose pixels are drawn
 BITS = (1, 4, 8)

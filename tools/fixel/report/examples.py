@@ -14,7 +14,6 @@ from fixel.base.errors import ToolError
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 MODEL = ROOT / "examples" / "cube" / "cube.obj"
 PROGRAM = ROOT / "examples" / "cube" / "main.c"
-CRATE = ROOT / "examples" / "crate" / "main.c"
 CRATE_FRAMES = 28   # of which the last shows three sides
 OWN_MODEL = ROOT / "examples" / "model" / "model.glb"
 OWN_MODEL_FRAMES = 24   # of its path
