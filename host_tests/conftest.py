@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import re
 import signal
 import struct
 import subprocess
@@ -102,6 +103,14 @@ def sampled(name, values, count):
         return values
     numbers = sampling.choose(CHECKOUT, name, range(len(values)), count)
     return [values[number] for number in sorted(numbers)]
+
+
+def clipper_names(but=()):
+    """The names that CLIPPER= takes, in their order, without those of `but`."""
+    makefile = (CHECKOUT / "firmware" / "firmware.mk").read_text(encoding="utf-8")
+    names = re.search(r"^CLIPPERS := (.*)$", makefile, re.MULTILINE)[1].split()
+    assert set(but) <= set(names), f"{sorted(set(but) - set(names))} are no clippers"
+    return [name for name in names if name not in but]
 
 
 def dry_run(command, *settings):

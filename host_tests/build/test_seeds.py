@@ -8,8 +8,7 @@ import tomllib
 
 import pytest
 
-from clipper_names import clipper_names
-from conftest import CHECKOUT, run_make
+from conftest import CHECKOUT, clipper_names, run_make
 
 from fixel.board import methods
 

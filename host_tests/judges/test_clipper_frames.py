@@ -9,8 +9,7 @@ import subprocess
 
 import host_frames
 import pytest
-from clipper_names import clipper_names
-from conftest import CHECKOUT, sampled
+from conftest import CHECKOUT, clipper_names, sampled
 from host_frames import judged, pixels
 
 from fixel.scene import making

@@ -20,10 +20,10 @@ import pytest
 BUILT_PROGRAMS = ("host/frames", "host/judge", "bench/*")
 HERE = Path(__file__).resolve().parent
 if __name__ == "__main__":
-    sys.path[:0] = [str(HERE.parent), str(HERE.parent / "boards"), str(HERE.parents[1] / "tools")]
+    sys.path[:0] = [str(HERE.parent), *(str(HERE.parent / room) for room in ("boards", "tools")), str(HERE.parents[1] / "tools")]
 
 from board_programs import made
-from scene_head import head
+from drawn_scenes import head
 from fixel.base.errors import ToolError
 from fixel.board import dump, emulator
 from fixel.image import image

@@ -8,7 +8,7 @@ import zlib
 import numpy
 import pytest
 from conftest import CHECKOUT, run_cli
-from scene_head import head
+from drawn_scenes import head
 from test_surface_frames import built, drawn, judged
 
 from fixel.board import dump

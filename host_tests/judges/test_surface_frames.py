@@ -6,11 +6,10 @@ import random
 
 import host_frames
 import pytest
-from clipper_names import clipper_names
-from conftest import CHECKOUT, sampled
+from conftest import CHECKOUT, clipper_names, sampled
 from host_frames import judged, pixels
 from model_files import png
-from scene_head import head
+from drawn_scenes import head
 
 from fixel.board import dump
 

@@ -7,7 +7,7 @@ import numpy
 import pytest
 from conftest import CHECKOUT, run_cli
 from host_frames import drawn, judged
-from scene_head import head
+from drawn_scenes import head
 
 from fixel.board import dump
 from fixel.image import image

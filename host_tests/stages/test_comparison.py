@@ -10,8 +10,7 @@ import types
 import pytest
 
 from fixel.bench import clippers as clippers_tool, clippers_page, clippers_plan, clippers_run
-from clipper_names import clipper_names
-from conftest import CHECKOUT, assert_one_sentence, run_cli
+from conftest import CHECKOUT, assert_one_sentence, clipper_names, run_cli
 from fixel.scene import making
 from fixel.base.errors import ToolError
 

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Scenes by chance, each with some of what a scene may ask for: test_predict.py compares what is predicted with what they
-take."""
+"""Scene files that tests write: their head, and scenes by chance, each with some of what a scene may ask for. test_predict.py
+compares what is predicted with what those take."""
 
 import random
-
-import scene_head
 
 COUNT = 30
 # place pixel-format: scenes that are drawn at random
@@ -13,6 +11,18 @@ SOLIDS = {"box": "", "octahedron": "", "dodecahedron": "", "tetrahedron": "", "p
           "cone": "sides = {sides}\n", "sphere": "sides = {sides}\nrings = 5\n"}
 PATTERNS = ("checker", "bricks", "planks", "crate", "stones", "grille")
 COLOURS = ("crimson", "gold", "teal", "olive", "slateblue", "darkorange", "seagreen", "orchid", "tan", "steelblue")
+
+
+def head(width, height, view=(), textures=()):
+    """[screen], [view] and [[textures]]. view: lines. textures: (name, pattern, side in texels, more lines).
+
+    Keys of the top of the file may stand before it."""
+    lines = ["[screen]", f"width = {width}", f"height = {height}"]
+    if view:
+        lines += ["[view]", *view]
+    for name, pattern, side, *more in textures:
+        lines += ["[[textures]]", f'name = "{name}"', f'pattern = "{pattern}"', f"size = [{side}, {side}]", *more]
+    return "\n" + "\n".join(lines) + "\n"
 
 
 def features_of(number, chance):
@@ -32,7 +42,7 @@ def _head(features, chance):
     view += ['pixels = "rgb565"'] * ("rgb565" in features) + ["depth = 16"] * ("depth" in features)
     text = 'background = "#1c2834"\n' + 'tree = "all"\n' * ("tree" in features)
     textures = [(pattern, pattern, 32) for pattern in PATTERNS] if "surfaces" in features else ()
-    text += scene_head.head(width, height, view, textures)
+    text += head(width, height, view, textures)
     text += "\n[light]\ndirection = [0.5, -0.8, 0.6]\nambient = 0.3\n"
     if "light" in features:
         text += f'levels = {chance.choice([8, 16])}\nstrength = 0.6\ndark = "#141828"\n'

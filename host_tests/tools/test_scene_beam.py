@@ -9,8 +9,7 @@ import sys
 
 import pytest
 
-from clipper_names import clipper_names
-from conftest import CHECKOUT, run_make
+from conftest import CHECKOUT, clipper_names, run_make
 from fixel.image import image, image_beam
 from fixel.scene import toml_scene
 from fixel.base.errors import ToolError

@@ -6,7 +6,7 @@ import re
 
 import pytest
 from conftest import CHECKOUT, assert_one_sentence, run_cli
-from scene_head import head
+from drawn_scenes import head
 from test_surface_frames import built, drawn, judged
 
 from fixel.board import dump
