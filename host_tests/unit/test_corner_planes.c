@@ -44,7 +44,7 @@ static void check_bounds(const fxl_gradient *gradient)
 /* SPEC 9.1.1a-e */
 void test_small_is_what_its_conditions_say(void)
 {
-    uint32_t small = 0, thin = 0, apart = 0, steep = 0;
+    uint32_t small = 0, thin = 0, apart = 0, steep = 0, texels = 0;
     for (int i = 0; i < UNIT_REPEAT / 10; i++) {
         corner_make(unit_random() % 4 == 0 ? 5.0 : 0.2);
         const double w = triangle.corners.width, h = triangle.corners.height;
@@ -85,6 +85,13 @@ void test_small_is_what_its_conditions_say(void)
             true};
         TEST_ASSERT_EQUAL(expected, fxl_corner_planes_begin(&turned, &triangle.view.lens,
                                                             FXL_WORDS_SIDE_MAX, &triangle.planes));
+        const bool may_be_texels = fmin(w, h) >= 16384 && fmax(w, h) <= FXL_TEXELS_SIDE_MAX &&
+                                   corner_twice_area() * 16 >= w * h && !is_apart;
+        TEST_ASSERT_EQUAL(may_be_texels,
+                          fxl_corner_planes_begin(&triangle.corners, &triangle.view.lens,
+                                                  FXL_TEXELS_SIDE_MAX, &triangle.planes));
+        TEST_ASSERT_TRUE(!may_be_texels || triangle.planes.is_for_words == is_for_words);
+        texels += may_be_texels && is_for_words;
         small += expected && !is_for_words;
         thin += has_size && is_thin;
         apart += has_size && is_apart;
@@ -94,6 +101,7 @@ void test_small_is_what_its_conditions_say(void)
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, thin);
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, apart);
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, steep);
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, texels);
 }
 
 /* SPEC 9.1.1b */

@@ -118,7 +118,7 @@ void test_words_are_codes_and_light(void)
 }
 
 typedef struct {
-    uint32_t checked, bent, far_apart, steep;
+    uint32_t checked, bent, far_apart, steep, thin;
 } texel_counts;
 
 /* The same planes from the corners, in one call. */
@@ -139,7 +139,7 @@ static void check_texel_planes(int32_t (*values)[3], bool is_found, const fxl_gr
     }
 }
 
-/* u, v and light of a small triangle, at a place in it. Returns whether they are words. */
+/* u, v and light of a triangle that may have words, at a place in it. Returns whether they are words. */
 static bool check_texels(texel_counts *counts)
 {
     const int32_t most[3] = {1 << unit_between(16, 22), 1 << unit_between(16, 22), 31 << 16};
@@ -149,7 +149,7 @@ static bool check_texels(texel_counts *counts)
     double exact[3][3], weights[3], x, y;
     bool is_far = false;
     corner_make(unit_random() % 2 ? 0.5 : 1.0 / 64);
-    if (!fxl_corner_planes_begin(&triangle.corners, &triangle.view.lens, FXL_SMALL_SIDE_MAX,
+    if (!fxl_corner_planes_begin(&triangle.corners, &triangle.view.lens, FXL_TEXELS_SIDE_MAX,
                                  &triangle.planes)) {
         return false;
     }
@@ -185,13 +185,14 @@ static bool check_texels(texel_counts *counts)
                          error * 1.001 * 256 + cut);
     }
     counts->bent += plane.one != FXL_DEPTH_IS_LINEAR;
+    counts->thin += triangle.planes.is_for_words;
     return true;
 }
 
 /* SPEC 9.1.1u, accuracy 5.1.1k */
 void test_words_are_texels(void)
 {
-    texel_counts counts = {0, 0, 0, 0};
+    texel_counts counts = {0, 0, 0, 0, 0};
     for (uint32_t seed = 1; seed <= CORNER_SEEDS; seed++) {
         corner_begin_seed(seed);
         for (int i = 0; i < UNIT_REPEAT / 20; i++) {
@@ -202,6 +203,7 @@ void test_words_are_texels(void)
     TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.bent);
     TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.far_apart);
     TEST_ASSERT_GREATER_THAN(0, counts.steep);
+    TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.thin);
 }
 
 /* A face that has words; then its like that has none: with more corners, in a lens of one octave,

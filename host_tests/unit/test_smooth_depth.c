@@ -260,7 +260,7 @@ static void check_texels_of_list(const fxl_surface *surface)
     for (uint32_t i = 0; i < PIXELS; i++) {
         covered += frames[0][i] != colours[BACKGROUND];
     }
-    TEST_ASSERT_GREATER_THAN(100, covered);
+    TEST_ASSERT_GREATER_THAN(40, covered);
     TEST_ASSERT_EQUAL_MEMORY(frames[1], frames[0], sizeof frames[0]);
     TEST_ASSERT_EQUAL_MEMORY(codes[1], codes[0], sizeof codes[0]);
     TEST_ASSERT_EQUAL(counters[1].drawn, counters[0].drawn);
@@ -268,8 +268,8 @@ static void check_texels_of_list(const fxl_surface *surface)
     TEST_ASSERT_EQUAL(counters[1].outside, counters[0].outside);
 }
 
-/* In one octave, across the end of one, partly beside the screen, too steep for words, and beside the
- * screen. */
+/* In one octave, across the end of one, partly beside the screen, too steep for words, thin, and steep: both
+ * are not small, but may be in words. */
 /* SPEC 9.1.1 */
 void test_texels_drawn_at_once_are_those_of_a_display_list(void)
 {
@@ -279,11 +279,15 @@ void test_texels_drawn_at_once_are_those_of_a_display_list(void)
         {-190000, -60000, 200000}, {-40000, 70000, 210000}, {80000, -50000, 204000}};
     static const fxl_point steep[] = {
         {-70000, -60000, 200000}, {-60000, 110000, 390000}, {90000, -50000, 204000}};
-    static const fxl_point *const triangles[] = {in_one_octave, across, cut, steep};
+    static const fxl_point thin[] = {
+        {-190000, 133000, 204000}, {20000, 0, 204000}, {182000, -130000, 205000}};
+    static const fxl_point sloping[] = {
+        {-190000, 10000, 200000}, {0, 50000, 290000}, {195000, -5000, 210000}};
+    static const fxl_point *const triangles[] = {in_one_octave, across, cut, steep, thin, sloping};
     target = &fxl_rgb565_depth_16;
     painter = FXL_SURFACES_OF(fxl_rgb565_depth_16);
     cells_size = sizeof cells;
-    for (uint32_t kind = 0; kind < 16; kind++) {
+    for (uint32_t kind = 0; kind < 24; kind++) {
         const fxl_surface surface = {.texture = 1,
                                      .opacity = 16,
                                      .flags = (kind & 1u) != 0 ? FXL_SURFACE_LIT : 0,

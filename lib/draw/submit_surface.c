@@ -83,7 +83,7 @@ static fxl_q18_46 nearest_depth(const fxl_model_view *model_view, const fxl_face
 }
 
 /* The gradients of a small face, and its depth where its texels are words: *has_words. find_texels:
- * null: they are not. Returns the level of its texture. */
+ * null: they are not. Of planes for words alone it finds nothing else. Returns the level of its texture. */
 static uint8_t find_small(const fxl_texture *texture, const fxl_model_view *model_view,
                           const fxl_face *face, const fxl_corner *const of[3],
                           const fxl_traversal *traversal, fxl_texels_finder *find_texels,
@@ -102,7 +102,7 @@ static uint8_t find_small(const fxl_texture *texture, const fxl_model_view *mode
     }
     *has_words = find_texels != NULL && find_texels(planes, corners->values, corners->count,
                                                     is_affine, gradients, &polygon->depth);
-    if (!*has_words) {
+    if (!*has_words && !planes->is_for_words) {
         fxl_corner_planes_find(planes, corners->values, corners->count, is_affine, gradients);
     }
     return has_levels ? fxl_texture_level_choose(texture, &density, gradients) : 0;
@@ -171,33 +171,35 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
         return;
     }
     const bool has_colours = (surface->flags & FXL_SURFACE_COLOURS) != 0;
+    const bool may_have_words = find_texels != NULL && texture != NULL && is_projected &&
+                                on_screen.is_triangle &&
+                                fxl_may_have_words(surfaces, surface, texture);
     const bool has_planes =
         is_projected &&
         fxl_corner_planes_begin(&on_screen, &view->lens,
-                                has_colours ? FXL_COLOURS_SIDE_MAX : FXL_SMALL_SIDE_MAX, &planes);
+                                has_colours                            ? FXL_COLOURS_SIDE_MAX
+                                : may_have_words && texture->levels == 1 ? FXL_TEXELS_SIDE_MAX
+                                                                       : FXL_SMALL_SIDE_MAX,
+                                &planes);
     const bool is_small = has_planes && !planes.is_for_words;
     const bool is_affine = has_planes && surface->division == FXL_AFFINE &&
                            fxl_corners_are_on_screen(&on_screen, &view->lens);
-    bool is_in_words = false;
     const bool is_found =
         has_colours &&
         surfaces->painter->find_colours(
             surfaces, of, has_planes && surface->division != FXL_DIVIDE_1 ? &planes : NULL,
             is_affine, surface->division != FXL_DIVIDE_8, &corners, &polygon->gradients);
     /* What is divided at each pixel, or has more texels, keeps the exact planes. */
-    const bool has_small_planes = is_small && surface->division != FXL_DIVIDE_1 &&
-                                  (texture == NULL || fxl_has_few_texels(corners.values));
-    if (is_found) {
-        polygon->level = 0;
-    } else if (has_small_planes) {
+    const bool has_few = texture == NULL || fxl_has_few_texels(corners.values);
+    bool is_in_words = false, is_done = is_found;
+    polygon->level = 0;
+    if (!is_done && has_few && has_planes && surface->division != FXL_DIVIDE_1) {
         polygon->level =
-            find_small(texture, model_view, face, of, traversal,
-                       texture != NULL && on_screen.is_triangle &&
-                               fxl_may_have_words(surfaces, surface, texture)
-                           ? find_texels
-                           : NULL,
+            find_small(texture, model_view, face, of, traversal, may_have_words ? find_texels : NULL,
                        &planes, &corners, is_affine, polygon, &is_in_words);
-    } else {
+        is_done = is_small || is_in_words;
+    }
+    if (!is_done) {
         polygon->level = find_large(surface, texture, model_view, face, of, traversal, &corners,
                                     &polygon->gradients);
     }

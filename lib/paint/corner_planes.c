@@ -82,7 +82,9 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     const uint64_t box = fxl_product_unsigned(width, height);
     planes->area = fxl_magnitude(area);
     planes->may_be_steep = planes->area << 3 < box;
-    if (planes->area << (side_max == FXL_COLOURS_SIDE_MAX ? 6 : 9) < box ||
+    const unsigned thin = side_max == FXL_COLOURS_SIDE_MAX  ? 6
+                          : side_max == FXL_TEXELS_SIDE_MAX ? 4 : 9;
+    if (planes->area << thin < box ||
         (planes->may_be_steep && !for_words)) {
         return false;
     }
@@ -229,8 +231,8 @@ bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t lig
 
 /* --- a triangle with texels ------------------------------------------------------------------- */
 
-/* The words of a value, in 8.24. False: it changes by 128 or more a pixel. Exponents of small faces
- * are from 20 on, so drops are from 12 on. */
+/* The words of a value, in 8.24. False: it changes by 128 or more a pixel. Exponents are from 14 on,
+ * so drops are from 6 on. */
 static inline bool find_value(const fxl_corner_planes *planes, const int32_t values[3],
                               fxl_gradient *gradient)
 {
@@ -291,7 +293,7 @@ int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_lens 
     fxl_gradients gradients;
     fxl_depth_plane depth;
     if (!corners->is_triangle || !fxl_has_few_texels(values) ||
-        !fxl_corner_planes_begin(corners, lens, FXL_SMALL_SIDE_MAX, &planes) ||
+        !fxl_corner_planes_begin(corners, lens, FXL_TEXELS_SIDE_MAX, &planes) ||
         !fxl_find_texels(&planes, values, count, is_affine, &gradients, &depth)) {
         return 0;
     }

@@ -37,6 +37,7 @@ typedef struct {
 /* The sides of the box of a small face: from 1/4 pixel to 64 pixels. */
 #define FXL_SMALL_SIDE_MIN   (1 << 14)
 #define FXL_SMALL_SIDE_MAX   (64 << 16)
+#define FXL_TEXELS_SIDE_MAX  ((64 << 16) + (1 << 14))  /* of a triangle whose texels may be words */
 #define FXL_WORDS_SIDE_MAX   ((127 << 16) + (1 << 14)) /* of a face whose planes may be words */
 #define FXL_COLOURS_SIDE_MAX (1023 << 16)              /* of one whose colours may be words */
 #define FXL_SMALL_SLOPES     16
@@ -78,7 +79,7 @@ static inline uint32_t fxl_range_of(const int32_t values[3])
     return fxl_bits_32(most) - fxl_bits_32(least);
 }
 
-/* Sets *planes. side_max: FXL_SMALL_SIDE_MAX, or one of the two below. False where the face is
+/* Sets *planes. side_max: FXL_SMALL_SIDE_MAX, or one of the three below. False where the face is
  * neither small nor what side_max takes beside: *planes is undefined then. A face is small if
  * - its box has sides of FXL_SMALL_SIDE_MIN to FXL_SMALL_SIDE_MAX,
  * - the triangle of the three corners fills at least 1/16 of the box,
@@ -90,6 +91,9 @@ static inline uint32_t fxl_range_of(const int32_t values[3])
  * FXL_WORDS_SIDE_MAX: a thin face, whose triangle fills 1/1024 to 1/16 of the box, one whose 1/z
  * differ by more, and one with sides up to that, are for words: only fxl_corner_planes_linear takes
  * them, the first two if 1/z changes by less than the largest one a pixel.
+ *
+ * FXL_TEXELS_SIDE_MAX: the same with sides up to that, where the triangle fills 1/32 of the box; only
+ * fxl_find_texels takes them.
  *
  * FXL_COLOURS_SIDE_MAX: one with sides up to that is for colours: only corner_colours.h takes it,
  * and fxl_corner_planes_depth_words where sides are up to FXL_WORDS_SIDE_MAX. So is one that fills

@@ -182,7 +182,8 @@ static inline void fxl_colour_outline_set(const fxl_depth_head *head, const fxl_
 /* fxl_find_texels: what a painter of such pixels links.
  *
  * The gradients of a triangle with a constant weight, in words, and its depth. values: u, v and, if
- * count is 3, light at the corners. planes: of a small face. Where is_affine, that weight is asked
+ * count is 3, light at the corners. planes: of a small
+ * face, or with FXL_TEXELS_SIDE_MAX. Where is_affine, that weight is asked
  * for; false otherwise if it changes u or v by more than FXL_WORDS_ERROR_TEXEL, or light by more
  * than FXL_WORDS_ERROR_LIGHT. Also false where the depth is not in words
  * (fxl_corner_planes_depth_words), or where a value changes by 128 or more a pixel: *gradients and
@@ -253,7 +254,7 @@ static inline bool fxl_has_few_texels(int32_t (*values)[3])
     return bits >> 23 == 0;
 }
 
-/* The words of a small triangle, which fxl_corner_planes_begin and fxl_find_texels find. Where count
+/* The words of a triangle, which fxl_corner_planes_begin with FXL_TEXELS_SIDE_MAX and fxl_find_texels find. Where count
  * is 2, light is undefined. Returns fxl_depth_plane.one; 0 where the face is not such a triangle, or
  * u or v differ by 128 texels or more from those of corner 0: *planes is undefined then. It is a
  * kernel: Armv7-M has its own. */

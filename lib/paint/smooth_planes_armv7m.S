@@ -339,7 +339,7 @@ fxl_find_colour_planes:
     .type fxl_find_texel_planes, %function
     .thumb_func
 fxl_find_texel_planes:
-    find_planes _texels, 255 << 14, 0 /* FXL_SMALL_SIDE_MAX */
+    find_planes _texels, 256 << 14, 4 /* FXL_TEXELS_SIDE_MAX */
     .size fxl_find_texel_planes, . - fxl_find_texel_planes
 
 #endif

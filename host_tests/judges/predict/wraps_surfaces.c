@@ -74,7 +74,7 @@ WRAPPED(bool, fxl_corner_planes_begin,
          fxl_corner_planes *planes))
 {
     const bool is_begun = __real_fxl_corner_planes_begin(corners, lens, side_max, planes);
-    counted.small_faces += is_begun && (side_max == FXL_COLOURS_SIDE_MAX || !planes->is_for_words);
+    counted.small_faces += is_begun && (side_max != FXL_WORDS_SIDE_MAX || !planes->is_for_words);
     return is_begun;
 }
 

@@ -49,7 +49,10 @@ static bool may_be_small(const ref_surface_view *view)
         return false;
     }
     find_box(view->points, sides);
-    const double most = view->surface->has_colours ? 1023.01 : has_coarse_light(view) ? 127.26 : 64.01;
+    const double most = view->surface->has_colours ? 1023.01
+                        : has_coarse_light(view)   ? 127.26
+                        : has_coarse_texels(view)  ? 64.26
+                                                   : 64.01;
     return fmax(sides[0], sides[1]) < most;
 }
 
