@@ -4,11 +4,11 @@
 #include "paint/smooth_outline.h"
 #include "proof.h"
 
-/* Any planes of a small face, and weights of it. */
+/* Any planes of a face that may have words of texels, and weights of it. */
 static fxl_corner_planes any_small_planes(void)
 {
     fxl_corner_planes planes;
-    ASSUME(planes.exponent >= 20 && planes.exponent <= 36);
+    ASSUME(planes.exponent >= 14 && planes.exponent <= 36);
     ASSUME(WITHIN(planes.x, 1 << 27) && WITHIN(planes.y, 1 << 27));
     for (int i = 0; i < 2; i++) {
         ASSUME(WITHIN(planes.along[i], 1 << 30) && WITHIN(planes.down[i], 1 << 30));
@@ -47,7 +47,7 @@ uint64_t any_product_unsigned(uint32_t a, uint32_t b)
 
 /* [[row]]
  * function = "lib/paint/corner_planes.c:find_value"
- * property = "nothing overflows, and all are words, for small faces and values that differ by at most 2^23"
+ * property = "nothing overflows, and all are words, for faces that may have words and values that differ by at most 2^23"
  * checks = 219
  * unwind = 4
  * stands_in = { fxl_multiply_s32 = "any_product" }
