@@ -9,7 +9,7 @@ import pytest
 from conftest import CHECKOUT
 from fixel.base.errors import ToolError
 from fixel.check import planting
-from fixel.prove import cbmc, exact, functions, mutants, others, proving, recomputed, rows
+from fixel.prove import cbmc, exact, formulas, functions, mutants, others, prove, proving, recomputed, rows
 
 BUILT_PROGRAMS = ()
 ARITH = """/* lib/math/arith.h:40:NC */ extern uint32_t fxl_divide_u64 (uint64_t, uint32_t, uint32_t *);
@@ -97,6 +97,34 @@ def test_few_functions_are_exempt_from_the_check_of_conversions():
                       "fxl_multiply_s64", "fxl_multiply_s64_u16"]
 
 
+SAYS_SIZE = re.compile(r"up to|\btwo\b|\bthree\b|\bruns of|\bof \d+ |\b\d+ (?:points|corners)|any paint|the same")
+
+
+def small_tables(text, harness):
+    """{static table: its entries, 2 to 16} of those that a harness uses, itself or by functions of its text."""
+    sizes = {name: int(value) for name, value in re.findall(r"^#define (\w+) +(\d+)\b", text, re.M)}
+    bodies = {found[1]: found[2] for found in re.finditer(r"^\w.*?\b(\w+)\([^;{]*\)\n\{\n(.*?)\n\}", text, re.M | re.S)}
+    reached, waiting = set(), [harness]
+    while waiting:
+        name = waiting.pop()
+        if name in bodies and name not in reached:
+            reached.add(name)
+            waiting += re.findall(r"\b(\w+)\(", bodies[name])
+    used = set(re.findall(r"\w+", " ".join(bodies[name] for name in reached)))
+    tables = {name: sizes.get(size, int(size) if size.isdigit() else 0) for name, size in re.findall(r"^static [\w ]*?(\w+)\[(\w+)\];", text, re.M)}
+    return {name: size for name, size in tables.items() if name in used and 2 <= size <= 16}
+
+
+def test_sentences_of_rows_say_how_large_their_tables_are():
+    tables = (CHECKOUT / rows.PROOFS / "scene/scene_tables.h").read_text(encoding="utf-8")
+    some = [row for row in rows.read(CHECKOUT) if row.tool == "cbmc"]
+    texts = {path: path.read_text(encoding="utf-8") for path in {row.place for row in some}}
+    texts = {path: (tables if "scene_tables.h" in text else "") + text for path, text in texts.items()}
+    bounded = [row for row in some if small_tables(texts[row.place], row.harness)]
+    assert len(bounded) > 50
+    assert not [(row.id, row.property) for row in bounded if not SAYS_SIZE.search(row.property)]
+
+
 def test_every_harness_has_a_row():
     named = {(row.place, row.harness) for row in rows.read(CHECKOUT)}
     harnesses = {(path, name) for path in rows.files(CHECKOUT) if path.suffix == ".c"
@@ -110,9 +138,61 @@ def test_contracts_that_are_used_are_proved_without_a_circle():
     assert rows.lemmas(CHECKOUT, rows.read(CHECKOUT)) == []
 
 
-def test_transcriptions_stand_for_lines_of_today():
-    for row in rows.read(CHECKOUT):
-        others.check_quotes(CHECKOUT, row) if row.tool in ("z3", "gappa") else None
+def test_transcriptions_are_of_functions_as_they_are_and_run_beside_them():
+    every = rows.read(CHECKOUT)
+    for row in every:
+        others.check_texts(CHECKOUT, row) if row.tool in ("z3", "gappa") else None
+    assert not rows.unrun(every)
+
+
+def test_a_function_that_changed_fails_what_was_written_from_it_until_somebody_accepts_it(tmp_path):
+    """Comments and white space are no change."""
+    source = tmp_path / "lib/math/a.c"
+    source.parent.mkdir(parents=True)
+    text = "static int a(int x)\n{\n    return x + 1; /* one */\n}\n\nstatic int b(int x)\n{\n    return x;\n}\n"
+    source.write_text(text, encoding="utf-8")
+    of = {f"lib/math/a.c:{name}": functions.text_of(tmp_path, f"lib/math/a.c:{name}") for name in "ab"}
+    listed = ", ".join(f'"{name}" = "{known}"' for name, known in of.items())
+    path = harness_file(tmp_path, f'; [[row]]\n; function = "lib/math/a.c:a"\n; property = "p"\n; of = {{ {listed} }}\n\n(text)\n', "equations.smt2")
+    others.check_texts(tmp_path, rows.rows_of(path)[0])
+    source.write_text(text.replace("/* one */", "").replace("    return x;", "  return\n    x;"), encoding="utf-8")
+    others.check_texts(tmp_path, rows.rows_of(path)[0])
+    source.write_text(text.replace("return x;", "return -x;"), encoding="utf-8")
+    with pytest.raises(cbmc.Failed, match="b of lib/math/a.c has changed .*--accept --only 'a'"):
+        others.check_texts(tmp_path, rows.rows_of(path)[0])
+    rows.accept(tmp_path, rows.rows_of(path), functions.text_of)
+    others.check_texts(tmp_path, rows.rows_of(path)[0])
+    assert "million inputs" in rows.unrun(rows.rows_of(path))[0]
+
+
+def test_hashes_are_renewed_of_named_rows_alone():
+    with pytest.raises(ToolError, match="--only"):
+        prove.before(prove.parser().parse_args(["--accept"]))
+
+
+def test_a_lemma_of_which_no_row_of_z3_speaks_is_named(tmp_path):
+    (tmp_path / "lib/math").mkdir(parents=True)
+    (tmp_path / "lib/math/a.c").write_text("int a(int x)\n{\n    FXL_LEMMA(x > 1);\n    return x;\n}\n", encoding="utf-8")
+    assert rows.lemmas(tmp_path, [])[0].startswith("lib/math/a.c:a ")
+    assert not rows.lemmas(tmp_path, [row("a", tool="z3", of={"lib/math/a.c:a": ""})])
+
+
+@pytest.mark.parametrize("text, wanted", [
+    ("(define-fun a () Int (- (* 2 x) (div y 3) 1)) (define-fun b-c () Int (ite (<= 0 a 5) (mod a 2) (- a)))",
+     {"p_a": "(((wide)2 * x) - floor_of(y, (wide)3) - (wide)1)", "p_b_c": "(((wide)0 <= p_a && p_a <= (wide)5) ? floor_rest(p_a, (wide)2) : (-p_a))"}),
+    ("(define-fun a () Bool (=> (= x y z) (or (not (< x 18446744073709551616)) (> x 1)))) (assert a)",
+     {"p_a": "(!(x == y && y == z) || ((!(x < ((wide)4 * ((wide)1 << 62) + 0))) || (x > (wide)1)))"}),
+])
+def test_formulas_of_z3_as_c(text, wanted):
+    assert dict(formulas.of_z3(text, "p")) == wanted
+
+
+def test_formulas_of_gappa_as_c():
+    text = "@down = fixed<0, dn>;\nd = down(z * 1b-3); # a\ne = d / 2 + 0.5;\n{ z in [1, 1b30] /\\ |e| <= 2 -> (d >= 0 -> e in [-1, d]) /\\ e / z <= 1 }\ne -> d;\n"
+    assert dict(formulas.of_gappa(text, "p")) == {
+        "p_d": "(round_down(z * 0x1p-3Q))", "p_e": "(p_d / 2.0Q + 0.5Q)",
+        "p_assumed": "(((z) >= (1.0Q) && (z) <= (0x1p30Q)) && ((magnitude_of((p_e))) <= (2.0Q)))",
+        "p_holds": "((!((p_d) >= (0.0Q)) || ((p_e) >= (-1.0Q) && (p_e) <= (p_d))) && ((p_e / z) <= (1.0Q)))"}
 
 
 def test_constants_are_what_their_formulas_give():
@@ -139,7 +219,7 @@ def test_rows_state_results_of_functions_as_they_are():
     kept = mutants.load(CHECKOUT)
     assert len(kept) >= 12
     for function, entry in kept.items():
-        assert entry["text"] == mutants.text_of(CHECKOUT, function), f"{function} has changed: fixel prove --mutants --only {function}"
+        assert entry["text"] == functions.text_of(CHECKOUT, function), f"{function} has changed: fixel prove --mutants --only {function}"
         assert len(entry["noticed"]) == len(mutants.SEEDS) and min(entry["noticed"]) >= mutants.LEAST, function
 
 

@@ -16,7 +16,7 @@
 #else
 #define FXL_EQUATES(...) __CPROVER_ensures(__VA_ARGS__)
 #endif
-/* An equation in the midst of a function: a row of Z3 quotes and proves it, and CBMC goes on with it. */
+/* An equation in the midst of a function: a row of Z3 that was written from it proves it, and CBMC goes on with it. */
 #define FXL_LEMMA(...) __CPROVER_assume(__VA_ARGS__)
 /* All that the function writes; nothing by FXL_ASSIGNS(). */
 #define FXL_ASSIGNS(...) __CPROVER_assigns(__VA_ARGS__)

@@ -5,7 +5,7 @@
 ; function = "lib/clip/volume.c:fxl_half_space_distance"
 ; property = "the floor of the sum, below 2^62 without the offset; of two points the distances differ by less than 2^63"
 ; checks = 7
-; text = ["high += fxl_multiply_s32(plane->normal.x, (int32_t)(point->x >> 32));", "low += fxl_multiply_su32(plane->normal.x, (uint32_t)(point->x & UINT32_MAX));", "FXL_LEMMA(FXL_BELOW(high * 4 + (low >> 30), ((int64_t)1 << 62) - 1));", "return high * 4 + (low >> 30) + plane->offset;"]
+; of = { "lib/clip/volume.c:fxl_half_space_distance" = "cafac51dc1ce385a" }
 
 ; fxl_half_space_distance of lib/clip/volume.c on integers. Each coordinate is 2^32 h + l; (a, b, c) is the normal.
 (declare-const a Int) (declare-const b Int) (declare-const c Int)
@@ -15,16 +15,18 @@
 (define-fun M () Int 2305843009213693951)
 (define-fun high () Int (+ (* a hx) (* b hy) (* c hz)))
 (define-fun low () Int (+ (* a lx) (* b ly) (* c lz)))
+(define-fun result () Int (+ (* 4 high) (div low R)))
+(define-fun sum () Int (+ (* a (+ (* W hx) lx)) (* b (+ (* W hy) ly)) (* c (+ (* W hz) lz))))
 
 (echo "possible")
 (push) (assert (= a 1000000000)) (assert (= b -1000000000)) (assert (= c 5)) (assert (= hx 500000000)) (assert (= hy 7)) (assert (= hz 1))
-(assert (= lx 3)) (assert (= ly 0)) (assert (= lz 4294967295)) (assert (< 0 (+ (* 4 high) (div low R)))) (check-sat) (pop)
+(assert (= lx 3)) (assert (= ly 0)) (assert (= lz 4294967295)) (assert (< 0 result)) (check-sat) (pop)
 ; What is returned is the floor of the whole sum, because 2^32 is a multiple of 2^30.
 (echo "proved")
 (push) (declare-const S Int) (declare-const D Int)
 (assert (not (= (+ (* 4 S) (div D R)) (div (+ (* W S) D) R)))) (check-sat) (pop)
 (echo "proved")
-(push) (assert (not (= (+ (* W high) low) (+ (* a (+ (* W hx) lx)) (* b (+ (* W hy) ly)) (* c (+ (* W hz) lz)))))) (check-sat) (pop)
+(push) (assert (not (= (+ (* W high) low) sum))) (check-sat) (pop)
 ; A product is at most |n| M for a coordinate of at most M, and at most |n| 2^32 for a lower word.
 (declare-const n Int) (declare-const v Int) (declare-const m Int)
 (define-fun size () Int (ite (< n 0) (- n) n))
@@ -49,33 +51,32 @@
 ; function = "lib/clip/intersection.h:fxl_intersection_screen"
 ; property = "the quotient is at most the extent, so that the division takes it"
 ; checks = 4
-; text = ["int64_t product = ((int64_t)to - from) * inside;", "return from + fxl_divide_round(product, (uint32_t)(inside - outside));"]
+; of = { "lib/clip/intersection.h:fxl_intersection_screen" = "9dd44e83a5eb09ca" }
 
 ; fxl_intersection_screen of lib/clip/intersection.h on integers: e is the extent, i the inside distance, w the whole one.
 (declare-const e Int) (declare-const i Int) (declare-const w Int) (declare-const p Int)
-(assert (<= (- 536739840) e 536739840)) (assert (<= 0 i)) (assert (< i w)) (assert (< w 536870912))
+(define-fun contract () Bool (and (<= (- 536739840) e 536739840) (<= 0 i) (< i w) (< w 536870912)))
+(define-fun product () Int (* e i))
+(define-fun quotient () Int (div (+ (* 2 p) w) (* 2 w)))
+(assert contract)
 (echo "possible")
 (push) (assert (= e 536739840)) (assert (= i 1)) (assert (= w 2)) (check-sat) (pop)
 ; The product is at most |e| w: a quotient of at most |e|, below 2^31, which is what the division requires.
 (echo "proved")
-(push) (assert (> (* e i) (* 536739840 w))) (check-sat) (pop)
+(push) (assert (> product (* 536739840 w))) (check-sat) (pop)
 (echo "proved")
-(push) (assert (< (* e i) (- (* 536739840 w)))) (check-sat) (pop)
+(push) (assert (< product (- (* 536739840 w)))) (check-sat) (pop)
 ; Rounded half up, a quotient of p by w with |p| <= 536739840 w is at most 2^29.
 (echo "proved")
 (push) (assert (<= (- (* 536739840 w)) p (* 536739840 w)))
-(assert (not (<= (- 536870912) (div (+ (* 2 p) w) (* 2 w)) 536870912))) (check-sat) (pop)
+(assert (not (<= (- 536870912) quotient 536870912))) (check-sat) (pop)
 
 ; [[row]]
 ; id = "project_onto exact"
 ; function = "lib/clip/clip_view.c:project_onto"
 ; property = "at most 3 2^60, and exactly the floor"
 ; checks = 5
-; text = [
-;     "int64_t high = fxl_multiply_s32(side, upper(across)) + fxl_multiply_s32(depth, upper(along));",
-;     "uint64_t low = fxl_multiply_u32((uint32_t)side, fxl_low_32(fxl_bits_64(across))) + fxl_multiply_u32((uint32_t)depth, fxl_low_32(fxl_bits_64(along)));",
-;     "return high * 4 + (int64_t)(low >> 30);",
-; ]
+; of = { "lib/clip/clip_view.c:project_onto" = "a8ab07e1646e6252" }
 
 ; project_onto of lib/clip/clip_view.c on integers. across = 2^32 ah + al and along = 2^32 bh + bl; s and d are side and depth.
 (declare-const s Int) (declare-const d Int)
@@ -87,8 +88,8 @@
 (define-fun high () Int (+ (* s ah) (* d bh)))
 (define-fun low () Int (+ (* s al) (* d bl)))
 (define-fun result () Int (+ (* 4 high) (div low 1073741824)))
-(assert (<= 0 s 1073741824)) (assert (<= 0 d 1073741824)) (assert (<= (+ s d) 1610612736))
-(assert (<= 0 al)) (assert (< al W)) (assert (<= 0 bl)) (assert (< bl W))
+(define-fun contract () Bool (and (<= 0 s 1073741824) (<= 0 d 1073741824) (<= (+ s d) 1610612736) (<= 0 al) (< al W) (<= 0 bl) (< bl W)))
+(assert contract)
 
 (echo "possible")
 (push) (assert (= s 759250124)) (assert (= d 759250124)) (assert (= across M)) (assert (= along M)) (check-sat) (pop)

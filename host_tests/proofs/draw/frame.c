@@ -310,7 +310,7 @@ fxl_status any_refuse(fxl_workspace *workspace, fxl_status status)
 
 /* [[row]]
  * function = "lib/draw/workspace.c:fxl_frame_draw_with"
- * property = "any renderer and workspace, and null pointers: draws in the renderer's own or a current one alone, else refuses; a workspace's room stays"
+ * property = "any renderer and workspace, and null pointers: draws in the renderer's own or a current one alone, else refuses; a workspace's room stays; up to 2 models"
  * checks = 192
  * cases = [1, 2, 3]
  * stands_in = { fxl_draw_in_workspace = "any_draw_in_workspace", is_current = "any_is_current", note_settings = "any_note_settings", fxl_refuse = "any_refuse" }

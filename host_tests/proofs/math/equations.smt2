@@ -5,15 +5,7 @@
 ; function = "lib/math/arith.c:divide_digit"
 ; property = "a digit of 16 bits is the floor, its remainder is below the divisor, and no product of it loses a bit"
 ; checks = 7
-; text = [
-;     "uint32_t upper = whole >> 16, lower = whole & 0xFFFFu;",
-;     "uint32_t digit = fxl_divide_half(*remainder, upper);",
-;     "uint32_t left = *remainder - digit * upper;",
-;     "while (left <= 0xFFFFu && digit * lower > (left << 16 | half)) {",
-;     "digit -= 1;",
-;     "left += upper;",
-;     "*remainder = (*remainder << 16 | half) - digit * whole;",
-; ]
+; of = { "lib/math/arith.c:divide_digit" = "6bfc915adafa58a4" }
 
 ; divide_digit of lib/math/arith.c on integers. U and L are the halves of whole, R the remainder before, h the numerator's
 ; next 16 bits; d is the digit and left is R - d U, both before a round of the loop. P is d L.
@@ -61,16 +53,18 @@
 ; function = "lib/math/core.h:fxl_divide_u32"
 ; property = "the remainder is below the denominator, and neither it nor the quotient is above the numerator"
 ; checks = 2
-; text = ["uint32_t quotient = numerator / denominator;", "*remainder = numerator - quotient * denominator;"]
+; of = { "lib/math/core.h:fxl_divide_u32" = "a11b9f6bcb79d10c" }
 
 ; fxl_divide_u32 of lib/math/core.h on integers: C's quotient is the floor.
 (declare-const n Int) (declare-const d Int)
 (assert (<= 0 n 4294967295)) (assert (< 0 d 4294967296))
-(define-fun r () Int (- n (* (div n d) d)))
+(define-fun quotient () Int (div n d))
+(define-fun r () Int (- n (* quotient d)))
+(define-fun claim () Bool (and (<= 0 r) (< r d) (<= r n) (<= quotient n)))
 (echo "possible")
 (check-sat)
 (echo "proved")
-(assert (not (and (<= 0 r) (< r d) (<= r n) (<= (div n d) n))))
+(assert (not claim))
 (check-sat)
 
 ; [[row]]
@@ -78,15 +72,7 @@
 ; function = "lib/math/arith.c:fxl_divide_u64"
 ; property = "the quotient is the floor, and the remainder is below the denominator"
 ; checks = 7
-; text = [
-;     "uint32_t whole = denominator << shift;",
-;     "uint64_t shifted = numerator << shift;",
-;     "uint32_t left = (uint32_t)(shifted >> 32), lower = fxl_low_32(shifted);",
-;     "uint32_t upper_digit = divide_digit(&left, whole, lower >> 16);",
-;     "uint32_t lower_digit = divide_digit(&left, whole, lower & 0xFFFFu);",
-;     "*remainder = left >> shift;",
-;     "return upper_digit << 16 | lower_digit;",
-; ]
+; of = { "lib/math/arith.c:fxl_divide_u64" = "574029e24d3463c0" }
 
 ; fxl_divide_u64 of lib/math/arith.c on integers, with digits as the section of divide_digit proves them. n and D are numerator and
 ; denominator; S is 2^shift; W is whole, and H, M and L are the parts of shifted: 2^32 H + 2^16 M + L.
@@ -94,22 +80,25 @@
 (declare-const H Int) (declare-const M Int) (declare-const L Int)
 (declare-const q1 Int) (declare-const r1 Int) (declare-const q2 Int) (declare-const r2 Int)
 (declare-const q Int) (declare-const r Int)
-(assert (<= 0 n)) (assert (< 0 D 4294967296)) (assert (< n (* 4294967296 D)))
-(assert (<= 0 M 65535)) (assert (<= 0 L 65535)) (assert (<= 0 H))
-(assert (= q (+ (* 65536 q1) q2)))
+(define-fun contract () Bool (and (<= 0 n) (< 0 D 4294967296) (< n (* 4294967296 D)) (<= 0 M 65535) (<= 0 L 65535) (<= 0 H)))
+(define-fun shifted () Int (+ (* 4294967296 H) (* 65536 M) L))
+(define-fun quotient () Int (+ (* 65536 q1) q2))
+(define-fun rest-of-upper () Int (- (+ (* 65536 H) M) (* q1 W)))
+(define-fun rest-of-lower () Int (- (+ (* 65536 r1) L) (* q2 W)))
+(assert contract) (assert (= q quotient))
 
 (echo "possible")
 (push) (assert (= n 18446744069414584319)) (assert (= D 4294967295)) (assert (= r (- n (* q D)))) (assert (<= 0 r)) (assert (< r D))
 (check-sat) (pop)
 ; The upper word of shifted is below whole, as the first digit requires: nothing is shifted out.
 (echo "proved")
-(push) (assert (<= 1 S 2147483648)) (assert (= W (* S D))) (assert (= (* n S) (+ (* 4294967296 H) (* 65536 M) L)))
+(push) (assert (<= 1 S 2147483648)) (assert (= W (* S D))) (assert (= (* n S) shifted))
 (assert (< (* n S) (* (* 4294967296 D) S)))
 (assert (not (< H W))) (check-sat) (pop)
 ; The two digits and the last remainder are a division of shifted by whole.
 (echo "proved")
-(push) (assert (= r1 (- (+ (* 65536 H) M) (* q1 W)))) (assert (= r2 (- (+ (* 65536 r1) L) (* q2 W))))
-(assert (not (= (+ (* 4294967296 H) (* 65536 M) L) (+ (* q W) r2)))) (check-sat) (pop)
+(push) (assert (= r1 rest-of-upper)) (assert (= r2 rest-of-lower))
+(assert (not (= shifted (+ (* q W) r2)))) (check-sat) (pop)
 ; That remainder is 2^shift times n - q D, so r2 >> shift is n - q D, and it is below D.
 (echo "proved")
 (push) (assert (<= 1 S 2147483648)) (assert (= (* n S) (+ (* (* q D) S) r2))) (assert (<= 0 r2)) (assert (< r2 (* D S)))
@@ -133,14 +122,7 @@
 ; function = "lib/math/arith.c:fraction_digit"
 ; property = "a digit of a fraction is the floor, and its remainder is below the divisor, where the estimate is right or one too small"
 ; checks = 6
-; text = [
-;     "uint64_t left = (*remainder << bits) - fxl_multiply_u32(digit, fxl_low_32(whole)) -",
-;     "((uint64_t)(digit * (uint32_t)(whole >> 32)) << 32);",
-;     "if (left >= whole) {",
-;     "left -= whole;",
-;     "digit += 1;",
-;     "*remainder = left;",
-; ]
+; of = { "lib/math/arith.c:fraction_digit" = "c4aa8df7fea9d1da" }
 
 ; fraction_digit of lib/math/arith.c on integers. W is whole, R the remainder before, d the digit's estimate; P is 2^bits R, and
 ; Q is d W. That the estimate is right or one too small is the argument above the function, which these queries assume.
@@ -175,52 +157,53 @@
 ; function = "lib/math/core.h:fxl_multiply_su32"
 ; property = "at most 2^32 of the first factor"
 ; checks = 6
-; text = ["static inline int64_t fxl_multiply_su32(int32_t a, uint32_t b)", "return (int64_t)a * b;"]
+; of = { "lib/math/core.h:fxl_multiply_su32" = "8ef8df0b42206770" }
 
 ; [[row]]
 ; id = "fxl_multiply_s32 bound"
 ; function = "lib/math/core.h:fxl_multiply_s32"
 ; property = "at most as many times the first factor as the second is large: 2^29 and 2^31"
 ; checks = 6
-; text = ["static inline int64_t fxl_multiply_s32(int32_t a, int32_t b)", "return (int64_t)a * b;"]
+; of = { "lib/math/core.h:fxl_multiply_s32" = "c1f2ac56909392c2" }
 
 ; [[row]]
 ; id = "fxl_multiply_s64 bound"
 ; function = "lib/math/core.h:fxl_multiply_s64"
 ; property = "factors from 0 to 2^24 and 2^31, or 2^25 and 2^32: at most 2^55 and 2^57"
 ; checks = 6
-; text = ["static inline int64_t fxl_multiply_s64(int64_t a, int64_t b)", "return (int64_t)((uint64_t)a * (uint64_t)b);"]
+; of = { "lib/math/core.h:fxl_multiply_s64" = "c604286cd1ca8661" }
 
 ; Products of lib/math/core.h on integers: how large they are beside their first factor.
 (declare-const a Int) (declare-const b Int)
 (define-fun W () Int 4294967296)
 (define-fun size () Int (ite (< a 0) (- a) a))
+(define-fun product () Int (* a b))
+(define-fun within-word () Bool (<= (- (* size W)) product (* size W)))
+(define-fun within-half () Bool (<= (- (* size 2147483648)) product (* size 2147483648)))
+(define-fun within-2-29 () Bool (<= (- (* size 536870912)) product (* size 536870912)))
 (assert (<= (- 2147483648) a 2147483647))
 (echo "possible")
 (push) (assert (= a -2147483648)) (assert (= b 4294967295)) (check-sat) (pop)
 (echo "proved")
-(push) (assert (<= 0 b)) (assert (< b W)) (assert (not (<= (- (* size W)) (* a b) (* size W)))) (check-sat) (pop)
+(push) (assert (<= 0 b)) (assert (< b W)) (assert (not within-word)) (check-sat) (pop)
 (echo "proved")
-(push) (assert (<= (- 2147483648) b 2147483647)) (assert (not (<= (- (* size 2147483648)) (* a b) (* size 2147483648)))) (check-sat) (pop)
+(push) (assert (<= (- 2147483648) b 2147483647)) (assert (not within-half)) (check-sat) (pop)
 (echo "proved")
-(push) (assert (<= (- 536870912) b 536870912)) (assert (not (<= (- (* size 536870912)) (* a b) (* size 536870912)))) (check-sat) (pop)
+(push) (assert (<= (- 536870912) b 536870912)) (assert (not within-2-29)) (check-sat) (pop)
 ; Two factors that are not below 0: a product below 2^63 is the whole one.
 (declare-const c Int) (declare-const d Int) (assert (<= 0 c)) (assert (<= 0 d))
+(define-fun positive-product () Int (* c d))
 (echo "proved")
-(push) (assert (<= c 16777216)) (assert (<= d 2147483648)) (assert (> (* c d) 36028797018963968)) (check-sat) (pop)
+(push) (assert (<= c 16777216)) (assert (<= d 2147483648)) (assert (> positive-product 36028797018963968)) (check-sat) (pop)
 (echo "proved")
-(push) (assert (<= c 33554432)) (assert (<= d 4294967296)) (assert (> (* c d) 144115188075855872)) (check-sat) (pop)
+(push) (assert (<= c 33554432)) (assert (<= d 4294967296)) (assert (> positive-product 144115188075855872)) (check-sat) (pop)
 
 ; [[row]]
 ; id = "fxl_multiply_high exact"
 ; function = "lib/math/core.h:fxl_multiply_high"
 ; property = "the upper 64 bits of the product, exactly; no sum of it overflows"
 ; checks = 5
-; text = [
-;     "uint64_t middle = fxl_multiply_u32(a_high, b_low) + (fxl_multiply_u32(a_low, b_low) >> 32);",
-;     "uint64_t other = fxl_multiply_u32(a_low, b_high) + fxl_low_32(middle);",
-;     "return fxl_multiply_u32(a_high, b_high) + (middle >> 32) + (other >> 32);",
-; ]
+; of = { "lib/math/core.h:fxl_multiply_high" = "5548e9fb3fa0958a" }
 
 ; fxl_multiply_high of lib/math/core.h on integers. a = 2^32 ah + al and b = 2^32 bh + bl; HH, HL, LH and LL are their products.
 (declare-const ah Int) (declare-const al Int) (declare-const bh Int) (declare-const bl Int)
@@ -255,31 +238,21 @@
 ; function = "lib/math/plane.c:normalise"
 ; property = "each component is at most 1, because the root is at least each component"
 ; checks = 6
-; text = [
-;     "uint64_t square = (uint64_t)(x * x) + (uint64_t)(y * y) + (uint64_t)(z * z);",
-;     "uint32_t twice = fxl_square_root(4 * square);",
-;     "FXL_LEMMA(twice >= 2 * fxl_magnitude(x) && twice >= 2 * fxl_magnitude(y) && twice >= 2 * fxl_magnitude(z));",
-;     "unit->x = fxl_divide_round(x * ((int64_t)1 << 31), twice);",
-; ]
+; of = { "lib/math/plane.c:normalise" = "794d749202b4c0bb", "lib/math/plane.c:shifted" = "cb5cbb3a289fe939" }
 
 ; [[row]]
 ; id = "fxl_square_root bound"
 ; function = "lib/math/plane.h:fxl_square_root"
 ; property = "at least the floor of the root"
 ; checks = 6
-; text = [
-;     "for (uint64_t bit = (uint64_t)1 << 62; bit != 0; bit >>= 2) {",
-;     "if (value >= root + bit) {",
-;     "value -= root + bit;",
-;     "root = (root >> 1) + bit;",
-;     "root >>= 1;",
-;     "return (uint32_t)((value > root ? root + 1 : root) & UINT32_MAX);",
-; ]
+; of = { "lib/math/plane.h:fxl_square_root" = "9640895145a69416" }
 
 ; fxl_square_root of lib/math/plane.h, and what normalise of lib/math/plane.c takes from it. N is the value at first. Before a
 ; round bit is B B; r is the root's part that is found, a multiple of 2 B, and the text's root is 2 r B.
 (declare-const N Int) (declare-const r Int) (declare-const B Int) (declare-const value Int) (declare-const root Int)
 (define-fun invariant () Bool (and (<= 0 r) (= value (- N (* r r))) (<= 0 value) (= root (* 2 r B)) (< N (* (+ r (* 2 B)) (+ r (* 2 B))))))
+(define-fun goes-up () Bool (>= value (+ root (* B B))))
+(define-fun found () Int (ite (> value root) (+ root 1) root))
 
 (echo "possible")
 (push) (assert invariant) (assert (= B 4)) (assert (= r 8)) (assert (= N 170)) (check-sat) (pop)
@@ -289,12 +262,12 @@
 (assert (= root 0)) (assert (not invariant)) (check-sat) (pop)
 ; A round in which value >= root + bit: r becomes r + B, and 2 (r + B) B / 2 is root / 2 + bit.
 (echo "proved")
-(push) (assert invariant) (assert (<= 1 B)) (assert (>= value (+ root (* B B))))
+(push) (assert invariant) (assert (<= 1 B)) (assert goes-up)
 (assert (not (and (= (- value (+ root (* B B))) (- N (* (+ r B) (+ r B)))) (= (* (+ r B) B) (+ (* r B) (* B B)))
   (< N (* (+ (+ r B) B) (+ (+ r B) B)))))) (check-sat) (pop)
 ; The other round: r stays.
 (echo "proved")
-(push) (assert invariant) (assert (<= 1 B)) (assert (< value (+ root (* B B))))
+(push) (assert invariant) (assert (<= 1 B)) (assert (not goes-up))
 (assert (not (< N (* (+ r B) (+ r B))))) (check-sat) (pop)
 ; At the end 2 B is 1, so N < (r + 1)^2, and the result is r or r + 1. N is 4 times a sum of squares, q, of which x^2 is one.
 (declare-const q Int) (declare-const x Int) (declare-const twice Int)
@@ -303,7 +276,8 @@
 (assert (>= twice r)) (assert (<= (+ r 1) (* 2 x))) (check-sat) (pop)
 ; A component of the result is floor(2^31 x / twice + 1/2) with 2 |x| <= twice: at most 2^30, because 2^30 is an integer.
 (declare-const unit Int) (declare-const s Int)
+(define-fun shorter () Bool (and (<= 1 twice) (<= (* 2 s) twice) (<= (- twice) (* 2 s))))
+(define-fun component () Bool (and (<= (* 2 unit twice) (+ (* 4294967296 s) twice)) (< (+ (* 4294967296 s) twice) (* 2 (+ unit 1) twice))))
 (echo "proved")
-(push) (assert (<= 1 twice)) (assert (<= (* 2 s) twice)) (assert (<= (- twice) (* 2 s)))
-(assert (<= (* 2 unit twice) (+ (* 4294967296 s) twice))) (assert (< (+ (* 4294967296 s) twice) (* 2 (+ unit 1) twice)))
+(push) (assert shorter) (assert component)
 (assert (not (and (<= (- 1073741824) unit) (<= unit 1073741824)))) (check-sat) (pop)

@@ -136,7 +136,7 @@ uint64_t any_square(fxl_q16_16 side, fxl_q16_16 anchor)
 /* [[row]]
  * id = "check_model of a billboard"
  * function = "check_model"
- * property = "any model of a checked scene and any checked billboard: one that passes is convex and has one face"
+ * property = "any model of a checked scene and any checked billboard: one that passes is convex and has one face; tables of up to 2 entries, 4 vertices and 6 indices"
  * checks = 389
  * unwind = 8
  * stands_in = { square_beyond = "any_square" }

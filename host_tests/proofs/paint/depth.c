@@ -141,7 +141,7 @@ static fxl_texel_outline any_texels(void)
 
 /* [[row]]
  * function = "lib/paint/texel_outline.c:colour_of"
- * property = "no texel is read that is not of the level, and without light it is that of the column and row of u and v, for any words"
+ * property = "no texel is read that is not of the level, and without light it is that of the column and row of u and v, for any words; levels of up to 8 texels"
  * checks = 141
  */
 void prove_colour_of_words(void)
@@ -195,7 +195,7 @@ void prove_paint_near(void)
 
 /* [[row]]
  * function = "lib/paint/texel_outline.c:words_at"
- * property = "any words and any number of pixels: those of as many steps, modulo 2^32"
+ * property = "any words and up to 3 pixels: those of as many steps, modulo 2^32"
  * checks = 98
  * unwind = 5
  */

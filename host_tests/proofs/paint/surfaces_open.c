@@ -202,7 +202,7 @@ static void any_tables(void)
 
 /* [[row]]
  * function = "check_corner"
- * property = "any corner of a checked scene: one that passes has a vertex and a normal of their tables, texels in their range, and colours of 24 bits"
+ * property = "any corner of a checked scene: one that passes has a vertex and a normal of their tables, texels in their range, and colours of 24 bits; tables of up to 2 entries, 4 vertices and 6 indices"
  * checks = 357
  * unwind = 8
  */

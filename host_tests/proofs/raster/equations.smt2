@@ -5,27 +5,32 @@
 ; function = "lib/raster/edge_divide.h:fxl_edge_dividend"
 ; property = "at most 2^14 heights"
 ; checks = 7
-; text = ["uint32_t part = fxl_bits_32(start) & 65535;", "int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);", "return (sum - 1) >> 16;"]
+; of = { "lib/raster/edge_divide.h:fxl_edge_dividend" = "66da13609cf9e528" }
 
 ; [[row]]
 ; id = "fxl_edge_first_pixel remainder"
 ; function = "lib/raster/edge.h:fxl_edge_first_pixel"
 ; property = "the remainder is below the height"
 ; checks = 7
-; text = ["int32_t quotient = fxl_divide_down(dividend, (uint32_t)height);", "*error = fxl_low_32(fxl_bits_64(dividend)) - fxl_bits_32(quotient) * (uint32_t)height;", "FXL_LEMMA(*error < (uint32_t)height);"]
+; of = { "lib/raster/edge.h:fxl_edge_first_pixel" = "c2722a4b12dbde50" }
 
 ; [[row]]
 ; id = "fxl_edge_divide bound"
 ; function = "lib/raster/edge_divide.h:fxl_edge_divide"
 ; property = "a quotient is not larger than its dividend"
 ; checks = 7
-; text = ["int64_t numerator = (int64_t)dividend * ((int64_t)1 << 32);", "int64_t quotient = numerator / height;", "FXL_LEMMA(FXL_BELOW(quotient, (int64_t)1 << 60));"]
+; of = { "lib/raster/edge_divide.h:fxl_edge_divide" = "c1dc843333b056fa" }
 
 ; Edges of lib/raster/edge.h and lib/raster/edge_divide.h on integers: h is the height, t the centre below the top.
 (declare-const part Int) (declare-const h Int) (declare-const dx Int) (declare-const t Int)
 (declare-const q Int) (declare-const r Int) (declare-const n Int)
 (assert (<= 0 part 65535)) (assert (< 0 h 536870913)) (assert (<= (- 536870912) dx 536870912))
 (define-fun sum () Int (+ (* part h) (* dx t)))
+(define-fun dividend () Int (div (- sum 1) 65536))
+(define-fun floor () Int (div n h))
+(define-fun remainder () Int (- n (* floor h)))
+(define-fun quotient () Int (ite (>= n 0) (div n h) (- (div (- n) h)))) ; C's, rounded towards 0
+(define-fun above () Int (ite (>= n (* quotient h)) (+ quotient 1) quotient))
 
 (echo "possible")
 (push) (assert (<= 0 t)) (assert (< t h)) (check-sat) (pop)
@@ -40,14 +45,14 @@
 (assert (not (<= (- (* 16384 h)) (div (- (+ r P) 1) 65536) (* 16384 h)))) (check-sat) (pop)
 ; A quotient that is the floor leaves 0 <= n - q h < h, and that is what is left modulo 2^32.
 (echo "proved")
-(push) (assert (= q (div n h))) (assert (not (and (<= 0 (- n (* q h))) (< (- n (* q h)) h)))) (check-sat) (pop)
+(push) (assert (not (and (<= 0 remainder) (< remainder h)))) (check-sat) (pop)
 ; C's quotient, rounded towards 0, of a dividend below 2^60 is below 2^60.
 (echo "proved")
-(push) (assert (<= (- 1152921504606846976) n 1152921504606846976)) (assert (= q (ite (>= n 0) (div n h) (- (div (- n) h)))))
+(push) (assert (<= (- 1152921504606846976) n 1152921504606846976)) (assert (= q quotient))
 (assert (not (<= (- 1152921504606846976) q 1152921504606846976))) (check-sat) (pop)
 ; Of a height of a pixel or more it is at most the 2^16th part of the dividend.
 (echo "proved")
-(push) (assert (<= 65536 h)) (assert (= q (ite (>= n 0) (div n h) (- (div (- n) h)))))
+(push) (assert (<= 65536 h)) (assert (= q quotient))
 (assert (not (<= (- (div (ite (< n 0) (- n) n) 65536)) q (div (ite (< n 0) (- n) n) 65536)))) (check-sat) (pop)
 
 ; [[row]]
@@ -55,7 +60,7 @@
 ; function = "lib/raster/edge.h:fxl_edge_first_pixel"
 ; property = "what its rows of CBMC say that it is, with a dividend and a quotient rounded down, is the first pixel whose centre is not left of the edge, for every edge"
 ; checks = 3
-; text = ["return (start >> 16) + quotient + 1;"]
+; of = { "lib/raster/edge.h:fxl_edge_first_pixel" = "c2722a4b12dbde50", "lib/raster/edge_divide.h:fxl_edge_dividend" = "66da13609cf9e528" }
 
 ; The pixel of fxl_edge_first_pixel, as the rows of CBMC state it. X is the top's x, h the height, dx t the way of the edge to the centre.
 (declare-const X Int) (declare-const h Int) (declare-const P Int)
@@ -69,6 +74,7 @@
 ; How far the centre of pixel whole + q + 1 is to the right of the edge, times the height, and that of the pixel before it.
 (define-fun right () Int (- (+ (* 65536 (+ wholeH qH h)) (* 32768 h)) (+ (* 65536 wholeH) partH (* 32768 h) P)))
 (define-fun before () Int (- right (* 65536 h)))
+(define-fun pixel () Int (+ whole q 1))
 
 (echo "possible")
 (push) (assert (= h 70000)) (assert (= P 3)) (assert (= X 40000)) (assert (= partH (* part h))) (assert (= q (div dividend h))) (check-sat) (pop)

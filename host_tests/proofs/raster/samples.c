@@ -7,37 +7,7 @@
 #include "raster/tiny.c"
 
 #include "enumeration.h"
-
-#define SAMPLES 1000000
-
-static uint64_t drawn = 1;
-
-/* xorshift64: any number of 64 bits but 0. */
-static uint64_t draw(void)
-{
-    drawn ^= drawn << 13;
-    drawn ^= drawn >> 7;
-    drawn ^= drawn << 17;
-    return drawn;
-}
-
-/* 0 to most: often of few bits, or one of the ends. */
-static uint64_t up_to(uint64_t most)
-{
-    const uint64_t how = draw() >> 40, value = draw() >> (how & 63);
-    return how >> 6 & 15 ? (most == UINT64_MAX ? value : value % (most + 1)) : how >> 10 & 1 ? most - (how >> 11 & 3) % (most + 1) : (how >> 11 & 3) % (most + 1);
-}
-
-static int64_t between(int64_t limit)
-{
-    const int64_t value = (int64_t)up_to((uint64_t)limit);
-    return draw() >> 40 & 1 ? -value : value;
-}
-
-static wide floor_of(wide numerator, wide denominator)
-{
-    return numerator / denominator - (numerator % denominator < 0);
-}
+#include "formula.h"
 
 /* [[row]]
  * id = "fxl_square_root, its result"
@@ -201,6 +171,81 @@ void enumerate_first_pixel(void)
         uint32_t error;
         const int32_t x = fxl_edge_first_pixel(&top, &bottom, fxl_centre_of(row), &error);
         TRY(i, right_of(&top, &bottom, row, x) >= 0 && right_of(&top, &bottom, row, x - 1) < 0);
+    }
+}
+
+/* [[row]]
+ * id = "fxl_edge_dividend beside its formula"
+ * function = "lib/raster/edge_divide.h:fxl_edge_dividend"
+ * property = "the formula's dividend, at most 2^14 heights, of a million edges and rows"
+ * checks = 1000000
+ * formula = "fxl_edge_dividend bound"
+ */
+void enumerate_dividend(void)
+{
+    for (uint32_t i = 0; i < SAMPLES; i++) {
+        fxl_screen_point top, bottom;
+        const int32_t row = any_edge(&top, &bottom), start = top.x - FXL_HALF_PIXEL;
+        const wide h = bottom.y - top.y, dx = bottom.x - top.x, t = fxl_centre_of(row) - top.y, part = floor_rest(start, 65536);
+        TRY(i, fxl_edge_dividend(start, (int32_t)dx, (int32_t)h, (int32_t)t) == dividend_dividend && dividend_dividend >= -16384 * h && dividend_dividend <= 16384 * h);
+    }
+}
+
+/* [[row]]
+ * id = "fxl_edge_first_pixel beside its remainder's formula"
+ * function = "lib/raster/edge.h:fxl_edge_first_pixel"
+ * property = "the formula's remainder, of a million edges and rows"
+ * checks = 1000000
+ * formula = "fxl_edge_first_pixel remainder"
+ */
+void enumerate_error(void)
+{
+    for (uint32_t i = 0; i < SAMPLES; i++) {
+        fxl_screen_point top, bottom;
+        const int32_t row = any_edge(&top, &bottom), start = top.x - FXL_HALF_PIXEL;
+        uint32_t error;
+        (void)fxl_edge_first_pixel(&top, &bottom, fxl_centre_of(row), &error);
+        const wide h = bottom.y - top.y, dx = bottom.x - top.x, t = fxl_centre_of(row) - top.y, part = floor_rest(start, 65536), n = error_dividend;
+        TRY(i, error == error_remainder && error < h);
+    }
+}
+
+/* [[row]]
+ * id = "fxl_edge_first_pixel beside its pixel's formula"
+ * function = "lib/raster/edge.h:fxl_edge_first_pixel"
+ * property = "the formula's pixel, whose centre is not left of the edge, and the first, of a million edges and rows"
+ * checks = 1000000
+ * formula = "first pixel, by formula"
+ */
+void enumerate_pixel(void)
+{
+    for (uint32_t i = 0; i < SAMPLES; i++) {
+        fxl_screen_point top, bottom;
+        const int32_t row = any_edge(&top, &bottom);
+        uint32_t error;
+        const int32_t x = fxl_edge_first_pixel(&top, &bottom, fxl_centre_of(row), &error);
+        const wide X = top.x, h = bottom.y - top.y, P = (wide)(bottom.x - top.x) * (fxl_centre_of(row) - top.y), partH = pixel_part * h;
+        const wide q = floor_of(pixel_dividend, h), qH = q * h, wholeH = pixel_whole * h;
+        TRY(i, x == pixel_pixel && pixel_right >= 0 && pixel_before < 0);
+    }
+}
+
+/* [[row]]
+ * id = "fxl_edge_divide beside its formula"
+ * function = "lib/raster/edge_divide.h:fxl_edge_divide"
+ * property = "the formula's quotient, of a million dividends"
+ * checks = 1000000
+ * formula = "fxl_edge_divide bound"
+ */
+void enumerate_above(void)
+{
+    for (uint32_t i = 0; i < SAMPLES; i++) {
+        const wide h = (wide)up_to(FXL_EDGE_HEIGHT_MAX - 1) + 1, dividend = between(FXL_EDGE_DIVIDEND_MAX), n = dividend * ((wide)1 << 32);
+        const fxl_edge_divider divider = fxl_edge_divider_of((uint32_t)h);
+        int32_t whole;
+        uint32_t fraction;
+        fxl_edge_divide(&divider, (int32_t)dividend, &whole, &fraction);
+        TRY(dividend, (wide)whole * ((wide)1 << 32) + fraction == above_above && above_above == above_floor + 1);
     }
 }
 

@@ -32,7 +32,7 @@ static bool is_node(const fxl_bsp_node *node)
 
 /* [[row]]
  * function = "check_owner"
- * property = "any checked scene: nothing is out of bounds, and the object of a tree that passes has a sorted model without clusters"
+ * property = "any checked scene: nothing is out of bounds, and the object of a tree that passes has a sorted model without clusters; tables of up to 2 entries, 4 vertices and 6 indices"
  * checks = 473
  * unwind = 8
  */
@@ -63,7 +63,7 @@ void prove_check_plane(void)
 
 /* [[row]]
  * function = "lies_on"
- * property = "any face of a checked model and any checked node: nothing overflows or is out of bounds"
+ * property = "any face of a checked model and any checked node: nothing overflows or is out of bounds; tables of up to 2 entries, 4 vertices and 6 indices"
  * checks = 500
  * unwind = 8
  * stands_in = { fxl_dot = "any_dot" }
@@ -106,7 +106,7 @@ void prove_square(void)
 
 /* [[row]]
  * function = "sphere_in_range"
- * property = "any node: nothing overflows, and one that passes is below 2^30"
+ * property = "any node: nothing overflows, and one that passes is below 2^30; tables of up to 2 entries, 4 vertices and 6 indices"
  * checks = 356
  * unwind = 8
  */
@@ -136,7 +136,7 @@ uint64_t any_radius_square(fxl_q16_16 radius)
 /* [[row]]
  * id = "sphere_holds of a tree"
  * function = "sphere_holds"
- * property = "any node whose faces are the model's: nothing overflows or is out of bounds"
+ * property = "any node whose faces are the model's: nothing overflows or is out of bounds; tables of up to 2 entries, 4 vertices and 6 indices"
  * checks = 614
  * unwind = 8
  * stands_in = { square_between = "any_square", square = "any_radius_square" }

@@ -27,7 +27,7 @@ static void any_cluster(void)
 /* [[row]]
  * id = "check_models of clusters"
  * function = "check_models"
- * property = "any checked scene: nothing is out of bounds"
+ * property = "any checked scene: nothing is out of bounds; tables of up to 2 entries, 4 vertices and 6 indices"
  * checks = 334
  * unwind = 8
  */
@@ -40,7 +40,7 @@ void prove_check_models(void)
 
 /* [[row]]
  * function = "centre_is_among"
- * property = "any cluster of a checked model: nothing is out of bounds, and a centre that passes is below 2^30"
+ * property = "any cluster of a checked model: nothing is out of bounds, and a centre that passes is below 2^30; tables of up to 2 entries, 4 vertices and 6 indices"
  * checks = 518
  * unwind = 8
  */
@@ -54,7 +54,7 @@ void prove_centre_is_among(void)
 /* [[row]]
  * id = "sphere_holds of a cluster"
  * function = "sphere_holds"
- * property = "any sphere, and one vertex of any face: nothing overflows or is out of bounds"
+ * property = "any sphere, and one vertex of any face: nothing overflows or is out of bounds; tables of up to 2 entries, 4 vertices and 6 indices"
  * checks = 417
  * unwind = 8
  */
@@ -103,7 +103,7 @@ int64_t any_dot_units(const fxl_direction *a, const fxl_direction *b)
 
 /* [[row]]
  * function = "faces_away"
- * property = "any face of a checked cluster and any cone: nothing overflows or is out of bounds"
+ * property = "any face of a checked cluster and any cone: nothing overflows or is out of bounds; tables of up to 2 entries, 4 vertices and 6 indices"
  * checks = 519
  * unwind = 8
  * stands_in = { dot_units = "any_dot_units", fxl_dot = "any_dot" }
@@ -132,7 +132,7 @@ bool any_away(const cluster_faces *of, const fxl_face *face)
 
 /* [[row]]
  * function = "check_sphere"
- * property = "any cluster: a radius that passes is in its range"
+ * property = "any cluster: a radius that passes is in its range; tables of up to 2 entries, 4 vertices and 6 indices"
  * checks = 338
  * unwind = 8
  * stands_in = { centre_is_among = "any_answer", sphere_holds = "any_answer" }
@@ -147,7 +147,7 @@ void prove_check_sphere(void)
 
 /* [[row]]
  * function = "check_cone"
- * property = "any cluster: each face's test gets what it requires"
+ * property = "any cluster: each face's test gets what it requires; tables of up to 2 entries, 4 vertices and 6 indices"
  * checks = 508
  * unwind = 8
  * stands_in = { fxl_is_unit = "any_unit", faces_away = "any_away" }
@@ -170,7 +170,7 @@ fxl_status any_check(const cluster_faces *of)
 
 /* [[row]]
  * function = "check_cluster"
- * property = "any cluster: its faces are the model's"
+ * property = "any cluster: its faces are the model's; tables of up to 2 entries, 4 vertices and 6 indices"
  * checks = 414
  * unwind = 8
  * stands_in = { check_sphere = "any_check", check_cone = "any_check" }
@@ -232,7 +232,7 @@ fxl_status any_clusters(const fxl_scene *of, uint32_t number, uint32_t *next, fx
 
 /* [[row]]
  * function = "fxl_cluster_check"
- * property = "any checked scene, with clusters or without: nothing is out of bounds"
+ * property = "any checked scene, with clusters or without: nothing is out of bounds; tables of up to 2 entries, 4 vertices and 6 indices"
  * checks = 367
  * unwind = 8
  * stands_in = { check_models = "any_models", check_clusters = "any_clusters" }

@@ -252,7 +252,7 @@ void prove_scene_sections_check(void)
 
 /* [[row]]
  * function = "fault_of"
- * property = "any entry: nothing is out of bounds, and the status stays"
+ * property = "any entry: nothing is out of bounds, and the status stays; a list of up to 3 entries"
  * checks = 27
  * stubs = { fxl_crc = "not called" }
  */

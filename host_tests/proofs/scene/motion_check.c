@@ -43,7 +43,7 @@ static uint32_t any_number(void)
 
 /* [[row]]
  * function = "extents_in_range"
- * property = "any motion: nothing overflows, and one that passes is below 2^30"
+ * property = "any motion: nothing overflows, and one that passes is below 2^30; up to 3 motions and 4 keys"
  * checks = 225
  * unwind = 11
  */
@@ -57,7 +57,7 @@ void prove_extents_in_range(void)
 
 /* [[row]]
  * function = "check_keys"
- * property = "any keys of a motion: nothing is out of bounds, and those that pass rise from frame 0 on"
+ * property = "any keys of a motion: nothing is out of bounds, and those that pass rise from frame 0 on; up to 3 motions and 4 keys"
  * checks = 178
  * unwind = 11
  */
@@ -75,7 +75,7 @@ void prove_check_keys(void)
 
 /* [[row]]
  * function = "chain_of"
- * property = "any parents that stand before their children: at most nine, the farthest first"
+ * property = "any parents that stand before their children: at most nine, the farthest first; up to 3 motions and 4 keys"
  * checks = 76
  * unwind = 11
  */
@@ -222,7 +222,7 @@ bool any_in_world(const fxl_motion *const *chain, uint32_t count, fxl_q16_16 rad
 
 /* [[row]]
  * function = "check_motion"
- * property = "any motion: one that passes passed all checks, in their order"
+ * property = "any motion: one that passes passed all checks, in their order; up to 3 motions and 4 keys"
  * checks = 62
  * unwind = 11
  * stands_in = { extents_in_range = "any_extents", check_keys = "any_keys", chain_of = "any_chain", chain_in_world = "any_in_world" }

@@ -13,7 +13,7 @@ static uint32_t below(uint32_t end)
 /* [[row]]
  * id = "check_counts of a scene"
  * function = "check_counts"
- * property = "any counts: those that pass are in range"
+ * property = "any counts: those that pass are in range; tables of up to 2 entries, 6 vertices and 6 indices"
  * checks = 43
  * unwind = 8
  */
@@ -35,7 +35,7 @@ void prove_check_counts(void)
 
 /* [[row]]
  * function = "check_faces"
- * property = "any faces: of those that pass the indices lie in their table"
+ * property = "any faces: of those that pass the indices lie in their table; tables of up to 2 entries, 6 vertices and 6 indices"
  * checks = 189
  * unwind = 8
  */
@@ -50,7 +50,7 @@ void prove_check_faces(void)
 
 /* [[row]]
  * function = "check_indices"
- * property = "any model and faces that passed: nothing is out of bounds, and indices that pass are below the number of vertices"
+ * property = "any model and faces that passed: nothing is out of bounds, and indices that pass are below the number of vertices; tables of up to 2 entries, 6 vertices and 6 indices"
  * checks = 365
  * unwind = 8
  */
@@ -81,7 +81,7 @@ fxl_status any_indices(const fxl_scene *of, const fxl_model *model, fxl_scene_fa
 /* [[row]]
  * id = "check_models of a scene"
  * function = "check_models"
- * property = "any models: those that pass lie in their tables"
+ * property = "any models: those that pass lie in their tables; tables of up to 2 entries, 6 vertices and 6 indices"
  * checks = 196
  * unwind = 8
  * stands_in = { check_indices = "any_indices" }
@@ -97,7 +97,7 @@ void prove_check_models(void)
 
 /* [[row]]
  * function = "check_instances"
- * property = "any instances: those that pass have a model, and a centre in the world"
+ * property = "any instances: those that pass have a model, and a centre in the world; tables of up to 2 entries, 6 vertices and 6 indices"
  * checks = 143
  * unwind = 8
  */
@@ -122,7 +122,7 @@ static fxl_placement placement;
 
 /* [[row]]
  * function = "check_placed_vertices"
- * property = "any models and instances that passed: nothing overflows or is out of bounds"
+ * property = "any models and instances that passed: nothing overflows or is out of bounds; tables of up to 2 entries, 6 vertices and 6 indices"
  * checks = 423
  * unwind = 8
  */
@@ -136,7 +136,7 @@ void prove_check_placed_vertices(void)
 
 /* [[row]]
  * function = "check_vertices"
- * property = "any vertices: those that pass are below 2^30"
+ * property = "any vertices: those that pass are below 2^30; tables of up to 2 entries, 6 vertices and 6 indices"
  * checks = 88
  * unwind = 8
  */
@@ -151,7 +151,7 @@ void prove_check_vertices(void)
 
 /* [[row]]
  * function = "check_radii"
- * property = "any model and vertex that passed: no square overflows, nor their sum"
+ * property = "any model and vertex that passed: no square overflows, nor their sum; tables of up to 2 entries, 6 vertices and 6 indices"
  * checks = 122
  * unwind = 8
  */
@@ -193,7 +193,7 @@ bool any_flat(const fxl_scene *of, const fxl_model *model, const fxl_face *face)
 
 /* [[row]]
  * function = "check_normals"
- * property = "any models and faces that passed: what the tests require"
+ * property = "any models and faces that passed: what the tests require; tables of up to 2 entries, 6 vertices and 6 indices"
  * checks = 420
  * unwind = 8
  * stands_in = { is_flat = "any_flat", fxl_is_unit = "any_unit" }
@@ -209,7 +209,7 @@ static fxl_face_bounds bounds[FACES];
 
 /* [[row]]
  * function = "face_bounds_match"
- * property = "any face that passed: nothing overflows or is out of bounds"
+ * property = "any face that passed: nothing overflows or is out of bounds; tables of up to 2 entries, 6 vertices and 6 indices"
  * checks = 527
  * unwind = 8
  * stands_in = { fxl_dot = "any_dot" }
@@ -235,7 +235,7 @@ bool any_match(const fxl_scene *of, const fxl_model *model, const fxl_face *face
 
 /* [[row]]
  * function = "check_face_bounds"
- * property = "any models that passed and any face bounds: nothing is out of bounds"
+ * property = "any models that passed and any face bounds: nothing is out of bounds; tables of up to 2 entries, 6 vertices and 6 indices"
  * checks = 465
  * unwind = 8
  * stands_in = { face_bounds_match = "any_match" }
@@ -268,7 +268,7 @@ static fxl_status any_more(const fxl_scene *of, fxl_scene_fault *to)
 
 /* [[row]]
  * function = "fxl_scene_check_with"
- * property = "any scene, or null: one that passes was checked by all, in their order"
+ * property = "any scene, or null: one that passes was checked by all, in their order; tables of up to 2 entries, 6 vertices and 6 indices"
  * checks = 251
  * unwind = 12
  * stands_in = { check_counts = "any_check", check_faces = "any_check", check_models = "any_check", check_instances = "any_check", check_placed_vertices = "any_check", check_vertices = "any_check", check_radii = "any_check", check_normals = "any_check", check_face_bounds = "any_check", check_placements = "any_check" }
@@ -286,7 +286,7 @@ void prove_scene_check_with(void)
 
 /* [[row]]
  * function = "check_bare"
- * property = "any scene: one that passes has neither tree nor beams nor clusters"
+ * property = "any scene: one that passes has neither tree nor beams nor clusters; tables of up to 2 entries, 6 vertices and 6 indices"
  * checks = 75
  * unwind = 8
  */
@@ -307,7 +307,7 @@ fxl_status any_check_with(fxl_scene *of, fxl_scene_fault *to, fxl_scene_checker 
 
 /* [[row]]
  * function = "fxl_scene_check"
- * property = "any scene: the checks of a bare one"
+ * property = "any scene: the checks of a bare one; tables of up to 2 entries, 6 vertices and 6 indices"
  * checks = 1
  * unwind = 8
  * stands_in = { fxl_scene_check_with = "any_check_with" }
@@ -321,7 +321,7 @@ void prove_scene_check(void)
 
 /* [[row]]
  * function = "lib/scene/placement_code.h:fxl_placement_code_of"
- * property = "any instance, turned or not: its number and its placement, in their tables"
+ * property = "any instance, turned or not: its number and its placement, in their tables; tables of up to 2 entries, 6 vertices and 6 indices"
  * checks = 1527
  */
 void prove_placement_code_of(void)

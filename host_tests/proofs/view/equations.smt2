@@ -5,14 +5,14 @@
 ; function = "lib/view/project.c:scale_of"
 ; property = "within one unit of the quotient, and at most 2^30; the rest fits 32 bits"
 ; checks = 17
-; text = ["uint32_t divisor = depth >> 15;", "uint32_t upper = fxl_divide_half(projection->factor_2, divisor);", "int32_t rest = fxl_signed_32(projection->factor_17 - upper * depth);", "uint32_t lower = fxl_divide_half(rest < 0 ? 0u - fxl_bits_32(rest) : (uint32_t)rest, divisor);", "return (upper << 15) + (rest < 0 ? 0u - lower : lower);"]
+; of = { "lib/view/project.c:scale_of" = "0af2a4c1983ec2f1" }
 
 ; [[row]]
 ; id = "offset_of bound"
 ; function = "lib/view/project.c:offset_of"
 ; property = "the estimate is the quotient or one less: the remainder is below twice the depth"
 ; checks = 17
-; text = ["uint32_t product = (uint32_t)(fxl_multiply_u32(low << shift, by->factor) >> 32) + fxl_bits_32(upper) * by->factor;", "int32_t quotient = (int32_t)(fxl_multiply_s32(upper, (int32_t)by->scale) >> 32);", "uint32_t rest = product + (by->depth >> 1) - fxl_bits_32(quotient) * by->depth;", "FXL_LEMMA(rest >> 1 < by->depth && FXL_BELOW(quotient, 1 << 28));"]
+; of = { "lib/view/project.c:offset_of" = "d25f91ea43e28298" }
 
 ; scale_of and offset_of of lib/view/project.c on integers, with the letters of the comment above them.
 (define-fun W () Int 4294967296)
@@ -23,6 +23,10 @@
 (declare-const D Int) (declare-const f Int) (declare-const g Int) (declare-const r Int)
 (declare-const rest Int) (declare-const k Int) (declare-const t Int)
 (define-fun of-parts () Bool (and (= d (+ (* 32768 D) f)) (<= 0 f 32767) (<= 32768 D 65536)))
+(define-fun first () Bool (and (= (* 4 F) (+ (* g D) r)) (<= 0 r) (< r D)))
+(define-fun rest-of-first () Int (- (* 32768 r) (* g f)))
+(define-fun second () Bool (and (= (ite (< rest 0) (- rest) rest) (+ (* k D) t)) (<= 0 t) (< t D)))
+(define-fun scale () Int (ite (< rest 0) (- (* 32768 g) k) (+ (* 32768 g) k)))
 (echo "possible")
 (push) (assert of-parts) (assert (= d 1500000000)) (assert (= F 40000000)) (assert (= g (div (* 4 F) D))) (assert (= r (mod (* 4 F) D))) (check-sat) (pop)
 ; g is at most 2^15, so g f is below 2^30, and rest fits 32 bits.
@@ -48,9 +52,14 @@
 (push) (assert (not (= (- (* 32768 (+ (* k D) t)) (* k (+ (* 32768 D) f))) (- (* 32768 t) (* k f))))) (check-sat) (pop)
 
 ; --- offset_of: |G d - 2^32 F| <= d; x is the upper word of X', l the lower; u = G d - 2^32 F.
-(declare-const G Int) (declare-const x Int) (declare-const u Int) (declare-const q Int)
+(declare-const G Int) (declare-const x Int) (declare-const u Int) (declare-const q Int) (declare-const l Int)
+(define-fun near () Bool (<= (- d) (- (* G d) (* W F)) d))
+(define-fun product () Int (+ (* F x) (div (* F l) W)))
+(define-fun estimate () Int (div (* x G) W))
+(define-fun left () Int (- (+ product (div d 2)) (* q d)))
+(define-fun offset () Int (ite (>= left d) (+ q 1) q))
 (echo "proved")
-(push) (assert (<= (- d) (- (* G d) (* W F)) d)) (assert (not (<= 0 G 1073741824))) (check-sat) (pop)
+(push) (assert near) (assert (not (<= 0 G 1073741824))) (check-sat) (pop)
 (echo "proved")
 (push) (assert (<= 0 G 1073741824)) (assert (<= (- 1073741824) x 1073741824)) (assert (not (<= (- 1152921504606846976) (* x G) 1152921504606846976))) (check-sat) (pop)
 (echo "proved")

@@ -83,7 +83,7 @@ static bool is_model_view(const fxl_model_view *of)
 
 /* [[row]]
  * function = "fxl_model_view_of_instance"
- * property = "any instance and eye in the world: nothing overflows, the offset is below 2^30, and the entries are the cache's"
+ * property = "any instance and eye in the world: nothing overflows, the offset is below 2^30, and the entries are the cache's; caches of up to 8 entries"
  * checks = 466
  * stands_in = { next_tag = "any_tag", fxl_dot = "any_dot" }
  */
@@ -106,7 +106,7 @@ void prove_model_view_of_instance(void)
 
 /* [[row]]
  * function = "fxl_model_view_of_polygon"
- * property = "any eye in the world: nothing overflows, the offset is below 2^30, and the entries are the cache's"
+ * property = "any eye in the world: nothing overflows, the offset is below 2^30, and the entries are the cache's; caches of up to 8 entries"
  * checks = 391
  * stands_in = { next_tag = "any_tag", fxl_dot = "any_dot" }
  */

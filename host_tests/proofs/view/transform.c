@@ -90,7 +90,7 @@ fxl_planes any_outcode(const fxl_view_frustum *frustum, fxl_planes planes, const
 
 /* [[row]]
  * function = "fxl_transform_vertex"
- * property = "any model view, any vertex below 2^30: no sum overflows, and the entry gets the vertex's tag"
+ * property = "any model view, any vertex below 2^30: no sum overflows, and the entry gets the vertex's tag; up to 4 vertices"
  * checks = 427
  * uses = ["fxl_rotate"]
  * stands_in = { fxl_outside = "any_outside", fxl_outcode = "any_outcode" }

@@ -334,7 +334,7 @@ class Commands:
         return step
 
     def _rows(self, wanted):
-        """Those of CBMC first: one of Z3 also fails because the lines that it quotes have changed."""
+        """Those of CBMC first."""
         return sorted((row for row in prove_rows.read(self._root) if wanted(row)), key=lambda row: row.tool != "cbmc")
 
     def proofs(self, each):

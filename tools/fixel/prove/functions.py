@@ -7,12 +7,14 @@ files include under several names are one.
 """
 
 import concurrent.futures
+import hashlib
 import os
 import pathlib
 import re
 
 from fixel.base import children, scratch
 from fixel.base.errors import ToolError
+from fixel.check import mutate, planting
 
 ROOMS = ("math", "view", "clip", "raster", "scene", "draw", "paint", "order", "game", "screen", "study", "include")
 FLAGS = ("-std=c11", "-Ilib/include", "-Ilib")
@@ -53,6 +55,19 @@ def find(root, rooms=ROOMS):
     for (file, _), (name, static) in sorted(names.items(), key=lambda each: (rooms.index(each[0][0].split("/")[1]), *each[0])):
         functions[f"{file}:{name}"] = functions.get(f"{file}:{name}", False) or not static
     return functions
+
+
+def text_of(root, function):
+    """The hash of the text of FILE:NAME, without comments and white space: of all texts that the file has for a name."""
+    file, _, name = function.rpartition(":")
+    try:
+        text = (pathlib.Path(root) / file).read_text(encoding="utf-8")
+    except OSError as error:
+        raise ToolError(f"{function}: {error}") from error
+    lines = [line for line, owner in zip(mutate.code_of(text).splitlines(), planting.functions(text)) if owner == name]
+    if not lines:
+        raise ToolError(f"{file} has no function {name}")
+    return hashlib.sha256(" ".join(" ".join(lines).split()).encode()).hexdigest()[:16]
 
 
 def assembly(root):

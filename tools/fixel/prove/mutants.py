@@ -2,11 +2,10 @@
 """Shows that a function's rows state its result: of five small mistakes in the function, by each of three seeds, they must fail on four.
 
 A mistake is one of mutate.py. Those that leave the machine code as it was, and those of host_tests/build/survivors.toml, are replaced
-by the next ones of the seed. Only provers that read the library's text are asked: a transcription quotes lines, and a line that
+by the next ones of the seed. Only provers that read the library's text are asked: a transcription has a hash of it, and a text that
 merely differs shows nothing. host_tests/proofs/mutants.toml keeps what was found, with a hash of each function's text.
 """
 
-import hashlib
 import json
 import pathlib
 import tomllib
@@ -25,16 +24,6 @@ HEAD = f"""# SPDX-License-Identifier: MIT
 # `fixel prove --mutants --only FUNCTION`. text: a hash of the function, without comments and white space.
 """
 CODE = ("gcc", *functions.FLAGS, "-w", "-O2", "-fkeep-static-functions", "-fkeep-inline-functions", "-S", "-o", "-", "-xc")
-
-
-def text_of(root, function):
-    """The hash of a function's text."""
-    file, _, name = function.rpartition(":")
-    text = (pathlib.Path(root) / file).read_text(encoding="utf-8")
-    lines = [line for line, owner in zip(mutate.code_of(text).splitlines(), planting.functions(text)) if owner == name]
-    if not lines:
-        raise ToolError(f"{RECORD}: {file} has no function {name}")
-    return hashlib.sha256(" ".join(" ".join(lines).split()).encode()).hexdigest()[:16]
 
 
 def load(root):
@@ -109,7 +98,7 @@ def command(programs, root, jobs, rows, options, store):
     kept = load(root)       # as another command may have left it meanwhile
     for function in by_function:
         own = [(seed, mutant, by) for (of, seed, mutant), by in answers if of == function]
-        kept[function] = {"text": text_of(root, function), "noticed": [sum(at == seed and by is not None for at, _, by in own) for seed in SEEDS],
+        kept[function] = {"text": functions.text_of(root, function), "noticed": [sum(at == seed and by is not None for at, _, by in own) for seed in SEEDS],
                           "missed": sorted({str(mutant).partition(": ")[2] + f" in '{_line(root, mutant)}'" for _, mutant, by in own if by is None})}
     save(root, kept)
     for function in by_function:

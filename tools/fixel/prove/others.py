@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Rows that other programs prove: Z3 (equations of integers), Gappa (errors of roundings), a C program that enumerates inputs.
 
-The text of Z3 or Gappa is a transcription. The row quotes the lines of the library that it stands for, and each must
-still stand in the function's file, in their order. A program that enumerates includes the library's own text. What C
+The text of Z3 or Gappa is a transcription. The row has a hash of each function that it was written from, and fails when the text of one
+changes. A program that enumerates includes the library's own text, and may run a transcription beside it (formulas.py). What C
 leaves undefined ends it by a trap, so a function that it runs on every input of its range is also free of that.
 """
 
@@ -10,7 +10,7 @@ import os
 import re
 
 from fixel.base import limits, scratch
-from fixel.prove import cbmc
+from fixel.prove import cbmc, formulas, functions, rows
 from fixel.prove.cbmc import Failed, TooLong
 
 # No warning is an error: a mutant that leaves something unused must run.
@@ -25,12 +25,19 @@ ENDED = re.compile(r"^([\d,]+) inputs$", re.MULTILINE)
 def preprocessed(root, row, case):
     """All that the result depends on: the prover's text, and that of the library."""
     if row.tool == "enumeration":
-        return C_FLAGS, cbmc.text_of(root, row, ["-xc", *_flags(row, case)])
-    return row.program, (root / row.function.rpartition(":")[0]).read_bytes()
+        with scratch.folder("inputs") as folder:
+            return C_FLAGS, cbmc.text_of(root, row, ["-xc", *_flags(row, case, folder)])
+    return row.program, [functions.text_of(root, function) for function in row.of]
 
 
-def _flags(row, case):
-    return [*C_FLAGS, f"-DHARNESS={row.harness}", *([] if case is None else [f"-DCASE={case}"]), *row.flags]
+def _flags(row, case, folder):
+    """Of the compiler. A program that includes formula.h finds it in a folder, where it is written."""
+    flags = [*C_FLAGS, f"-DHARNESS={row.harness}", *([] if case is None else [f"-DCASE={case}"]), *row.flags]
+    if formulas.INCLUDE not in row.place.read_text(encoding="utf-8"):
+        return flags
+    beside = [each for path in row.place.parent.iterdir() if path.suffix in (".smt2", ".gappa") for each in rows.rows_of(path)]
+    (folder / "formula.h").write_text(formulas.header(rows.rows_of(row.place), {each.id: each for each in beside}), encoding="utf-8")
+    return [*flags, f"-I{folder}"]
 
 
 def _run(words, root, path=None):
@@ -41,18 +48,15 @@ def _run(words, root, path=None):
         raise TooLong(f"{words[0]} had not ended after {cbmc.SECONDS} s of CPU time") from error
 
 
-def check_quotes(root, row):
-    """The lines that a transcription stands for, as they are now."""
-    file = row.function.rpartition(":")[0]
-    text = " ".join((root / file).read_text(encoding="utf-8").split())
-    place = 0
-    for line in row.text:
-        found = text.find(" ".join(line.split()), place)
-        if found < 0:
-            raise Failed(f"{row.place.name} stands for '{line}', and {file} does not have it (any more, or there)")
-        place = found + 1
-    if not row.text and row.tool != "enumeration":
-        raise Failed("it is a transcription, and names no line of the library")
+def check_texts(root, row):
+    """A transcription stands for functions as they were when it was written."""
+    if not row.of:
+        raise Failed("it is a transcription, and names no function in 'of'")
+    for function, known in row.of.items():
+        if functions.text_of(root, function) != known:
+            file, _, name = function.rpartition(":")
+            raise Failed(f"{name} of {file} has changed since {row.place.name} was written from it: see that the formula still says what the C "
+                         f"text says, then: fixel prove --accept --only '{row.id}'")
 
 
 def _run_on(words, root, row):
@@ -98,7 +102,7 @@ def _gappa(programs, root, row):
 
 def _enumeration(root, row, case):
     with scratch.folder("inputs") as folder:
-        built = _run(["gcc", *_flags(row, case), "-o", folder / "inputs", row.place, *row.links, "-lm"], root)
+        built = _run(["gcc", *_flags(row, case, folder), "-o", folder / "inputs", row.place, *row.links, "-lm"], root)
         if built.returncode:
             raise Failed(f"gcc: {next((line for line in built.stdout.splitlines() if 'error' in line), 'failed')}")
         done = _run([folder / "inputs"], root)
@@ -110,7 +114,7 @@ def _enumeration(root, row, case):
 
 def prove(programs, root, row, case):
     """As cbmc.prove."""
-    check_quotes(root, row)
     if row.tool == "enumeration":
         return _enumeration(root, row, case)
+    check_texts(root, row)
     return (_z3 if row.tool == "z3" else _gappa)(programs, root, row)

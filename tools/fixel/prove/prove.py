@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Proves properties of the shipped text for every input: the rows above the harnesses of host_tests/proofs.
 
-    fixel prove [--only WORD] [--bugs] [--mutants] [--fresh] [--cluster tcp://HOST:PORT]
+    fixel prove [--only WORD] [--accept] [--bugs] [--mutants] [--fresh] [--cluster tcp://HOST:PORT]
 
 Every function of the library is proved, proved within a row of another, or measured, which host_tests/proofs/measured.toml
 says with the reason; of assembly it says which kernel of make equality compares it with the C text. Writes DIR/prove/prove.json. With --bugs each seeded bug that names a row must make the row fail.
@@ -30,6 +30,7 @@ def parser():
     made.add_argument("--mutants", action="store_true", help="put small mistakes into the functions of host_tests/proofs/mutants.toml, or of --only; their rows must fail")
     made.add_argument("--tidy", action="store_true", help="write the numbers of checks into the rows, and take what is proved now, or gone, out of the "
                            "lists of what is measured")
+    made.add_argument("--accept", action="store_true", help="of the rows of --only: write the hashes of the functions that they were written from, as these are now")
     made.add_argument("--seconds", type=int, default=120, help="of CPU time that a row may take")
     runner.add_options(made)
     return made
@@ -37,7 +38,11 @@ def parser():
 
 def before(options):
     """The rows that are asked for; refuses a word that none has."""
-    found = [row for row in rows.read(pathlib.Path(options.root).resolve()) if options.only in f"{row.id} {row.function} {row.place}"]
+    if options.accept and not options.only:
+        raise ToolError("--accept says that formulas were compared with functions that have changed: name their rows by --only")
+    every = rows.read(pathlib.Path(options.root).resolve())
+    named = {row.id for row in every if options.only in f"{row.id} {row.function} {row.place}"}
+    found = [row for row in every if {row.id, row.formula} & named]      # a formula is run beside its function
     if not found:
         raise ToolError(f"no row has '{options.only}' in its id, function or file")
     return found

@@ -27,7 +27,7 @@ def placed(row, root):
 
 def _inputs(root, row, case, versions):
     """All that the result of a case depends on."""
-    words = (row.harness, row.contract, row.uses, row.unwind, row.unwindset, row.flags, row.loops, row.text, *([row.stands_in] if row.stands_in else []),
+    words = (row.harness, row.contract, row.uses, row.unwind, row.unwindset, row.flags, row.loops, row.text, *([row.stands_in] if row.stands_in else []), *([row.of] if row.of else []),
              bool(row.narrows))
     return [versions, words, cbmc.CHECKS, cbmc.DEFINES, cbmc.RESULT, PROVERS[row.tool].preprocessed(root, row, case)]
 
@@ -214,6 +214,10 @@ def command(options):
     root = pathlib.Path(options.root).resolve()
     rows = records.read(root)
     chosen = prove.before(options)
+    if options.accept:
+        records.accept(root, chosen, functions.text_of)
+        options.accept = False
+        return command(options)
     jobs = runner.jobs_of(options)
     if options.bugs or options.mutants:
         from fixel.prove import bugs, mutants    # which use this module
@@ -223,7 +227,7 @@ def command(options):
         _programs(options.build)    # fetched once, before the processes ask for them
     results = prove_all(root, chosen, options)
     gone = set()
-    shown, assembly, wrong = [], [], records.circles(rows) + records.lemmas(root, rows)
+    shown, assembly, wrong = [], [], records.circles(rows) + records.lemmas(root, rows) + records.unrun(rows)
     if not options.only:
         measured, more = records.measured(root)
         shown, most = state_of_all(functions.find(root), results, measured)

@@ -14,6 +14,7 @@ import textwrap
 import tomllib
 
 from fixel.base.errors import ToolError
+from fixel.check import planting
 
 PROOFS = pathlib.Path("host_tests/proofs")
 MEASURED = PROOFS / "measured.toml"
@@ -31,7 +32,8 @@ LEADER = re.compile(r"^(?: \*|[;#]) ", re.MULTILINE)
 HARNESS = re.compile(r"^(?:void|def) (\w+)\(", re.MULTILINE)
 FIELDS = {"function": str, "property": str}
 OPTIONAL = {"id": str, "contract": bool, "uses": list, "stubs": dict, "unwind": int, "cases": list, "checks": int, "flags": list,
-            "links": list, "loops": bool, "equations": bool, "text": list, "induction": str, "unwindset": dict, "stands_in": dict, "every": bool, "narrows": str, "clause": str}
+            "links": list, "loops": bool, "equations": bool, "text": list, "of": dict, "formula": str, "induction": str, "unwindset": dict, "stands_in": dict, "every": bool, "narrows": str, "clause": str}
+MILLION = 1_000_000
 CAMPAIGNS = ("equality", "fuzz", "report", "unit tests", "frames", "seeded bugs", "stages")
 
 
@@ -57,7 +59,9 @@ class Row:
     links: list = dataclasses.field(default_factory=list)   # sources besides those that the harness includes
     loops: bool = False         # loops have contracts, which are applied
     equations: bool = False     # rows of Z3 prove what the contract says by FXL_EQUATES
-    text: list = dataclasses.field(default_factory=list)    # lines that the transcription stands for, in their order
+    of: dict = dataclasses.field(default_factory=dict)      # {FILE:NAME that a transcription was written from: the hash of its text}
+    formula: str = ""           # of an enumeration: the row of Z3 or Gappa whose formula it runs beside the function
+    text: list = dataclasses.field(default_factory=list)    # recomputed: lines that have the numbers
     induction: str = ""         # why a circle of contracts is none
     clause: str = ""            # the clauses and sentences that it shows, as a tag has them: "SPEC 2.2a, accuracy 1.1c"
     narrows: str = ""           # why a conversion may change a value: such rows are counted, and become fewer
@@ -238,12 +242,30 @@ def record_checks(root, counts):
             path.write_text(text, encoding="utf-8")
 
 
+def accept(root, some, text_of):
+    """Writes into rows the hashes of the functions that they were written from, as these are now."""
+    for path in sorted({row.place for row in some if row.of}):
+        text = path.read_text(encoding="utf-8")
+        for row in some:
+            for function, known in row.of.items() if row.place == path else ():
+                text = text.replace(f'"{function}" = "{known}"', f'"{function}" = "{text_of(root, function)}"')
+        path.write_text(text, encoding="utf-8")
+
+
 def lemmas(root, rows):
-    """What is wrong with the equations that stand within functions: each must be quoted by a row of Z3."""
-    quoted = {" ".join(line.split()) for row in rows if row.tool == "z3" for line in row.text}
-    found = [(path, " ".join(lemma.split())) for path in sorted((pathlib.Path(root) / "lib").rglob("*.[ch]")) if path.name != "contract.h"
-             for lemma in re.findall(r"FXL_LEMMA\([^;]*;", path.read_text(encoding="utf-8"))]
-    return [f"{path}: no row of Z3 quotes '{lemma}'" for path, lemma in found if lemma not in quoted]
+    """What is wrong with the equations that stand within functions: each such function must be one that a row of Z3 was written from."""
+    known = {function for row in rows if row.tool == "z3" for function in row.of}
+    found = [f"{path.relative_to(root).as_posix()}:{owner}" for path in sorted((pathlib.Path(root) / "lib").rglob("*.[ch]")) if path.name != "contract.h"
+             for text in [path.read_text(encoding="utf-8")] if "FXL_LEMMA(" in text
+             for line, owner in zip(text.splitlines(), planting.functions(text)) if "FXL_LEMMA(" in line]
+    return [f"{function} has a FXL_LEMMA, and no row of Z3 was written from it" for function in found if function not in known]
+
+
+def unrun(rows):
+    """What is wrong with transcriptions: each is run beside its function, on a million inputs or more."""
+    run = {(row.formula, row.function) for row in rows if row.tool == "enumeration" and row.checks >= MILLION}
+    return [f"{row.id}: no row of an enumeration has formula = \"{row.id}\" and runs {row.name} on a million inputs" for row in rows
+            if row.tool in ("z3", "gappa") and (row.id, row.function) not in run]
 
 
 def circles(rows):
