@@ -6,6 +6,7 @@
 #include "draw/surface_polygon.h"
 #include "paint/depth_cells.h"
 #include "paint/depth_code.h"
+#include "paint/depth_outline.h"
 
 #include "unit.h"
 
@@ -219,4 +220,88 @@ void test_octaves(void)
             TEST_ASSERT_FALSE(fxl_depth_octave_holds(&octave, octave.high));
         }
     }
+}
+
+/* A triangle of few pixels: each is tested and kept by the code of its column and row, and none beside
+ * them is touched; where codes have several octaves, nothing is. */
+/* SPEC 10.3, 10.4b */
+void test_a_tiny_triangle_keeps_the_codes_of_its_pixels(void)
+{
+    enum {
+        WIDTH = 12,
+        ROWS = 10,
+        FIRST_ROW = 3
+    };
+    static struct {
+        fxl_depth_head head;
+        uint16_t cells[WIDTH * ROWS];
+    } memory;
+    static uint16_t wanted[WIDTH * ROWS], pixels[WIDTH * ROWS], painted[WIDTH * ROWS];
+    uint32_t drawn = 0, hidden = 0, others = 0;
+    unit_restart();
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const int32_t columns = unit_between(1, 8), most = 32 / columns;
+        const int32_t rows = unit_between(1, most < 8 ? most : 8), centres = columns * rows;
+        const fxl_tiny tiny = {unit_between(0, WIDTH - columns),
+                               FIRST_ROW + unit_between(0, ROWS - rows), columns, rows,
+                               (unit_random() | 1u << 31) & UINT32_MAX << (32 - centres)};
+        const uint32_t bits = unit_random() % 2 ? 16 : 8;
+        const fxl_band band = {.pixels = (uint8_t *)pixels,
+                               .width = WIDTH,
+                               .stride = WIDTH,
+                               .first_row = FIRST_ROW,
+                               .rows = ROWS};
+        const fxl_depth_scale scale = {(uint8_t)unit_between(1, 24), (uint8_t)unit_between(11, 15)};
+        /* steps of 1/8 to 1/1024 of the value in the corner */
+        const int32_t top = unit_between(42, 59);
+        const int64_t unit = (int64_t)1 << (top - 31 - unit_between(3, 10));
+        const fxl_depth_plane plane = {{(int64_t)1 << top | (int64_t)unit_random() << (top - 32),
+                                        (int32_t)unit_random() * unit,
+                                        (int32_t)unit_random() * unit},
+                                       top + unit_between(0, 12)};
+        bool is_one_octave = true;
+        int32_t length = 0;
+        memory.head.scale = scale;
+        for (uint32_t k = 0; k < WIDTH * ROWS; k++) {
+            memory.cells[k] = wanted[k] = (uint16_t)unit_random();
+            pixels[k] = painted[k] = 0;
+        }
+        for (int32_t k = 0; k < centres; k++) {
+            const int32_t x = tiny.column + k % columns, y = tiny.row + k / columns;
+            const int64_t row = plane.gradient.at + plane.gradient.down * y;
+            const int64_t value = row + plane.gradient.along * x;
+            const int32_t here = value >> 32 > 0 ? (int32_t)fxl_bit_length((uint64_t)value) : -1;
+            const size_t place = (size_t)(y - FIRST_ROW) * WIDTH + (size_t)x;
+            const uint32_t code = fxl_depth_code_at(scale, &plane, row, x);
+            is_one_octave = is_one_octave && here > 0 && (length == 0 || here == length);
+            length = here;
+            if ((tiny.pixels << k >> 31) == 0) {
+                continue;
+            }
+            if (code >> 16 > wanted[place]) {
+                wanted[place] = (uint16_t)(code >> 16);
+                if (bits == 16) {
+                    painted[place] = 0xA5C3u;
+                } else {
+                    ((uint8_t *)painted)[place] = 0xC3u;
+                }
+            } else {
+                hidden++;
+            }
+        }
+        if (!fxl_depth_tiny_draw(&plane, &tiny, &memory.head, &band, 0xA5C3u, bits)) {
+            for (uint32_t k = 0; k < WIDTH * ROWS; k++) {
+                TEST_ASSERT_EQUAL_HEX16(0, pixels[k]);
+            }
+            others++;
+            continue;
+        }
+        TEST_ASSERT_TRUE(is_one_octave);
+        TEST_ASSERT_EQUAL_HEX16_ARRAY(wanted, memory.cells, WIDTH * ROWS);
+        TEST_ASSERT_EQUAL_HEX16_ARRAY(painted, pixels, WIDTH * ROWS);
+        drawn++;
+    }
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 8, drawn);
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 8, hidden);
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 8, others);
 }

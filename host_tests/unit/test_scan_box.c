@@ -132,6 +132,34 @@ static uint32_t scanned(const fxl_screen_point *points, const fxl_band *band, bo
     return count;
 }
 
+/* How many pixels were found, all of which the scan has seen. */
+static uint32_t count_of(const fxl_tiny *tiny, bool seen[SEEN][SEEN])
+{
+    uint32_t found = 0;
+    for (uint32_t pixels = tiny->pixels, bit = 0; pixels != 0; pixels <<= 1, bit++) {
+        if (pixels >> 31 != 0) {
+            const uint32_t columns = (uint32_t)tiny->columns;
+            TEST_ASSERT_LESS_THAN((uint32_t)tiny->rows, bit / columns);
+            TEST_ASSERT_TRUE(
+                seen[(uint32_t)tiny->row + bit / columns][(uint32_t)tiny->column + bit % columns]);
+            found++;
+        }
+    }
+    return found;
+}
+
+/* Lets a triangle go clockwise, but for one in eight. */
+static void turn(fxl_screen_point *points)
+{
+    const int64_t area = (points[1].x - (int64_t)points[0].x) * (points[2].y - points[0].y) -
+                         (points[1].y - (int64_t)points[0].y) * (points[2].x - points[0].x);
+    if (area < 0 && unit_between(0, 7) != 0) {
+        const fxl_screen_point second = points[1];
+        points[1] = points[2];
+        points[2] = second;
+    }
+}
+
 /* SPEC 5.2 */
 void test_a_tiny_triangle_covers_what_the_scan_finds(void)
 {
@@ -150,19 +178,13 @@ void test_a_tiny_triangle_covers_what_the_scan_finds(void)
             points[k].x = any_place(x, pixels);
             points[k].y = any_place(y, pixels);
         }
+        turn(points);
         const uint32_t count = scanned(points, &band, seen);
         if (!fxl_tiny_find(points, &band, &tiny)) {
             others++;
             continue;
         }
-        uint32_t found = 0;
-        for (uint32_t bit = 0; bit < FXL_TINY_SIDE * FXL_TINY_SIDE; bit++) {
-            if (tiny.pixels >> bit & 1u) {
-                found++;
-                TEST_ASSERT_TRUE(seen[tiny.row + (int32_t)(bit / FXL_TINY_SIDE)]
-                                     [tiny.column + (int32_t)(bit % FXL_TINY_SIDE)]);
-            }
-        }
+        const uint32_t found = count_of(&tiny, seen);
         TEST_ASSERT_EQUAL_UINT32(count, found);
         covered += count;
         tiny_ones++;
@@ -186,6 +208,46 @@ void test_tiny_triangles_that_share_an_edge_cover_each_pixel_once(void)
     TEST_ASSERT_TRUE(fxl_tiny_find(lower, &band, &second));
     TEST_ASSERT_EQUAL_INT(2, first.column);
     TEST_ASSERT_EQUAL_INT(3, first.row);
-    TEST_ASSERT_EQUAL_HEX32(0x7, first.pixels);
-    TEST_ASSERT_EQUAL_HEX32(0x8, second.pixels);
+    TEST_ASSERT_EQUAL_HEX32(0xE0000000u, first.pixels);
+    TEST_ASSERT_EQUAL_HEX32(0x10000000u, second.pixels);
+}
+
+/* SPEC 5.2 */
+/* Of every box that fits a word: up to 8 columns and rows. */
+void test_the_cover_of_a_small_triangle_is_what_the_scan_finds(void)
+{
+    const fxl_band band = {.width = SEEN, .stride = SEEN, .rows = SEEN};
+    uint32_t covered = 0, others = 0;
+    unit_restart();
+    for (int i = 0; i < 4 * UNIT_REPEAT; i++) {
+        const int32_t x = unit_between(0, 7 * 65536), y = unit_between(0, 7 * 65536);
+        const int32_t columns = unit_between(1, 8), rows = unit_between(1, 8);
+        fxl_screen_point points[3];
+        bool seen[SEEN][SEEN] = {{false}};
+        fxl_tiny tiny = {SEEN, SEEN, 0, 0, 0};
+        int32_t right = 0, below = 0;
+        for (uint32_t k = 0; k < 3; k++) {
+            points[k].x = any_place(x, columns);
+            points[k].y = any_place(y, rows);
+            const int32_t column = (points[k].x + 32767) >> 16, row = (points[k].y + 32767) >> 16;
+            tiny.column = column < tiny.column ? column : tiny.column;
+            tiny.row = row < tiny.row ? row : tiny.row;
+            right = column > right ? column : right;
+            below = row > below ? row : below;
+        }
+        turn(points);
+        tiny.columns = right - tiny.column;
+        tiny.rows = below - tiny.row;
+        const uint32_t count = scanned(points, &band, seen);
+        const int32_t centres = tiny.columns * tiny.rows;
+        if (centres == 0 || centres > FXL_TINY_CENTRES || tiny.columns > FXL_TINY_LONGEST ||
+            tiny.rows > FXL_TINY_LONGEST || !fxl_tiny_cover(points, &tiny)) {
+            others++;
+            continue;
+        }
+        TEST_ASSERT_EQUAL_UINT32(count, count_of(&tiny, seen));
+        covered += count;
+    }
+    TEST_ASSERT_GREATER_THAN(4 * UNIT_REPEAT, covered);
+    TEST_ASSERT_LESS_THAN(3 * UNIT_REPEAT, others);
 }

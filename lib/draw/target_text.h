@@ -10,9 +10,11 @@
 #ifndef FXL_TARGET_TEXT_H
 #define FXL_TARGET_TEXT_H
 
+#include "../clip/clip_by_view.h"
 #include "../raster/fill.h"
 #include "../raster/scan.h"
 #include "../view/model_view.h"
+#include "../view/project.h"
 #include "pixel_row.h"
 #include "renderer.h"
 #include "submit.h"
@@ -237,23 +239,7 @@ static inline void find_depth(const fxl_model_view *model_view, const fxl_face *
     fxl_find_depth_by_normal(model_view, face, traversal, plane);
 }
 
-/* Whether to try a face as a tiny one. Most are higher. Where a kernel draws outlines, those of
- * FXL_TINY_SIDE pixels and more are not tried: few of them are tiny, which saves less than the
- * others cost. The kernels of Armv7-M draw small triangles themselves: programs for it and 16 bits
- * have no text of tiny ones. */
-static inline bool may_be_tiny(const fxl_workspace *workspace)
-{
-    const fxl_screen_polygon *screen = &workspace->screen;
-    if (FXL_KERNELS_ARMV7M && FXL_TARGET_DEPTH_BITS == 16) {
-        return false;
-    }
-    const uint32_t end = (FXL_DRAWS_DEPTH_OUTLINES ? FXL_TINY_SIDE : FXL_TINY_SIDE + 1) * 65536;
-    const fxl_screen_point *points = screen->points;
-    const uint32_t x = end - (uint32_t)points[0].x, y = end - (uint32_t)points[0].y;
-    return FXL_HAS_TINY && screen->count == 3 && (uint32_t)points[1].y + y < 2 * end &&
-           (uint32_t)points[2].y + y < 2 * end && (uint32_t)points[1].x + x < 2 * end &&
-           (uint32_t)points[2].x + x < 2 * end;
-}
+#if !(FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16)
 
 /* What became of a face that may be tiny. */
 typedef enum {
@@ -286,13 +272,13 @@ draw_tiny(const fxl_model_view *model_view, const fxl_face *face, const fxl_trav
     const fxl_filling filling = fxl_filling_of(
         band, face->material, FXL_PIXEL_IS_MIXED ? workspace->screen.shade : 0, workspace->dark);
     uint32_t pixels = tiny.pixels;
-    for (int32_t y = tiny.row; pixels != 0; y++, pixels >>= FXL_TINY_SIDE) {
+    for (int32_t y = tiny.row; pixels != 0; y++) {
         const int64_t depth =
             plane.gradient.at + fxl_multiply_s64_u16(plane.gradient.down, (uint32_t)y);
         void *cells = (uint8_t *)(uintptr_t)(head + 1) +
                       (size_t)(y - band->first_row) * band->width * (FXL_TARGET_DEPTH_BITS / 8);
-        for (int32_t i = 0; i < FXL_TINY_SIDE; i++) {
-            if ((pixels >> i & 1u) == 0) {
+        for (int32_t i = 0; i < tiny.columns; i++, pixels <<= 1) {
+            if (pixels >> 31 == 0) {
                 continue;
             }
             const int32_t x = tiny.column + i;
@@ -306,6 +292,8 @@ draw_tiny(const fxl_model_view *model_view, const fxl_face *face, const fxl_trav
     return TINY_IS_DRAWN;
 }
 
+#endif
+
 /* Draws the polygon that the clipper has left of a face. Returns whether it reaches a row of the
  * screen. */
 static inline bool draw_polygon(const fxl_model_view *model_view, const fxl_face *face,
@@ -316,13 +304,15 @@ static inline bool draw_polygon(const fxl_model_view *model_view, const fxl_face
     const uint8_t shade = FXL_PIXEL_IS_MIXED ? screen->shade : 0;
     flat_outline outline;
     bool draws = true;
-    if (may_be_tiny(workspace)) {
+#if !(FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16)
+    if (FXL_HAS_TINY && screen->count == 3) { /* most are higher */
         const tiny_drawn drawn = draw_tiny(model_view, face, traversal);
         if (drawn == TINY_IS_DRAWN) {
             return true;
         }
         draws = drawn == TINY_IS_NOT;
     }
+#endif
     if (draws) {
         find_depth(model_view, face, traversal, &outline.plane);
     }
@@ -331,16 +321,93 @@ static inline bool draw_polygon(const fxl_model_view *model_view, const fxl_face
            fxl_outline_has_rows(screen, traversal->renderer->frame.view.lens.height);
 }
 
+#define DRAWS_TINY (FXL_DRAWS_DEPTH_TINY && FXL_TARGET_DEPTH_BITS == 16)
+
+#if DRAWS_TINY
+
+/* fxl_clip_by_view of a triangle, which also finds the box of its centres; columns is 0 of one that
+ * does not lie inside. Its places in the clip flags are the upper bits, so words are ordered as they
+ * are. */
+static inline fxl_clip_result clip_triangle(const fxl_model_view *model_view, const fxl_face *face,
+                                            const fxl_traversal *traversal, fxl_tiny *box)
+{
+    fxl_screen_polygon *screen = &traversal->workspace->screen;
+    uint32_t least = UINT32_MAX, most = 0, left = UINT32_MAX, right = 0;
+    for (uint32_t i = 0; i < 3; i++) {
+        fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, face->indices[i]);
+        uint32_t state = vertex->clip_flags;
+        if ((state & FXL_VERTEX_OUTSIDE) != 0) {
+            if (state != FXL_VERTEX_UNPROJECTED ||
+                fxl_project_inside(&model_view->view->projection, &vertex->position,
+                                   &vertex->screen) != FXL_OK) {
+                box->columns = 0;
+                return fxl_first_polygon(model_view, face, traversal);
+            }
+            state = fxl_vertex_place_flags(&vertex->screen);
+            vertex->clip_flags = state;
+        }
+        screen->points[i] = vertex->screen;
+        least = state < least ? state : least;
+        most = state > most ? state : most;
+        state <<= 12;
+        left = state < left ? state : left;
+        right = state > right ? state : right;
+    }
+    screen->colour = face->material;
+    screen->count = 3;
+    box->row = (int32_t)(least >> 20);
+    box->rows = (int32_t)(most >> 20) - box->row;
+    box->column = (int32_t)(left >> 20);
+    box->columns = (int32_t)(right >> 20) - box->column;
+    return box->rows == 0 || box->columns == 0 ? FXL_CLIP_BETWEEN : FXL_CLIP_INSIDE;
+}
+
+/* Draws a triangle in a box by the pixels that it covers. False: it is not drawn. */
+static bool draw_tiny(const fxl_model_view *model_view, const fxl_face *face,
+                      const fxl_traversal *traversal, fxl_tiny *tiny)
+{
+    fxl_workspace *workspace = traversal->workspace;
+    const fxl_band *band = traversal->band;
+    const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
+    fxl_depth_plane plane;
+    if (!fxl_tiny_cover(workspace->screen.points, tiny)) {
+        return false;
+    }
+    if (tiny->pixels == 0) {
+        return true;
+    }
+    find_depth(model_view, face, traversal, &plane);
+    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+    const fxl_filling filling = fxl_filling_of(
+        band, face->material, FXL_PIXEL_IS_MIXED ? workspace->screen.shade : 0, workspace->dark);
+    return fxl_depth_tiny_draw(&plane, tiny, head, band, filling, FXL_PIXEL_BITS);
+}
+
+#endif
+
 /* fxl_submit_polygons and fxl_count_outcome of such a face. */
 static bool draw_face(const fxl_model_view *model_view, const fxl_face *face,
                       const fxl_traversal *traversal)
 {
     fxl_counters *counters = traversal->counters;
-    const fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
+    fxl_clip_result cut;
+    bool is_drawn = false;
+#if DRAWS_TINY
+    if (face->count == 3 && traversal->workspace->draws_outlines &&
+        traversal->clipper->by_clip_flags && model_view->view->lens.off_centre == NULL) {
+        fxl_tiny box;
+        cut = clip_triangle(model_view, face, traversal, &box);
+        is_drawn = cut == FXL_CLIP_INSIDE && fxl_tiny_fits(&box, traversal->band) &&
+                   draw_tiny(model_view, face, traversal, &box);
+    } else
+#endif
+    {
+        cut = fxl_first_polygon(model_view, face, traversal);
+    }
     if (cut > FXL_CLIP_CUT) {
         return fxl_count_outcome(traversal, (fxl_outcome)1 << cut, 0);
     }
-    if (draw_polygon(model_view, face, traversal)) {
+    if (is_drawn || draw_polygon(model_view, face, traversal)) {
         counters->spilled += 1;
     }
     counters->drawn += 1;
@@ -385,8 +452,7 @@ draw_by_outline(const fxl_model_view *model_view, const fxl_face *face, fxl_work
         paint_by_rows(workspace, &outline->plane, screen->points, screen->count, colour, shade,
                       band);
     }
-    return drawn == FXL_DEPTH_DRAWN ||
-           fxl_outline_has_rows(screen, model_view->view->lens.height);
+    return drawn == FXL_DEPTH_DRAWN || fxl_outline_has_rows(screen, model_view->view->lens.height);
 }
 
 /* fxl_shader_code.faces: straight from the clipper to the kernel of outlines. */

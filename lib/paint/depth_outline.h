@@ -7,13 +7,14 @@
 
 #include "fixel/records.h"
 #include "../math/family.h"
+#include "../raster/scan.h"
 #include "depth_row.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-#define FXL_DRAWS_DEPTH_OUTLINES (!FXL_IS_COMPACT && !FXL_HAS_LONG_DIVIDER)
+#define FXL_DRAWS_DEPTH_OUTLINES  (!FXL_IS_COMPACT && !FXL_HAS_LONG_DIVIDER)
 #define FXL_DRAWS_SMOOTH_OUTLINES (FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT)
 
 /* What the kernel needs of a polygon, and what it keeps from row to row. Cells are counted from the
@@ -24,8 +25,8 @@ extern "C" {
  * cell 0 in the next row, their change a row, and the step. */
 typedef struct {
     FXL_ALIGN_8 fxl_depth_plane plane;
-    uint32_t zeros;     /* of the octave that is known; above 32: of none; 0: the outline has one */
-    int32_t drop;       /* of it, as of fxl_depth_octave; so the next two */
+    uint32_t zeros; /* of the octave that is known; above 32: of none; 0: the outline has one */
+    int32_t drop;   /* of it, as of fxl_depth_octave; so the next two */
     uint32_t bias;
     uint32_t step;
     uint16_t *cells;   /* of the band */
@@ -41,7 +42,8 @@ typedef struct {
 
 /* What became of an outline. */
 typedef enum {
-    FXL_DEPTH_NOT_DRAWN = 0, /* it is not scanned between two chains: survey in scan.c. In C also one
+    FXL_DEPTH_NOT_DRAWN =
+        0, /* it is not scanned between two chains: survey in scan.c. In C also one
                               * whose box has several octaves */
     FXL_DEPTH_DRAWN = 1,
     FXL_DEPTH_NO_ROW = 2,   /* it reaches no row of the band */
@@ -108,6 +110,107 @@ static inline bool fxl_depth_outline_begin(const void *memory, const fxl_band *b
     const fxl_depth_head *head = (const fxl_depth_head *)memory;
     fxl_depth_outline_of_band(head, band, pixel_bytes, outline);
     return fxl_depth_outline_of_plane(head, outline);
+}
+
+/* --- triangles of few pixels -------------------------------------------------- */
+
+/* Whether a triangle of few centres is drawn by the pixels that fxl_tiny_cover finds. */
+#define FXL_DRAWS_DEPTH_TINY (FXL_DRAWS_DEPTH_OUTLINES && FXL_HAS_TINY && !FXL_KERNELS_ARMV7M)
+
+/* The codes of a box of centres whose values have one octave, as of fxl_depth_octave. */
+typedef struct {
+    int64_t value; /* in column 0 of the first row */
+    int32_t drop;  /* 1 to 31 */
+    uint32_t bias, step;
+} fxl_tiny_codes;
+
+/* Finds them. The octave is one, if the first value of the box, less all that the others change along
+ * both sides, has that of their sum. Upper words: a change is rounded up. Values on the screen are
+ * below 2^62, so both changes are below 2^30 + 8, and their sum is below 2^30 by the comparison. */
+static inline bool fxl_tiny_codes_find(const fxl_depth_plane *plane, const fxl_tiny *tiny,
+                                       fxl_depth_scale scale, fxl_tiny_codes *codes)
+    FXL_REQUIRES(FXL_OBJECT(plane) && FXL_OBJECT(tiny) && FXL_OBJECT(codes))
+        FXL_REQUIRES(FXL_BELOW(plane->gradient.at, (int64_t)1 << 60) &&
+                     FXL_BELOW(plane->gradient.along, (int64_t)1 << 50) &&
+                     FXL_BELOW(plane->gradient.down, (int64_t)1 << 50) &&
+                     FXL_BELOW(plane->one, 200))
+            FXL_REQUIRES(tiny->row >= 0 && tiny->row < 1024 && tiny->rows > 0 && tiny->rows <= 8)
+                FXL_REQUIRES(tiny->column >= 0 && tiny->column < 1024 && tiny->columns > 0 &&
+                             tiny->columns <= 8)
+                    FXL_REQUIRES(scale.octaves >= 1 && scale.octaves <= 24 &&
+                                 scale.mantissa >= 11 && scale.mantissa <= 15) FXL_ASSIGNS(*codes)
+                        FXL_ENSURES(!FXL_RESULT || (codes->drop >= 1 && codes->drop <= 31 &&
+                                                    FXL_BELOW(codes->value, (int64_t)1 << 61)))
+{
+    const fxl_gradient *gradient = &plane->gradient;
+    codes->value = gradient->at + fxl_multiply_s64_u16(gradient->down, (uint32_t)tiny->row);
+    const int32_t upper =
+        (int32_t)((codes->value + fxl_multiply_s64_u16(gradient->along, (uint32_t)tiny->column)) >>
+                  32);
+    const int32_t along = (int32_t)(gradient->along >> 32), down = (int32_t)(gradient->down >> 32);
+    const uint32_t change =
+        (fxl_bits_32(along ^ along >> 31) + 1u) * (uint32_t)(tiny->columns - 1) +
+        (fxl_bits_32(down ^ down >> 31) + 1u) * (uint32_t)(tiny->rows - 1);
+    if (change >> 30 != 0 || upper <= (int32_t)change) {
+        return false;
+    }
+    const uint32_t least = (uint32_t)upper - change, most = (uint32_t)upper + change;
+    if ((least ^ most) > least) {
+        return false;
+    }
+    const int32_t length = 64 - (int32_t)fxl_leading_zeros(least);
+    const uint32_t number = fxl_bits_32(plane->one - length);
+    codes->drop = length - 17 - scale.mantissa;
+    if (number >= scale.octaves || fxl_bits_32(codes->drop) - 1u > 30u) {
+        return false;
+    }
+    codes->bias = ((scale.octaves - 2u - number) << (scale.mantissa + 16)) + 65536u;
+    codes->step = fxl_depth_shifted(gradient->along, codes->drop);
+    return true;
+}
+
+/* Draws pixels of a triangle, of which there is one at least, in one colour: all in the band, which has
+ * all columns. False: the codes of its box have several octaves, and nothing is drawn. It writes what
+ * fxl_depth_paint_row writes, front to back. */
+static inline __attribute__((always_inline)) bool
+fxl_depth_tiny_draw(const fxl_depth_plane *plane, const fxl_tiny *tiny, const fxl_depth_head *head,
+                    const fxl_band *band, uint32_t filling, uint32_t bits)
+{
+    const uint32_t width = band->width, columns = (uint32_t)tiny->columns, bytes = bits / 8u;
+    const uint32_t gap = width - columns;
+    const size_t place =
+        (size_t)(uint32_t)(tiny->row - band->first_row) * width + (uint32_t)tiny->column;
+    fxl_tiny_codes codes;
+    if (!fxl_tiny_codes_find(plane, tiny, head->scale, &codes)) {
+        return false;
+    }
+    uint16_t *cell = (uint16_t *)(uintptr_t)(head + 1) + place;
+    uint8_t *pixel = band->pixels + place * bytes;
+    uint32_t pixels = tiny->pixels;
+    codes.bias += codes.step * (uint32_t)tiny->column;
+    for (;;) {
+        uint32_t code = codes.bias + fxl_depth_shifted(codes.value, codes.drop);
+        for (uint32_t left = columns; left > 0; left--) {
+            if (pixels >> 31 != 0 && code >> 16 > *cell) {
+                *cell = (uint16_t)(code >> 16);
+                if (bits == 16) {
+                    *(uint16_t *)(void *)pixel = (uint16_t)filling;
+                } else {
+                    *pixel = (uint8_t)filling;
+                }
+            }
+            pixels <<= 1;
+            code += codes.step;
+            cell++;
+            pixel += bytes;
+        }
+        if (pixels == 0) {
+            return true;
+        }
+        codes.value += plane->gradient.down;
+        cell += gap;
+        pixel += gap * bytes;
+    }
 }
 
 #ifdef __cplusplus

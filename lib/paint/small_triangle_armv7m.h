@@ -6,7 +6,7 @@
  *
  * Points are taken relative to the first centre of the box, in 16.16: below 9 pixels, 2^20, so
  * a product is below 2^40. With them the edge function from a to b is a.x b.y - a.y b.x, above 0
- * inside. As lib/raster/tiny.c says, a unit is taken off that of a right edge, 16 bits are dropped
+ * inside. As lib/raster/scan.h says, a unit is taken off that of a right edge, 16 bits are dropped
  * by rounding down, and the function then changes by dx from row to row, and by -dy from column to
  * column. Exact. */
 

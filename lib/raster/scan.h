@@ -13,6 +13,8 @@
 #define FXL_SCAN_H
 
 #include "fixel/records.h"
+#include "../math/core.h"
+#include "../math/pixel_centre.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -91,23 +93,96 @@ bool fxl_active_edges_next(fxl_active_edges *edges, fxl_span *span);
 void fxl_active_edges_fill(fxl_active_edges *edges, const fxl_span *span, const fxl_band *band,
                            uint8_t colour);
 
-/* --- tiny triangles: of at most 2 x 2 pixel centres ------------------------ */
+/* --- tiny triangles ---------------------------------------------------------- */
 
-#define FXL_TINY_SIDE 2
+/* Columns and rows of what fxl_tiny_find finds, and of what fxl_tiny_cover takes, which takes no
+ * more centres than a word has bits. */
+#define FXL_TINY_SIDE    2
+#define FXL_TINY_LONGEST 8
+#define FXL_TINY_CENTRES 32
 
 /* Compiled for few bytes, triangles are scanned whatever their size. */
 #define FXL_HAS_TINY (!FXL_IS_SMALL && !FXL_IS_COMPACT)
 
-/* The pixels that a triangle covers in a band: bit FXL_TINY_SIDE j + i is that of column + i of
- * row + j. */
+/* The centres between the ends of a triangle: so many columns and rows. pixels has those that it
+ * covers: the highest bit is that of the first column of the first row, the next one that of the
+ * next column, and a row follows the row above. */
 typedef struct {
-    int32_t column, row;
+    int32_t column, row, columns, rows;
     uint32_t pixels;
 } fxl_tiny;
 
-/* Finds the pixels of a band, all of whose columns are drawn, that a triangle covers: those of a
- * scan, by the exact edge functions at each centre. Returns false if it is not tiny: *tiny is
- * undefined then. Exact. */
+/* Whether fxl_tiny_cover takes a box of at least one row, all of whose rows are a band's. */
+static inline bool fxl_tiny_fits(const fxl_tiny *box, const fxl_band *band)
+{
+    return (uint32_t)box->columns - 1u < FXL_TINY_LONGEST && box->rows <= FXL_TINY_LONGEST &&
+           box->columns * box->rows <= FXL_TINY_CENTRES && box->row >= band->first_row &&
+           box->row + box->rows <= band->first_row + band->rows;
+}
+
+/* place fill-rule: the edge functions of triangles of few centres */
+/* The edge from a to b of an outline that goes clockwise, at a centre that both are relative to: not
+ * below 0 if the pixel is not outside of the edge. It changes by dx from row to row, and by -dy from
+ * column to column.
+ *
+ * The edge function is a.x b.y - b.x a.y, above 0 inside. A centre on a left or a top edge, whose
+ * function is 0, is covered; of a right edge a unit is taken off. The centres on a bottom edge are
+ * below the box. With y = 2^10 h + l, 0 <= l < 2^10, |h| <= 576, products with h are below 2^29, and
+ * their difference is below 2^30; those with l are below 2^30, and their difference is below 2^31. The
+ * function without its 16 lowest bits is (upper + lower 2^-10) 2^-6, rounded down twice, which is
+ * rounding down once. A centre's neighbours have functions that differ by a multiple of 2^16: the
+ * bits that are lost change no sign. Exact. */
+/* SPEC 5.2 */
+static inline int32_t fxl_tiny_edge(const fxl_screen_point *a, const fxl_screen_point *b)
+    FXL_REQUIRES(FXL_OBJECT(a) && FXL_OBJECT(b))
+        FXL_REQUIRES(FXL_BELOW(a->x, 9 * 65536) && FXL_BELOW(a->y, 9 * 65536))
+            FXL_REQUIRES(FXL_BELOW(b->x, 9 * 65536) && FXL_BELOW(b->y, 9 * 65536)) FXL_ASSIGNS()
+                FXL_ENSURES(FXL_BELOW(FXL_RESULT, 1 << 24))
+{
+    const int32_t open = b->y > a->y;
+    const int32_t upper = a->x * (b->y >> 10) - b->x * (a->y >> 10);
+    const int32_t lower = a->x * (b->y & 1023) - b->x * (a->y & 1023) - open;
+    return (upper + (lower >> 10)) >> 6;
+}
+
+/* Finds tiny->pixels, those of a scan, by the exact edge functions at each centre. Returns false if
+ * the triangle may go counterclockwise, as rounding to the screen can make it: pixels untouched.
+ * Requires of the centres 1 to FXL_TINY_LONGEST rows and columns, at most FXL_TINY_CENTRES in all, of those
+ * between the least and the greatest coordinates, which lie less than 9 pixels apart. Exact.
+ * The sum of the three functions is twice the area, less what rounding down takes away. A function
+ * is below 2^24, and its change along the box below 2^23. */
+static inline bool fxl_tiny_cover(const fxl_screen_point *points, fxl_tiny *tiny)
+{
+    const fxl_q16_16 x = fxl_centre_of(tiny->column), y = fxl_centre_of(tiny->row);
+    const fxl_screen_point a = {points[0].x - x, points[0].y - y},
+                           b = {points[1].x - x, points[1].y - y},
+                           c = {points[2].x - x, points[2].y - y};
+    int32_t ab = fxl_tiny_edge(&a, &b), bc = fxl_tiny_edge(&b, &c), ca = fxl_tiny_edge(&c, &a);
+    if (ab + bc + ca < 0) {
+        return false;
+    }
+    const int32_t ab_along = b.y - a.y, bc_along = c.y - b.y, ca_along = a.y - c.y;
+    const int32_t columns = tiny->columns;
+    const int32_t ab_row = b.x - a.x + columns * ab_along, bc_row = c.x - b.x + columns * bc_along,
+                  ca_row = a.x - c.x + columns * ca_along;
+    uint32_t outside = 0;
+    for (int32_t rows = tiny->rows; rows > 0; rows--) {
+        for (int32_t left = columns; left > 0; left--) {
+            outside = outside << 1 | fxl_bits_32(ab | bc | ca) >> 31;
+            ab -= ab_along;
+            bc -= bc_along;
+            ca -= ca_along;
+        }
+        ab += ab_row;
+        bc += bc_row;
+        ca += ca_row;
+    }
+    tiny->pixels = ~outside << (32 - columns * tiny->rows);
+    return true;
+}
+
+/* The same for the centres of a band, all of whose columns are drawn. Returns false also if there are
+ * more than FXL_TINY_SIDE of a side outside of the band or in it: *tiny is undefined then. Exact. */
 bool fxl_tiny_find(const fxl_screen_point *points, const fxl_band *band, fxl_tiny *tiny);
 
 #ifdef __cplusplus

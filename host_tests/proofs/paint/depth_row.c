@@ -391,3 +391,44 @@ void prove_depth_outline_begin(void)
     ASSERT("its cells", !begun || (uint8_t *)outline.cells == (uint8_t *)memory.cells);
     PROOF_ENDS();
 }
+
+/* [[row]]
+ * function = "lib/paint/depth_outline.h:fxl_tiny_codes_find"
+ * property = "a box of the screen: nothing overflows, and what is found is shifted by 1 to 31 bits"
+ * checks = 302
+ * contract = true
+ */
+void prove_tiny_codes_find(void)
+{
+    fxl_tiny tiny;
+    fxl_tiny_codes codes;
+    fxl_depth_scale scale;
+    ANY_CONTENT(&plane);
+    (void)fxl_tiny_codes_find(&plane, &tiny, scale, &codes);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "lib/paint/depth_outline.h:fxl_depth_tiny_draw"
+ * property = "two pixels beside or above each other, of 8 or 16 bits: nothing overflows, and no cell or pixel beside the band is written"
+ * checks = 680
+ * unwind = 3
+ * cases = [8, 16]
+ * uses = ["fxl_tiny_codes_find"]
+ */
+void prove_depth_tiny_draw(void)
+{
+    fxl_tiny tiny;
+    uint16_t pixels[ROWS * CELLS];
+    any_painting();
+    ASSUME(WITHIN(plane.gradient.at, (int64_t)1 << 59) && WITHIN(plane.gradient.along, (int64_t)1 << 49) && WITHIN(plane.gradient.down, (int64_t)1 << 49));
+    ASSUME(WITHIN(plane.one, 199));
+    ASSUME(tiny.row >= 0 && tiny.row < ROWS && tiny.rows >= 1 && tiny.rows <= ROWS - tiny.row);
+    ASSUME(tiny.column >= 0 && tiny.column < CELLS && tiny.columns >= 1 && tiny.columns <= CELLS - tiny.column);
+    ASSUME(tiny.rows * tiny.columns <= 2);
+    ASSUME(tiny.pixels << (tiny.rows * tiny.columns) == 0);
+    ASSUME(band.first_row == 0 && band.rows == ROWS);
+    band.pixels = (uint8_t *)pixels;
+    (void)fxl_depth_tiny_draw(&plane, &tiny, &memory.head, &band, 0xC3u, CASE);
+    PROOF_ENDS();
+}
