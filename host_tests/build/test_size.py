@@ -213,7 +213,7 @@ def test_the_stack_with_a_depth_buffer_is_what_its_page_says(build, tmp_path, ro
 
 @pytest.mark.parametrize("core", ["cortex-m0", "cortex-m3"])
 def test_a_flat_program_in_rgb565_links_at_most_3_kib_more(build, tmp_path, core):
-    """At -Os, which is where a byte counts. rgb565 3.7."""
+    """At -Os, which is where a byte counts. rgb565 3.7b."""
     texts = [linked_size.first_program(), linked_size.in_rgb565(linked_size.first_program())]
     programs = [str(tmp_path / f"{name}.c") for name in ("palette", "rgb565")]
     for program, text in zip(programs, texts, strict=True):

@@ -44,7 +44,7 @@ def test_pieces_are_watertight_but_where_rounding_turned_one_over(build):
 # place clipper: the clippers of which a claim holds
 @pytest.mark.parametrize("clipper", ("half-spaces", "near", "near-box", "left", "triangles"))
 def test_no_gaps_by_any_clipper(build, clipper):
-    """clippers 7.2."""
+    """clippers 7.2a."""
     found = json.loads(oracle(build, "watertight", "--samples", 5_000, "--seed", 6, "--shard", 0,
                               "--clipper", clipper))
     assert found["gaps"] == 0
@@ -54,6 +54,7 @@ def test_no_gaps_by_any_clipper(build, clipper):
 
 @pytest.mark.parametrize("clipper", ("normalised", "once"))
 def test_no_gaps_given_the_normalised_frustums_own_integers(build, clipper):
+    """clippers 7.2c."""
     found = json.loads(oracle(build, "watertight", "--samples", 20_000, "--seed", 6, "--shard", 0,
                               "--clipper", clipper, "--own-integers"))
     assert found["gaps"] == 0

@@ -220,7 +220,7 @@ def check_sides(vertices, faces, nodes):
 @settings(max_examples=25, deadline=None)
 @given(boxes)
 def test_faces_keep_to_their_sides_and_an_image_of_them_is_sound(drawn):
-    """bsp 2.4."""
+    """bsp 2.4a."""
     made = random_scene(drawn)
     counts = tree.plant(made, {0})
     model = made.models[-1]

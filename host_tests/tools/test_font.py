@@ -94,6 +94,7 @@ def picture_of(tmp_path, compiler):
 
 @pytest.mark.parametrize("compiler", COMPILERS, ids=" ".join)
 def test_a_font_is_drawn_as_its_file_shows_it(tmp_path, compiler):
+    """overlay 4.4c."""
     written(tmp_path, SOUND)
     rows = picture_of(tmp_path, compiler)
     wanted = [["."] * 24 for _ in range(20)]
@@ -116,6 +117,7 @@ def test_what_is_right_of_the_width_is_not_drawn():
 
 
 def test_characters_are_chosen_and_the_unknown_one_is_among_them(tmp_path):
+    """overlay 4.4f, 4.4k."""
     assert "made_font = {\n    made_bits, made_glyphs, 4, 63, 63, 9\n}" in written(tmp_path, SOUND)
     assert "made_font = {\n    made_bits, made_glyphs, 2, 65, 65, 9\n}" in written(tmp_path, SOUND, "--characters", "64-70")
     assert "other_font" in written(tmp_path, SOUND, "--name", "other")
@@ -133,6 +135,7 @@ def test_names_come_from_those_of_files(tmp_path, file, name):
 
 
 def test_a_file_without_its_end_is_read_with_a_note(tmp_path):
+    """overlay 4.4h."""
     whole = written(tmp_path, SOUND)
     assert written(tmp_path, SOUND.replace("ENDFONT\n", "")) == whole
     assert any("ENDFONT is missing" in note for note in bdf.parse(SOUND.replace("ENDFONT\n", ""), "x").notes)
@@ -140,6 +143,7 @@ def test_a_file_without_its_end_is_read_with_a_note(tmp_path):
 
 
 def test_a_font_without_letters_of_ascii_is_written_whole(tmp_path):
+    """overlay 4.4f."""
     text = HEAD + QUESTION.replace("ENCODING 63", "ENCODING 7") + WIDE.replace("ENCODING 65", "ENCODING 200") + "ENDFONT\n"
     assert "made_glyphs, 194, 7, 7, 9\n" in written(tmp_path, text)
     (tmp_path / "made.bdf").write_text(text)
@@ -148,6 +152,7 @@ def test_a_font_without_letters_of_ascii_is_written_whole(tmp_path):
 
 
 def test_a_font_whose_codes_are_all_above_255_is_numbered_anew(tmp_path):
+    """overlay 4.4g."""
     text = HEAD + WIDE.replace("ENCODING 65", "ENCODING 57345") + QUESTION.replace("ENCODING 63", "ENCODING 945") + "ENDFONT\n"
     font = bdf.parse(text, "x")
     alone = bdf.parse(SOUND, "x")
@@ -158,6 +163,7 @@ def test_a_font_whose_codes_are_all_above_255_is_numbered_anew(tmp_path):
 
 
 def test_code_0_and_characters_without_codes_are_not_all_that_a_font_has():
+    """overlay 4.4j."""
     alone = bdf.parse(SOUND, "x")
     control, none = QUESTION.replace("ENCODING 63", "ENCODING 0"), QUESTION.replace("ENCODING 63", "ENCODING -1 9")
     font = bdf.parse(HEAD + control + none + WIDE.replace("ENCODING 65", "ENCODING 65281") + "ENDFONT\n", "x")
@@ -165,7 +171,9 @@ def test_code_0_and_characters_without_codes_are_not_all_that_a_font_has():
     font = bdf.parse(HEAD + none + WIDE.replace("ENCODING 65", "ENCODING -1") + "ENDFONT\n", "x")
     assert font.glyphs == {32: alone.glyphs[63], 33: alone.glyphs[65]}
     assert font.notes == ["x: all 2 characters have no code: the first 2, in turn, are written as 32 to 33"]
-    assert bdf.parse(SOUND.replace("ENDFONT", none + "ENDFONT"), "x") == alone
+    above = WIDE.replace("ENCODING 65", "ENCODING 945")
+    for ignored in (none, above):
+        assert bdf.parse(SOUND.replace("ENDFONT", ignored + "ENDFONT"), "x") == alone
 
 
 def test_a_mark_a_comment_and_an_advance_of_the_whole_font():

@@ -99,6 +99,7 @@ def test_a_palette_shows_no_colours_at_corners(tmp_path):
 
 
 def test_colours_at_corners_have_a_division(tmp_path):
+    """surfaces 1.4f."""
     text = '[view]\npixels = "rgb565"\n[[objects]]\nmodel = "vertex_colours.obj"\n%sdivision = %s\n'
     for words, kind in (("16", image_surface.DIVIDE_16), ("8", image_surface.DIVIDE_8), ("1", image_surface.DIVIDE_1),
                         ('"affine"', image_surface.AFFINE)):

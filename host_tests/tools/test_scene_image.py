@@ -300,7 +300,7 @@ def test_a_billboard_reaches_as_far_as_its_model_and_no_farther(monkeypatch):
 
 
 def test_face_bounds_are_written_where_faces_are_sorted():
-    """With a depth buffer only if a surface is mixed with what is beneath, or if clusters find faces by them."""
+    """With a depth buffer only if a surface is mixed with what is beneath, or if clusters find faces by them. formats 1.6f."""
     def bounds(**changes):
         made = scene(**changes)
         made.models = [dataclasses.replace(model, kind=image.SORTED) for model in made.models]

@@ -63,6 +63,7 @@ def test_what_is_not_given_has_a_default(tmp_path):
 
 # place light: the ramp that the tools make
 def test_a_ramp_goes_from_dark_to_the_colour_itself(tmp_path):
+    """light 3.3a."""
     scene = build(tmp_path, LIGHT + 'dark = "#102030"\n' + BOX)
     [colour] = colours_of(scene)
     shades = [scene.palette[level[colour]] for level in scene.light.ramp]
@@ -73,7 +74,7 @@ def test_a_ramp_goes_from_dark_to_the_colour_itself(tmp_path):
 
 
 def test_what_has_no_shade_keeps_its_colour_at_every_level(tmp_path):
-    """light 3.3."""
+    """light 3.3c."""
     scene = build(tmp_path, LIGHT + BOX + BOX + "shade = false\nlayer = 1\n")
     [lit], [plain] = colours_of(scene, 0), colours_of(scene, 1)
     assert lit != plain and scene.palette[lit] == scene.palette[plain]
@@ -81,6 +82,7 @@ def test_what_has_no_shade_keeps_its_colour_at_every_level(tmp_path):
 
 
 def test_many_colours_share_the_palette(tmp_path):
+    """light 3.3b-c."""
     colours = ", ".join(f'"#{r:02x}{g:02x}40"' for r in range(0, 256, 12) for g in range(0, 256, 12))
     text = f'[[objects]]\nsolid = "floor"\ncells = [20, 20]\nposition = [0, -1, 5]\nscale = 20\ncolours = [{colours}]\n'
     scene = build(tmp_path, LIGHT + text + BOX + "shade = false\n" + "[palette]\nreserve = 7\n")
@@ -95,7 +97,7 @@ def nearest(palette, colour):
 
 
 def test_levels_are_the_nearest_entries(tmp_path):
-    """Where the palette has no room for every shade, too. light 3.3."""
+    """Where the palette has no room for every shade, too. light 3.3b."""
     colours = ", ".join(f'"#{i * 5 % 256:02x}{i * 37 % 256:02x}{i * 91 % 256:02x}"' for i in range(90))
     scene = build(tmp_path, LIGHT + f'[[objects]]\nsolid = "floor"\ncells = [10, 10]\nposition = [0, -1, 5]\ncolours = [{colours}]\n')
     assert len(colours_of(scene)) == 90

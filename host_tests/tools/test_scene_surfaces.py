@@ -348,6 +348,7 @@ def test_smooth_normals_are_shared_by_neighbours(tmp_path):
 
 
 def test_a_blend_table_has_the_nearest_entries(tmp_path):
+    """rgb565 2.2c."""
     scene = build(tmp_path, TEXTURE + TILE + "[palette]\nblend = 5\n" +
                   '[[objects]]\nsolid = "tile"\nposition = [0, 0, 4]\ncolour = "#40c0e0"\nshade = false\nblend = true\n')
     made = scene.surfaces
@@ -398,6 +399,7 @@ def test_holes_find_no_colour_where_all_are_taken():
 
 
 def test_blend_says_whether_colours_are_mixed_or_added(tmp_path):
+    """surfaces 1.3d."""
     for value, flags in (("true", image_surface.BLENDED), ("false", 0), ('"add"', image_surface.ADDED)):
         scene = build(tmp_path, WIDE + TEXTURE + TILE + f"blend = {value}\n")
         assert {one.flags for one in scene.surfaces.surfaces} == {flags}

@@ -138,7 +138,7 @@ ADDED = 'view = { %s }\n[[objects]]\nsolid = "tile"\nposition = [0, -1, 5]\nblen
 
 
 def test_frames_of_a_palette_cannot_show_texels_of_rgb565(tmp_path):
-    """One sentence names both, and the way out; so it does of an image that is built already. rgb565 3.5."""
+    """One sentence names both, and the way out; so it does of an image that is built already. rgb565 3.5e-f, surfaces 1.3d."""
     for scene, name in ((TEXELS, '"stones"'), (built(tmp_path, TEXELS), "0")):
         refused(["PIXELS=palette", f"texture {name}", "bits = 8"], making.make_scene_image, scene, tmp_path, None, asked=Target("palette"))
     plain = tmp_path / "plain.toml"
@@ -148,6 +148,7 @@ def test_frames_of_a_palette_cannot_show_texels_of_rgb565(tmp_path):
 
 
 def test_frames_of_a_palette_cannot_add_colours(tmp_path):
+    """rgb565 3.5e-f."""
     scene = tmp_path / "added.toml"
     scene.write_text(ADDED % "", encoding="utf-8")
     refused(['blend = "add"', 'pixels = "rgb565"', "[view]"], built, tmp_path, scene)

@@ -89,12 +89,17 @@ void test_any_bands_and_any_list_give_the_same_frame(void)
 }
 
 /* Word by word more: what is in the list and what spills add up. */
-/* SPEC 4.11i, 7.3c */
+/* SPEC 4.11i, 7.3a, 7.3c */
 void test_what_does_not_fit_is_counted(void)
 {
     fxl_pose pose = {{Q16(2), Q16(2), Q16(-3)}, DEGREES(-20), DEGREES(-20), 0};
     fxl_counters counters = draw_whole(&pose, &fxl_clipper_view);
     TEST_ASSERT_TRUE(counters.spilled > 3);
+    static uint32_t longest[WORDS];
+    start(WORDS, &fxl_clipper_view);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    draw_rows(other, 8, 8);
+    memcpy(longest, frame_list, sizeof longest);
     for (uint32_t words = 0; words <= WORDS; words++) {
         uint32_t place = 0, held = 0;
         start(words, &fxl_clipper_view);
@@ -107,6 +112,8 @@ void test_what_does_not_fit_is_counted(void)
             held++;
         }
         TEST_ASSERT_EQUAL_UINT32(counters.spilled, held + renderer.workspace.counters.spilled);
+        /* None that would fit is behind one that does not. */
+        TEST_ASSERT_EQUAL(0, memcmp(longest, frame_list, renderer.frame.display_list.used * 4));
         TEST_ASSERT_TRUE(held > 0 || words < FXL_DISPLAY_LIST_WORDS(4));
     }
     TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.counters.spilled);

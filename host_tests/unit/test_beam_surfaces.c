@@ -234,7 +234,7 @@ void test_a_surface_without_a_texture(void)
 }
 
 /* In a palette the colour that light has made is the one that the beam changes. */
-/* beams 6.2b */
+/* beams 6.2b, SPEC 9.6h */
 void test_light_comes_before_the_beam(void)
 {
     walls.surface[0].flags = FXL_SURFACE_LIT;

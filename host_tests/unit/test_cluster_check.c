@@ -191,6 +191,7 @@ void test_a_cutoff_on_the_border(void)
 }
 
 /* A tree's nodes take the faces of their model in turn, so it has no clusters. */
+/* formats 1.8e */
 void test_no_clusters_with_a_tree(void)
 {
     static const fxl_bsp_node node = {.front = FXL_BSP_NONE, .back = FXL_BSP_NONE};

@@ -3,10 +3,12 @@
  * near their cells. */
 #include <math.h>
 
+#include "draw/depth_plane.h"
 #include "draw/surface_polygon.h"
 #include "paint/depth_cells.h"
 #include "paint/depth_code.h"
 #include "paint/depth_outline.h"
+#include "view/view.h"
 
 #include "unit.h"
 
@@ -128,6 +130,37 @@ void test_the_resolutions_of_two_scenes(void)
         for (int k = 0; k < 2; k++) {
             const double here = k == 0 ? step : step / 32, stated = scenes[i / 3].largest[k][i % 3];
             TEST_ASSERT_TRUE(here <= stated && here > stated - scenes[i / 3].digit[k][i % 3]);
+        }
+    }
+}
+
+/* A plane through the eye, or on the wrong side of it: its code is the least, at each pixel. */
+/* SPEC 10.1c */
+void test_a_face_that_is_seen_edge_on_is_at_infinity(void)
+{
+    static fxl_view view;
+    const fxl_lens lens = unit_lens(64, 48);
+    const fxl_direction away = {0, 0, FXL_Q2_30_ONE}, upward = {0, FXL_Q2_30_ONE, 0};
+    const struct {
+        const fxl_direction *normal;
+        fxl_view_point point;
+        bool is_near;
+    } cases[] = {{&away, {0, 0, (fxl_q18_46)1 << 46}, true},
+                 {&away, {0, 0, -((fxl_q18_46)1 << 46)}, false},
+                 {&upward, {0, 0, (fxl_q18_46)1 << 46}, false},
+                 {&upward, {0, 1 << 30, (fxl_q18_46)1 << 46}, true},
+                 {&upward, {0, -(1 << 30), (fxl_q18_46)1 << 46}, false}};
+    fxl_view_set_lens(&view, &lens);
+    const fxl_depth_scale scale = fxl_depth_scale_of(&lens);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        fxl_depth_plane plane;
+        fxl_depth_octave octave;
+        fxl_find_depth_plane(cases[i].normal, NULL, &cases[i].point, &view, &plane);
+        const fxl_gradient *of = &plane.gradient;
+        TEST_ASSERT_EQUAL(cases[i].is_near, (of->at | of->along | of->down) != 0);
+        if (!cases[i].is_near) {
+            fxl_depth_octave_of(scale, &plane, of->at, &octave);
+            TEST_ASSERT_TRUE(octave.is_constant && octave.bias == 65536);
         }
     }
 }

@@ -78,7 +78,7 @@ void test_every_colour_at_every_place_on_16_greys(void)
     assert_levels(15);
 }
 
-/* formats 4.3a, 4.3c */
+/* formats 4.3a, 4.3c-d */
 void test_every_colour_at_every_place_on_2_greys(void)
 {
     assert_levels(1);

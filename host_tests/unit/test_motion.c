@@ -85,7 +85,7 @@ static int32_t rounded_between(int32_t a, int32_t b, uint32_t part, uint32_t who
 }
 
 /* A straight line from key to key, with halves upward; the last key holds. */
-/* accuracy 1.2j, motion 2.1c */
+/* accuracy 1.2j, motion 2.1c, 2.2a */
 void test_places_go_straight_from_key_to_key(void)
 {
     fxl_motion_set set = make_track(3);
@@ -199,7 +199,7 @@ void test_a_circle_is_round(void)
 }
 
 /* The spin turns first, about an axis of the model; then the angles turn. */
-/* motion 2.4a-c */
+/* motion 2.4a-d */
 void test_it_spins_and_then_turns(void)
 {
     const fxl_point axis = {1, 2, 2};
@@ -226,7 +226,7 @@ void test_it_spins_and_then_turns(void)
 }
 
 /* A wheel on a car that drives a circle: as fxl_placement_attach places it, in that frame. */
-/* motion 2.5a, 2.5c */
+/* motion 2.4d, 2.5a, 2.5c */
 void test_a_child_follows_its_parent(void)
 {
     fxl_motion_set set = make();

@@ -274,6 +274,7 @@ void test_surfaces_have_the_lines_of_flat_faces(void)
 }
 
 /* A billboard hides the lines behind it, and has none. */
+/* wire 3.1c, billboards 4.2e */
 void test_a_billboard_is_drawn_in_its_turn(void)
 {
     uint32_t hidden = 0;

@@ -157,6 +157,7 @@ void test_methods_of_the_order_alone_show_what_is_picked(void)
 }
 
 /* An outline is in front of its neighbours, and a fill of one colour is no face's. */
+/* pick 2.4g, wire 3.4c */
 void test_an_outlined_face_is_picked_whatever_is_drawn_on_it(void)
 {
     static fxl_outlines outlines;
@@ -260,7 +261,7 @@ static void choose_565(const fxl_target *target)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_choose(&renderer, &config));
 }
 
-/* pick 2.3b */
+/* pick 2.3b, rgb565 3.1e */
 void test_a_face_of_16_bits_is_picked_by_its_entry_of_the_palette(void)
 {
     const fxl_pose pose = random_pose();
@@ -409,7 +410,7 @@ void test_by_a_tree_its_order_is_picked(void)
 
 /* place sampling: if billboards change too: the walk; the texel that is picked */
 /* The sprite has a hole in its middle. Of a billboard the face is 0, and the colour the texel's. */
-/* billboards 4.3b, pick 2.4f */
+/* billboards 4.3b, pick 2.3d, 2.4f */
 void test_a_texel_of_a_billboard_is_picked(void)
 {
     static const uint8_t sprite_texels[9] = {71, 72, 73, 74, KEY, 76, 77, 78, 255};
@@ -450,6 +451,7 @@ void test_a_texel_of_a_billboard_is_picked(void)
                     picked.instance == FXL_PICK_NONE ? BACKGROUND : picked.colour, frame[y][x]);
                 TEST_ASSERT_EQUAL((frame[y][x] > 70 && frame[y][x] < 80) || frame[y][x] == 255,
                                   picked.instance == 1);
+                TEST_ASSERT_TRUE(picked.instance != 1 || picked.face == 0);
                 sprites += picked.instance == 1;
             }
         }

@@ -146,7 +146,7 @@ void test_seven_white_pixels(void)
     }
 }
 
-/* pixels 1.1a, 1.5b */
+/* pixels 1.1a, 1.1c, 1.5b */
 void test_every_width_at_every_place_of_a_word(void)
 {
     for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
@@ -162,7 +162,7 @@ void test_every_width_at_every_place_of_a_word(void)
     }
 }
 
-/* pixels 1.2g-h */
+/* pixels 1.2e, 1.2g-h, 1.2j */
 void test_every_width_of_rgb565_at_every_place_of_a_word(void)
 {
     for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
@@ -254,7 +254,7 @@ void test_a_pixel_within_a_run(void)
     assert_converted(&band);
 }
 
-/* pixels 1.2c */
+/* pixels 1.2a, 1.2c */
 void test_bits_that_no_pixel_has_are_zero(void)
 {
     const fxl_band band = {.pixels = frame, .width = 5, .stride = 5, .first_row = 0, .rows = 2};
@@ -270,7 +270,7 @@ void test_bits_that_no_pixel_has_are_zero(void)
     TEST_ASSERT_EACH_EQUAL_HEX8(0x03, out, 5);
 }
 
-/* pixels 1.2d */
+/* pixels 1.2b, 1.2d */
 void test_sizes(void)
 {
     static const size_t sizes[] = {340, 340, 170, 510, 90, 30, 34};
@@ -279,6 +279,7 @@ void test_sizes(void)
     }
 }
 
+/* pixels 1.2b */
 void test_what_is_refused_changes_nothing(void)
 {
     fxl_band band = {.pixels = frame, .width = 8, .stride = 8, .first_row = 0, .rows = 8};

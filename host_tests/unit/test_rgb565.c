@@ -231,7 +231,7 @@ void test_no_other_byte_is_written(void)
     }
 }
 
-/* rgb565 1.1d */
+/* rgb565 1.1a-b, 1.1d */
 void test_bytes_are_swapped_for_a_display(void)
 {
     uint16_t two[2][3] = {{0x1234, 0xF00D, 0x5555}, {0xABCD, 1, 0x7777}};
@@ -244,7 +244,7 @@ void test_bytes_are_swapped_for_a_display(void)
 
 /* --- what is refused ----------------------------------------------------------------------- */
 
-/* rgb565 2.3b, 3.3a */
+/* rgb565 2.3b, 3.3a-b */
 void test_surfaces_of_the_wrong_kind_are_refused(void)
 {
     TEST_ASSERT_EQUAL(FXL_E_RESERVED,

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "draw/stages.h"
+#include "draw/surface_polygon.h"
 #include "paint/depth_code.h"
 #include "fixel/all.h"
 #include "unity.h"
@@ -266,6 +267,40 @@ static void check_texels_of_list(const fxl_surface *surface)
     TEST_ASSERT_EQUAL(counters[1].drawn, counters[0].drawn);
     TEST_ASSERT_EQUAL(counters[1].clipped, counters[0].clipped);
     TEST_ASSERT_EQUAL(counters[1].outside, counters[0].outside);
+}
+
+/* SPEC 9.1.1v */
+void test_which_textures_are_functions_of_the_screen(void)
+{
+    const fxl_surface surface = {.texture = 1, .opacity = 16, .division = FXL_DIVIDE_16};
+    const fxl_texture repeated = {.format = FXL_TEXTURE_8};
+    fxl_surfaces none = {.beams = NULL};
+    for (uint32_t flags = 0; flags < 256; flags++) {
+        fxl_surface one = surface;
+        fxl_texture shown = repeated;
+        one.flags = (uint8_t)flags;
+        TEST_ASSERT_EQUAL((flags & ~(uint32_t)FXL_SURFACE_LIT) == 0,
+                          fxl_may_have_words(&none, &one, &shown));
+        one.flags = 0;
+        shown.flags = (uint8_t)flags; /* clamped, or with a key */
+        TEST_ASSERT_EQUAL(flags == 0, fxl_may_have_words(&none, &one, &shown));
+    }
+    for (uint8_t opacity = 1; opacity <= 16; opacity++) {
+        fxl_surface one = surface;
+        one.opacity = opacity;
+        TEST_ASSERT_EQUAL(opacity == 16, fxl_may_have_words(&none, &one, &repeated));
+    }
+    for (uint8_t division = 0; division <= FXL_AFFINE; division++) {
+        fxl_surface one = surface;
+        one.division = division;
+        TEST_ASSERT_EQUAL(division == FXL_DIVIDE_16 || division == FXL_AFFINE,
+                          fxl_may_have_words(&none, &one, &repeated));
+    }
+    const fxl_texture nibbles = {.format = FXL_TEXTURE_4};
+    TEST_ASSERT_FALSE(fxl_may_have_words(&none, &surface, &nibbles));
+    static const fxl_shader beams;
+    none.beams = &beams;
+    TEST_ASSERT_FALSE(fxl_may_have_words(&none, &surface, &repeated));
 }
 
 /* In one octave, across the end of one, partly beside the screen, too steep for words, thin, and steep: both

@@ -225,7 +225,7 @@ static bool is_in_sight(uint32_t number)
 
 /* An orientation is refused where its instance is in sight, whether the frame before had its rows
  * measured or not. */
-/* SPEC 8.1c */
+/* SPEC 8.1c, collide 2.3c */
 void test_orientations_in_sight_are_checked(void)
 {
     const uint32_t rounds = UNIT_REPEAT / 1000 + 60;

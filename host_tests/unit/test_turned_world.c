@@ -185,7 +185,7 @@ void test_rounded_instances_are_those_of_a_baked_model(void)
 }
 
 /* A tree is over an instance that stands still. */
-/* SPEC 8.5i */
+/* SPEC 8.5i, formats 1.9d */
 void test_the_instance_of_a_tree_is_not_turned(void)
 {
     static fxl_placement placements[TINY_INSTANCES];

@@ -26,7 +26,7 @@ void test_through_half_spaces(void)
     expect_through(&fxl_clipper_half_spaces, UNIT_REPEAT / 4);
 }
 
-/* clippers 7.2 */
+/* clippers 3.2e-f, 7.2 */
 void test_in_triangles(void)
 {
     expect_through(&fxl_clipper_triangles, UNIT_REPEAT / 4);
