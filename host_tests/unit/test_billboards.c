@@ -289,6 +289,19 @@ void test_another_core_draws_a_band(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &scene.renderer, memory, sizeof memory));
     draw(other, 8, &second);
     TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+    /* Attached by another record, as often as before. */
+    static fxl_billboards others;
+    const fxl_band band = UNIT_BAND(other[0], BOARD_SCENE_WIDTH, 0, 8);
+    const fxl_memory tables = {scene.order, TINY_INSTANCES, NULL, 0, NULL, 0};
+    for (int i = 0; i < 2; i++) {
+        tiny_start(&scene.renderer, scene.tiny, BOARD_SCENE_WIDTH, BOARD_SCENE_HEIGHT, &tables);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_billboards(&scene.renderer,
+                                                        i == 0 ? &scene.billboards : &others,
+                                                        &scene.set, FXL_SPRITES_OF(fxl_palette)));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&scene.renderer, &pose));
+        TEST_ASSERT_EQUAL(i == 0 ? FXL_OK : FXL_E_ORDER,
+                          fxl_frame_draw_with(&scene.renderer, &second, &band));
+    }
 }
 
 /* --- what is counted -------------------------------------------------------------------------- */
@@ -385,6 +398,24 @@ void test_a_sprite_far_away_covers_a_pixel_or_none(void)
         shown += pixels;
     }
     TEST_ASSERT_TRUE(shown > 0 && shown < UNIT_REPEAT / 300);
+}
+
+/* A sprite that is high and narrow: between the centres of two columns, and half a pixel beside that. */
+/* billboards 3.1a */
+void test_a_sprite_between_two_columns_shows_nothing(void)
+{
+    scene.tiny->scene.instances = &scene.tiny->instances[1];
+    scene.tiny->scene.instance_count = 1;
+    scene.board = (fxl_billboard){&scene.sprite, Q16(0.25), Q16(3), Q16(0.125), Q16(1.5)};
+    for (uint32_t i = 0; i < 4; i++) {
+        fxl_pose pose = ahead(Q16(0));
+        pose.position.x =
+            i < 2 ? 0 : Q16(10) / BOARD_SCENE_WIDTH; /* 10 ahead a pixel is 20 / width */
+        draw_frame(&pose, i % 2 * BOARD_LIST_WORDS);
+        TEST_ASSERT_EQUAL_UINT32(1, scene.renderer.workspace.counters.drawn);
+        const uint32_t pixels = count_sprite(whole);
+        TEST_ASSERT_TRUE(i < 2 ? pixels == 0 : pixels > 3 && pixels < BOARD_SCENE_HEIGHT);
+    }
 }
 
 /* The picture of a moved centre is that of the middle, moved by as much, in whole pixels here. */

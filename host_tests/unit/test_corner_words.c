@@ -118,8 +118,25 @@ void test_words_are_codes_and_light(void)
 }
 
 typedef struct {
-    uint32_t checked, bent, far_apart, steep, thin;
+    uint32_t checked, bent, far_apart, steep, thin, unlit;
 } texel_counts;
+
+/* u and v without light are what they are with it. Returns whether they are words only so: light may
+ * differ too much. */
+static bool is_found_unlit(int32_t (*values)[3], bool is_found, const fxl_gradients *lit)
+{
+    fxl_gradients unlit;
+    fxl_depth_plane plane;
+    const bool is_unlit =
+        fxl_find_texels(&triangle.planes, values, FXL_SEGMENT_LIGHT, false, &unlit, &plane);
+    TEST_ASSERT_TRUE(is_unlit || !is_found);
+    if (is_found) {
+        TEST_ASSERT_EQUAL(FXL_SEGMENT_LIGHT, unlit.count);
+        TEST_ASSERT_EQUAL_MEMORY(lit->attributes, unlit.attributes,
+                                 FXL_SEGMENT_LIGHT * sizeof *lit->attributes);
+    }
+    return is_unlit && !is_found;
+}
 
 /* The same planes from the corners, in one call. */
 static void check_texel_planes(int32_t (*values)[3], bool is_found, const fxl_gradients *gradients,
@@ -136,6 +153,14 @@ static void check_texel_planes(int32_t (*values)[3], bool is_found, const fxl_gr
         TEST_ASSERT_EQUAL_INT32(0, fxl_find_texel_planes(&triangle.corners, lens, values, &found, 3,
                                                          true));
         values[FXL_ATTRIBUTE_V][2] -= 192 << 16;
+        triangle.corners.is_triangle = false;
+        TEST_ASSERT_EQUAL_INT32(
+            0, fxl_find_texel_planes(&triangle.corners, lens, values, &found, 3, false));
+        triangle.corners.is_triangle = true;
+        triangle.corners.width += FXL_SMALL_SIDE_MAX;
+        TEST_ASSERT_EQUAL_INT32(
+            0, fxl_find_texel_planes(&triangle.corners, lens, values, &found, 3, false));
+        triangle.corners.width -= FXL_SMALL_SIDE_MAX;
     }
 }
 
@@ -167,6 +192,7 @@ static bool check_texels(texel_counts *counts)
         fxl_find_texels(&triangle.planes, values, 3, false, &gradients, &plane);
     TEST_ASSERT_FALSE(is_far && is_found);
     check_texel_planes(values, is_found, &gradients, &plane);
+    counts->unlit += is_found_unlit(values, is_found, &gradients);
     counts->far_apart += is_far;
     counts->steep += !is_far && !is_found;
     if (!is_found) {
@@ -192,7 +218,7 @@ static bool check_texels(texel_counts *counts)
 /* SPEC 9.1.1u, accuracy 5.1.1k */
 void test_words_are_texels(void)
 {
-    texel_counts counts = {0, 0, 0, 0, 0};
+    texel_counts counts = {0, 0, 0, 0, 0, 0};
     for (uint32_t seed = 1; seed <= CORNER_SEEDS; seed++) {
         corner_begin_seed(seed);
         for (int i = 0; i < UNIT_REPEAT / 20; i++) {
@@ -204,6 +230,7 @@ void test_words_are_texels(void)
     TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.far_apart);
     TEST_ASSERT_GREATER_THAN(0, counts.steep);
     TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.thin);
+    TEST_ASSERT_GREATER_THAN(0, counts.unlit);
 }
 
 /* A face that has words; then its like that has none: with more corners, in a lens of one octave,

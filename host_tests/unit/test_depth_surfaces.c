@@ -4,6 +4,7 @@
 
 static depth_scene *made;
 static uint8_t panes[FXL_BLEND_TABLE_BYTES(11)];
+static uint8_t panes_frame[DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT];
 
 void setUp(void)
 {
@@ -175,4 +176,147 @@ void test_panes_that_cross_are_seen_through_each_other(void)
         through_both += one != beneath && other != beneath;
     }
     TEST_ASSERT_GREATER_THAN(100, through_both);
+}
+
+/* --- a small triangle behind a pane, which is drawn before it --------------------------------- */
+
+enum {
+    SPOT = 30 /* the triangle's colour */
+};
+
+/* The pane's instance is farther away than the triangle's, and its plane is nearer. with_pane: false
+ * leaves it out. times: how large the triangle is, times 2 pixels. */
+static void make_spot(bool with_pane, int32_t times)
+{
+    static fxl_point corners[] = {{-16 * 65536, -131072, 0},
+                                  {-16 * 65536, 131072, 0},
+                                  {-4 * 65536, 131072, 0},
+                                  {-4 * 65536, -131072, 0},
+                                  {0, 0, 0},
+                                  {0, 0, 0},
+                                  {0, 0, 0}};
+    static const uint16_t indices[] = {0, 1, 2, 3};
+    static const fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 4, 20, FXL_INDICES_AT(0, 0)},
+                                     {{0, 0, -FXL_Q2_30_ONE}, 3, SPOT, {0, 1, 2}}};
+    static const fxl_model both[] = {
+        {.vertex_count = 4, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = 18 * 65536},
+        {.first_vertex = 4,
+         .vertex_count = 3,
+         .first_face = 1,
+         .face_count = 1,
+         .kind = FXL_MODEL_CONVEX,
+         .radius = 131072}};
+    static const fxl_instance instances[] = {{{0, 0, 5 * 65536}, 1, 0, 0},
+                                             {{10 * 65536, 0, 4 * 65536}, 0, 0, 0}};
+    made = depth_scene_make();
+    corners[4] = (fxl_point){-12000 * times, -14000 * times, 0};
+    corners[5] = (fxl_point){1000 * times, 15000 * times, 0};
+    corners[6] = (fxl_point){14000 * times, -11000 * times, 0};
+    made->scene.vertices = corners;
+    made->scene.vertex_count = 7;
+    made->scene.indices = indices;
+    made->scene.index_count = 4;
+    made->scene.faces = faces;
+    made->scene.models = both;
+    made->scene.face_count = made->scene.model_count = 2;
+    made->scene.instances = instances;
+    made->scene.instance_count = with_pane ? 2 : 1;
+    made->face_map[0] = 1;
+    made->surface = (fxl_surface){.flags = FXL_SURFACE_BLEND, .opacity = 16};
+    made->set.blend = panes;
+    made->set.blend_first = 20;
+    made->set.blend_count = 1;
+    made->is_mapped = true;
+}
+
+/* SPEC 10.5b-c, surfaces 4.4b */
+void test_a_small_face_is_seen_through_a_pane_that_is_drawn_first(void)
+{
+    static const fxl_target *const targets[] = {&fxl_palette_depth_16, &fxl_palette_depth_32};
+    static const fxl_pose ahead = {{0, 0, 0}, 0, 0, 0};
+    for (uint32_t i = 0; i < sizeof panes; i++) {
+        panes[i] = (uint8_t)(i ^ 0x80);
+    }
+    for (uint32_t i = 0; i < 4; i++) {
+        uint32_t spots = 0, pane = 0;
+        for (uint32_t k = 0; k < 2; k++) {
+            make_spot(k == 1, 1);
+            depth_scene_start_with(made, targets[i % 2]);
+            made->renderer.frame.display_list.capacity = i < 2 ? 0 : 64;
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&made->renderer, &ahead));
+            uint8_t *to = k == 0 ? panes_frame : made->again;
+            const fxl_band band = UNIT_BAND(to, DEPTH_SCENE_WIDTH, 0, DEPTH_SCENE_HEIGHT);
+            fxl_frame_fill(&made->renderer, &band, DEPTH_SCENE_BACKGROUND);
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&made->renderer, &band));
+        }
+        for (uint32_t at = 0; at < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; at++) {
+            pane += made->again[at] == (DEPTH_SCENE_BACKGROUND ^ 0x80);
+            if (panes_frame[at] == SPOT) {
+                TEST_ASSERT_EQUAL(SPOT ^ 0x80, made->again[at]);
+                spots++;
+            }
+        }
+        TEST_ASSERT_TRUE(spots >= 2 && pane > 300);
+    }
+}
+
+/* The same in 16 bits a pixel: a triangle with a texture of one colour. */
+static void draw_spot(const fxl_target *target, const fxl_painter *painter, bool with_pane,
+                      uint32_t words, uint16_t *to)
+{
+    static const fxl_pose ahead = {{0, 0, 0}, 0, 0, 0};
+    static uint16_t palette[256];
+    static fxl_surface both[2];
+    static fxl_mapped_face mapped[2];
+    make_spot(with_pane, 4);
+    for (uint32_t i = 0; i < 256; i++) {
+        palette[i] = (uint16_t)(i * 257u);
+    }
+    memset(made->texels, 77, sizeof made->texels);
+    both[0] = (fxl_surface){.flags = FXL_SURFACE_BLEND, .opacity = 16, .sixteenths = 8};
+    both[1] = (fxl_surface){.texture = 1, .opacity = 16};
+    for (uint16_t i = 0; i < 2; i++) {
+        mapped[i] = (fxl_mapped_face){.surface = i, .corners = {0, 1, 2}};
+        made->face_map[i] = (uint16_t)(i + 1);
+    }
+    made->set.surfaces = both;
+    made->set.faces = mapped;
+    made->set.surface_count = made->set.face_count = 2;
+    made->set.blend = NULL;
+    made->set.blend_first = made->set.blend_count = 0;
+    made->is_mapped = false;
+    made->config.palette = palette;
+    depth_scene_start_with(made, target);
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_attach_surfaces(&made->renderer, &made->surfaces, &made->set, painter));
+    made->renderer.frame.display_list.capacity = words;
+    const fxl_band band = {.pixels = (uint8_t *)(void *)to,
+                           .width = DEPTH_SCENE_WIDTH,
+                           .stride = DEPTH_SCENE_WIDTH,
+                           .rows = DEPTH_SCENE_HEIGHT,
+                           .palette = palette};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&made->renderer, &ahead));
+    fxl_frame_fill(&made->renderer, &band, DEPTH_SCENE_BACKGROUND);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&made->renderer, &band));
+}
+
+/* SPEC 10.5b-c, surfaces 4.4b */
+void test_a_small_texture_is_seen_through_a_pane_that_is_drawn_first(void)
+{
+    static uint16_t narrow[DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT];
+    static uint16_t wide[DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT];
+    uint32_t spots = 0;
+    draw_spot(&fxl_rgb565_depth_32, FXL_SURFACES_OF(fxl_rgb565_depth_32), true, 0, wide);
+    for (uint32_t words = 0; words <= 128; words += 64) {
+        draw_spot(&fxl_rgb565_depth_16, FXL_SURFACES_OF(fxl_rgb565_depth_16), true, words, narrow);
+        TEST_ASSERT_EQUAL_HEX16_ARRAY(wide, narrow, DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT);
+    }
+    draw_spot(&fxl_rgb565_depth_16, FXL_SURFACES_OF(fxl_rgb565_depth_16), false, 0, wide);
+    for (uint32_t i = 0; i < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; i++) {
+        if (wide[i] == 77 * 257) {
+            TEST_ASSERT_NOT_EQUAL(77 * 257, narrow[i]);
+            spots++;
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(20, spots);
 }

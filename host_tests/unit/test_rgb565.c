@@ -186,6 +186,49 @@ void test_an_index_of_the_key_is_not_drawn(void)
     TEST_ASSERT_GREATER_THAN(100, texels);
 }
 
+static void draw_with(const fxl_target *target, const fxl_painter *painter, uint16_t *to)
+{
+    walls_start(target);
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_attach_surfaces(&walls.renderer, &walls.surfaces, &walls.set, painter));
+    walls_draw(to);
+}
+
+/* The corners of the map are nearly on one line, so that u and v change by more than any word of texels
+ * holds: a depth buffer changes no pixel of such a face. */
+/* SPEC 9.1.1 */
+void test_corners_of_a_map_that_are_nearly_on_a_line(void)
+{
+    static const uint16_t five[] = {0, 1, 2, 3, 4};
+    static const fxl_face face = {{0, 0, -FXL_Q2_30_ONE}, 5, 20, FXL_INDICES_AT(0, 0)};
+    static const fxl_model model = {
+        .vertex_count = 5, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = Q16(1200)};
+    uint32_t textured = 0;
+    for (int32_t z = 1; z <= 64; z *= 8) {
+        const fxl_q16_16 x = Q16(2 * z) / 3, y = Q16(z) / 2;
+        const fxl_point vertices[] = {{-x, y, Q16(z)},
+                                      {-x + 1, y, Q16(z)},
+                                      {x, y - 1, Q16(z)},
+                                      {x, -y, Q16(z)},
+                                      {-x, -y, Q16(z)}};
+        walls.scene.vertices = vertices;
+        walls.scene.indices = five;
+        walls.scene.faces = &face;
+        walls.scene.models = &model;
+        walls.scene.vertex_count = walls.scene.index_count = 5;
+        walls.scene.face_count = walls.scene.model_count = walls.scene.instance_count = 1;
+        walls.mapped_corners[0][1].texel = (fxl_texel){Q16(16000), Q16(-16000)};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&walls.scene, NULL));
+        draw_with(&fxl_rgb565, FXL_SURFACES_OF(fxl_rgb565), walls.pixels);
+        draw_with(&fxl_rgb565_depth_16, FXL_SURFACES_OF(fxl_rgb565_depth_16), walls.again);
+        TEST_ASSERT_EQUAL_HEX16_ARRAY(walls.pixels, walls.again, WIDTH * HEIGHT);
+        for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            textured += walls.pixels[i] != walls.palette[BACKGROUND];
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(WIDTH * HEIGHT, textured);
+}
+
 /* --- bands ------------------------------------------------------------------------------- */
 
 void test_bands_and_lists_change_no_pixel(void)

@@ -104,6 +104,16 @@ void test_faults_name_the_last_element_as_well_as_the_first(void)
         expect_fault(i < 2 ? FXL_E_COUNT : FXL_E_INDEX, "face", 11, &tiny->scene);
     }
     tiny = tiny_make();
+    uint32_t wholes[12] = {0};
+    tiny->scene.wholes = wholes;
+    wholes[11] = FXL_WHOLE(44, 4);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    tiny->faces[11].count = 3; /* of the first three vertices of its whole */
+    fxl_face_take_indices(&tiny->faces[11], tiny->corners, 44);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    tiny->corners[47] = 8; /* a model has 8 vertices */
+    expect_fault(FXL_E_INDEX, "face", 11, &tiny->scene);
+    tiny = tiny_make();
     tiny->instances[2].recolour = 1;
     expect_fault(FXL_E_RESERVED, "instance", 2, &tiny->scene);
     tiny = tiny_make();

@@ -25,13 +25,18 @@ static const fxl_point in_one_octave[] = {
     {-70000, -60000, 200000}, {-40000, 70000, 210000}, {80000, -50000, 204000}};
 static const uint16_t indices[] = {0, 1, 2}, face_map[] = {1};
 static const fxl_model model = {
-    .vertex_count = 3, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = 7 * 65536};
+    .vertex_count = 3, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = 12 * 65536};
 static const fxl_instance instance = {{0, 0, 0}, 0, 0, 0};
 static const fxl_direction normals[] = {
     {0, 0, -FXL_Q2_30_ONE}, {0, FXL_Q2_30_ONE, 0}, {FXL_Q2_30_ONE, 0, 0}};
 static const fxl_mapped_face mapped = {.corners = {0, 1, 2}};
-static const fxl_corner mapped_corners[3] = {
+static const fxl_corner of_texels[3] = {
     {{-9000, 70000}, 0, 0}, {{900000, 500000}, 1, 1}, {{300000, -2000000}, 2, 2}};
+static const fxl_corner of_colours[3] = {{{FXL_CORNER_COLOUR(250, 30, 100), 0}, 0, 0},
+                                         {{FXL_CORNER_COLOUR(20, 200, 130), 0}, 1, 1},
+                                         {{FXL_CORNER_COLOUR(90, 90, 10), 0}, 2, 2}};
+static const fxl_corner *mapped_corners;
+static fxl_q16_16 near_z;
 static const uint8_t texels[8 * 4] = {3, 14, 15, 92, 65, 35, 89, 79, 32, 38, 46, 26, 43, 38, 32, 79,
                                       50, 28, 84, 19, 71, 69, 39, 93, 75, 10, 58, 20, 97, 49, 44, 59};
 static fxl_texture texture = {.texels = texels, .log_width = 3, .log_height = 2, .levels = 1};
@@ -54,6 +59,8 @@ static bool by_list; /* the frame is drawn from a display list */
 void setUp(void)
 {
     corners = in_one_octave;
+    mapped_corners = of_texels;
+    near_z = 16384;
     cells_size = FXL_DEPTH_BYTES(WIDTH, 10, 16);
     target = &fxl_palette_depth_16;
     painter = FXL_SURFACES_OF(fxl_palette_depth_16);
@@ -105,6 +112,7 @@ static void draw(const fxl_surface *surface, const fxl_beam *beam, void *frame)
     fxl_config config = fxl_config_for(WIDTH, HEIGHT, target);
     config.palette = target->pixel_bits == 16 ? colours : NULL;
     config.background = BACKGROUND;
+    config.near_z = near_z;
     config.depth = cells;
     config.depth_size = cells_size;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_plane_from_points(&corners[0], &corners[1], &corners[2], &plane));
@@ -209,19 +217,13 @@ static double exact_code(int x, int y)
     return (ldexp(depth, octave + 1) - 1 + scale.octaves - 1 - octave) * (1 << scale.mantissa) + 1;
 }
 
-/* Depths from 3.8 to 4.4 units: 4 is the end of an octave, as near is 1/4. */
-/* SPEC 10.2b-c, 10.3b */
-void test_codes_of_a_face_that_crosses_the_end_of_an_octave(void)
+/* The codes of the pixels that the face covers, where `rows` shows it, of which some are nearer than 16 times
+ * near, the end of an octave, and some not. */
+static void check_codes(uint32_t least)
 {
-    static const fxl_point across[] = {
-        {-90000, -80000, 249000}, {-60000, 90000, 288000}, {100000, -60000, 268000}};
-    static const fxl_surface plain = {.opacity = 16, .flags = FXL_SURFACE_LIT};
     const uint16_t *codes = (const uint16_t *)(const void *)(cells + 1);
-    uint32_t nearer = 0, farther = 0;
-    corners = across;
-    cells_size = sizeof cells;
-    draw(&plain, NULL, rows);
     const fxl_depth_scale scale = fxl_depth_scale_of(&renderer.frame.view.lens);
+    uint32_t nearer = 0, farther = 0;
     for (int i = 0; i < PIXELS; i++) {
         if (rows[i] == BACKGROUND) {
             continue;
@@ -232,7 +234,48 @@ void test_codes_of_a_face_that_crosses_the_end_of_an_octave(void)
         nearer += is_nearer;
         farther += !is_nearer;
     }
-    TEST_ASSERT_TRUE(nearer > 30 && farther > 30);
+    TEST_ASSERT_TRUE(nearer >= least && farther >= least);
+}
+
+/* Depths from 3.8 to 4.4 units: near is 1/4. */
+/* SPEC 10.2b-c, 10.3b */
+void test_codes_of_a_face_that_crosses_the_end_of_an_octave(void)
+{
+    static const fxl_point across[] = {
+        {-90000, -80000, 249000}, {-60000, 90000, 288000}, {100000, -60000, 268000}};
+    static const fxl_surface plain = {.opacity = 16, .flags = FXL_SURFACE_LIT};
+    corners = across;
+    cells_size = sizeof cells;
+    draw(&plain, NULL, rows);
+    check_codes(30);
+}
+
+/* Depths from 2.1 to 7.5 units, in three octaves: colours may be words where depths are not. */
+/* SPEC 10.2b-c, 10.3b */
+void test_codes_of_a_face_with_colours_in_three_octaves(void)
+{
+    static const fxl_point deep[] = {
+        {-60000, -50000, 138000}, {-240000, 200000, 490000}, {250000, -180000, 470000}};
+    static const fxl_point thin[] = {
+        {-60000, -50000, 138000}, {190000, 176000, 470000}, {240000, 184000, 490000}};
+    static const fxl_point *const triangles[] = {deep, thin};
+    static uint16_t frame[PIXELS];
+    static const uint8_t divisions[] = {FXL_AFFINE, FXL_DIVIDE_16, FXL_DIVIDE_1};
+    target = &fxl_rgb565_depth_16;
+    painter = FXL_SURFACES_OF(fxl_rgb565_depth_16);
+    mapped_corners = of_colours;
+    near_z = 13107; /* 1/5 */
+    cells_size = sizeof cells;
+    for (uint32_t i = 0; i < 2 * sizeof divisions; i++) {
+        const fxl_surface surface = {
+            .opacity = 16, .flags = FXL_SURFACE_COLOURS, .division = divisions[i / 2]};
+        corners = triangles[i % 2];
+        draw(&surface, NULL, frame);
+        for (uint32_t k = 0; k < PIXELS; k++) {
+            rows[k] = frame[k] == colours[BACKGROUND] ? BACKGROUND : COLOUR;
+        }
+        check_codes(i % 2 == 0 ? 30 : 4);
+    }
 }
 
 /* Light that changes by many levels where the depth does too is divided: no plane of light alone is
@@ -330,4 +373,101 @@ void test_texels_drawn_at_once_are_those_of_a_display_list(void)
         corners = triangles[kind >> 2];
         check_texels_of_list(&surface);
     }
+}
+
+/* --- texels that are not in words: they are where those of words are ------------------------- */
+
+static uint8_t entry_of(uint16_t pixel)
+{
+    uint32_t i = 0;
+    while (i < 255 && colours[i] != pixel) {
+        i++;
+    }
+    TEST_ASSERT_EQUAL_HEX16(colours[i], pixel);
+    return (uint8_t)i;
+}
+
+/* The pixels of a surface, of which few are other texels than the words'. Counts those that it leaves
+ * out, and those in the beam, which show lit[c]. */
+static void check_same_texels(const fxl_surface *surface, const fxl_beam *beam, uint32_t *left,
+                              uint32_t *in_beam)
+{
+    static const fxl_surface in_words = {.texture = 1, .opacity = 16, .division = FXL_DIVIDE_16};
+    static uint16_t frames[2][PIXELS];
+    uint32_t covered = 0, differing = 0;
+    draw(&in_words, NULL, frames[0]);
+    draw(surface, beam, frames[1]);
+    *left = *in_beam = 0;
+    for (uint32_t i = 0; i < PIXELS; i++) {
+        const uint8_t wanted = entry_of(frames[0][i]), shown = entry_of(frames[1][i]);
+        if (wanted == BACKGROUND) {
+            TEST_ASSERT_EQUAL(BACKGROUND, shown);
+            continue;
+        }
+        covered++;
+        *left += shown == BACKGROUND;
+        *in_beam += beam != NULL && shown == (uint8_t)(wanted + IN_BEAM);
+        differing += shown != BACKGROUND && shown != wanted &&
+                     (beam == NULL || shown != (uint8_t)(wanted + IN_BEAM));
+    }
+    TEST_ASSERT_GREATER_THAN(200, covered);
+    TEST_ASSERT_LESS_THAN(covered / 20, differing);
+}
+
+/* SPEC 9.1.1 */
+void test_texels_without_words_are_those_of_words(void)
+{
+    static const fxl_surface plain = {.texture = 1, .opacity = 16, .division = FXL_DIVIDE_16};
+    const fxl_point from = {0, 0, 65536};
+    const fxl_point window[] = {{-16000, 60000, 131072},
+                                {16000, 60000, 131072},
+                                {16000, -60000, 131072},
+                                {-16000, -60000, 131072}};
+    uint32_t left, in_beam;
+    fxl_surface surface = plain;
+    fxl_beam beam;
+    target = &fxl_rgb565_depth_16;
+    painter = FXL_SURFACES_OF(fxl_rgb565_depth_16);
+    cells_size = sizeof cells;
+    surface.division = FXL_DIVIDE_8;
+    check_same_texels(&surface, NULL, &left, &in_beam);
+    TEST_ASSERT_EQUAL(0, left);
+    surface = plain;
+    surface.opacity = 8;
+    check_same_texels(&surface, NULL, &left, &in_beam);
+    TEST_ASSERT_GREATER_THAN(100, left);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&from, window, 4, &beam));
+    check_same_texels(&plain, &beam, &left, &in_beam);
+    TEST_ASSERT_TRUE(left == 0 && in_beam > 50);
+}
+
+/* SPEC 9.1.1 */
+void test_texels_of_4_bits_are_those_of_bytes(void)
+{
+    static const fxl_surface plain = {.texture = 1, .opacity = 16, .division = FXL_DIVIDE_16};
+    static uint8_t bytes[sizeof texels], halves[sizeof texels / 2], of_half[16];
+    static uint16_t frames[2][PIXELS];
+    const fxl_texture of_bytes = texture;
+    uint32_t covered = 0, differing = 0;
+    for (uint32_t i = 0; i < sizeof texels; i++) {
+        of_half[i % 16] = (uint8_t)(i % 16 * 3 + 100);
+        bytes[i] = (uint8_t)(texels[i] % 16 * 3 + 100);
+        halves[i / 2] = (uint8_t)(halves[i / 2] | (texels[i] & 15) << i % 2 * 4);
+    }
+    target = &fxl_rgb565_depth_16;
+    painter = FXL_SURFACES_OF(fxl_rgb565_depth_16);
+    cells_size = sizeof cells;
+    texture.texels = bytes;
+    draw(&plain, NULL, frames[0]);
+    texture.texels = halves;
+    texture.colours = of_half;
+    texture.format = FXL_TEXTURE_4;
+    draw(&plain, NULL, frames[1]);
+    texture = of_bytes;
+    for (uint32_t i = 0; i < PIXELS; i++) {
+        covered += frames[0][i] != colours[BACKGROUND];
+        differing += frames[0][i] != frames[1][i];
+    }
+    TEST_ASSERT_GREATER_THAN(200, covered);
+    TEST_ASSERT_LESS_THAN(covered / 20, differing);
 }

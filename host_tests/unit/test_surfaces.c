@@ -134,3 +134,41 @@ void test_bands_and_lists_give_the_same_pixels(void)
         TEST_ASSERT_EQUAL(words != 0, renderer.frame.display_list.used != 0);
     }
 }
+
+/* A ground that ends so far away that its last row of pixels is the horizon, where the weight is 0: what
+ * clamps shows the farthest row of texels there, from its first texel to its last. */
+void test_a_ground_that_reaches_the_horizon(void)
+{
+    const int32_t far_z = Q16(8000);
+    fxl_config config = mapped_quad_floor_config(WIDTH, HEIGHT - 1); /* a row is in the middle */
+    config.far_z = FXL_FAR_MAX;
+    config.background = BACKGROUND;
+    for (uint32_t i = 0; i < 4; i++) {
+        quad.vertices[i] =
+            (fxl_point){i == 1 || i == 2 ? far_z : -far_z, -2, i < 2 ? far_z : 65536};
+    }
+    for (uint32_t i = 0; i < 3; i++) {
+        quad.mapped_corners[i].texel = (fxl_texel){i > 0 ? Q16(64) : 0, i < 2 ? Q16(64) : 0};
+    }
+    quad.model.radius = Q16(12000);
+    quad.surface.division = FXL_DIVIDE_1;
+    quad.texture.flags = FXL_TEXTURE_CLAMP;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&quad.scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_init(&renderer, &quad.scene, &config, memory, sizeof memory));
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &quad.set, FXL_SURFACES_OF(fxl_palette)));
+    const fxl_pose ahead = {{0, 0, 0}, 0, 0, 0};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &ahead, frame, WIDTH));
+    for (uint32_t i = 0; i < WIDTH * (HEIGHT - 1); i++) {
+        const uint32_t column = i % WIDTH;
+        if (i / WIDTH != HEIGHT / 2 - 1) {
+            TEST_ASSERT_EQUAL(BACKGROUND, frame[i]);
+        } else if (column < WIDTH / 2) {
+            TEST_ASSERT_EQUAL(quad.texels[64 * 63], frame[i]);
+        } else {
+            TEST_ASSERT_TRUE(frame[i] >= frame[i - 1] && frame[i] <= quad.texels[64 * 63 + 63]);
+        }
+    }
+    TEST_ASSERT_EQUAL(quad.texels[64 * 63 + 63], frame[HEIGHT / 2 * WIDTH - 1]);
+}

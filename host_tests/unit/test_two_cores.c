@@ -193,3 +193,22 @@ void test_beams_are_attached_before_a_workspace_is_set_up(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, room, with));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_with(&renderer, &second, &band));
 }
+
+/* Other beams in the same memory, which need more of a workspace. */
+/* surfaces 6.3 */
+void test_beams_that_have_grown_are_refused(void)
+{
+    const fxl_beam two[2] = {beam, beam};
+    const fxl_band band = {.pixels = other, .width = WIDTH, .stride = WIDTH, .rows = HEIGHT};
+    const fxl_status statuses[] = {FXL_OK, FXL_OK, FXL_E_ORDER};
+    for (uint32_t i = 0; i < 3; i++) {
+        const fxl_beam_set beams = {two, i < 2 ? 1 : 2, brighter};
+        start(&fxl_by_distance, &fxl_palette, 0, 0);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&renderer, &beams, beam_room, sizeof beam_room));
+        if (i == 0) {
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, room, sizeof room));
+        }
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
+        TEST_ASSERT_EQUAL(statuses[i], fxl_frame_draw_with(&renderer, &second, &band));
+    }
+}

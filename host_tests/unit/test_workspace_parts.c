@@ -315,3 +315,84 @@ void test_a_centre_that_moved_is_another_lens(void)
     TEST_ASSERT_EQUAL(FXL_E_ORDER, draw_in_the_second(0));
     TEST_ASSERT_EQUAL_UINT32(1, second.counters.refused_calls);
 }
+
+/* --- a record with other contents: init counts changes anew, so their number is the same ------ */
+
+/* An order that keeps a bit for each node of a tree, of which the scene has so many. */
+static fxl_status draw_with_nodes(fxl_scene *scene, uint32_t count, bool sets_up)
+{
+    static const fxl_bsp_node nodes[33];
+    static fxl_order with_tree;
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const choice pair = {&with_tree, &fxl_palette};
+    with_tree = fxl_by_distance;
+    with_tree.memory_size = eleven_bytes;
+    scene->bsp_nodes = nodes;
+    scene->bsp_node_count = count;
+    TEST_ASSERT_EQUAL(FXL_OK, init_again(scene, &lens));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &pair, rooms[0], 16));
+    if (sets_up) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], ROOM));
+    }
+    return draw_in_the_second(0);
+}
+
+/* rgb565 3.6a */
+void test_a_tree_that_has_grown_is_refused(void)
+{
+    fxl_scene *scene = &tiny_make()->scene;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, draw_with_nodes(scene, 1, true));
+    TEST_ASSERT_EQUAL(FXL_OK, draw_with_nodes(scene, 32, false));
+    TEST_ASSERT_EQUAL(FXL_OK, draw_with_nodes(scene, 32, true));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, draw_with_nodes(scene, 65, false));
+}
+
+static fxl_status draw_with_clipper(const fxl_clipper *clipper, bool sets_up)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    TEST_ASSERT_EQUAL(FXL_OK, init_again(renderer.scene, &lens));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, rooms[0], ROOM));
+    if (sets_up) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], ROOM));
+    }
+    return draw_in_the_second(0);
+}
+
+/* rgb565 3.6a */
+void test_a_clipper_that_needs_more_is_refused(void)
+{
+    static fxl_clipper clipper;
+    clipper = fxl_clipper_view;
+    clipper.workspace_size = 8;
+    start();
+    TEST_ASSERT_EQUAL(FXL_OK, draw_with_clipper(&clipper, true));
+    TEST_ASSERT_EQUAL(FXL_OK, draw_with_clipper(&clipper, false));
+    clipper.workspace_size = 16;
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, draw_with_clipper(&clipper, false));
+    TEST_ASSERT_EQUAL(FXL_OK, draw_with_clipper(&clipper, true));
+}
+
+/* Where both the workspace and the band cannot be taken, the band is named. */
+void test_a_band_without_pixels_is_no_workspace_of_other_settings(void)
+{
+    const fxl_band empty = {.width = WIDTH, .stride = WIDTH, .rows = 2};
+    start();
+    memset(&second, 0, sizeof second);
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, draw_in_the_second(0));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_draw_with(&renderer, &second, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_draw_with(&renderer, &second, &empty));
+    TEST_ASSERT_EQUAL_UINT32(3, second.counters.refused_calls);
+}
+
+/* A workspace of zeros and a renderer of zeros have seen the same number of changes. */
+void test_a_renderer_of_zeros_has_no_workspace(void)
+{
+    static uint8_t pixels[WIDTH * 2];
+    const fxl_band band = {.pixels = pixels, .width = WIDTH, .stride = WIDTH, .rows = 2};
+    memset(&renderer, 0, sizeof renderer);
+    memset(&second, 0, sizeof second);
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw_with(&renderer, &second, &band));
+    TEST_ASSERT_EQUAL_UINT32(1, second.counters.refused_calls);
+    TEST_ASSERT_EACH_EQUAL_HEX8(0, pixels, sizeof pixels);
+}

@@ -133,7 +133,8 @@ static fxl_depth_head *depth_head(const probe *of)
 }
 
 /* Has a blended face, whose pixel may be that of any background, drawn as an opaque one; with a depth
- * buffer in the pass in which it is blended. Of all surfaces the face reads only its own. */
+ * buffer in the pass in which it is blended: there are two where a surface is. Of all surfaces the
+ * face reads only its own. */
 /* pick 2.4 */
 static bool begin_opaque(probe *of, const fxl_face *face)
 {
@@ -156,9 +157,8 @@ static bool begin_opaque(probe *of, const fxl_face *face)
     of->surfaces->set = &of->set;
     if (of->cell != NULL) {
         of->pass = depth_head(of)->pass;
-        depth_head(of)->pass = of->pass == FXL_DEPTH_BLENDED  ? (uint8_t)FXL_DEPTH_OPAQUE
-                               : of->pass == FXL_DEPTH_OPAQUE ? (uint8_t)FXL_DEPTH_BLENDED
-                                                              : of->pass;
+        depth_head(of)->pass =
+            of->pass == FXL_DEPTH_BLENDED ? (uint8_t)FXL_DEPTH_OPAQUE : (uint8_t)FXL_DEPTH_BLENDED;
     }
     return true;
 }

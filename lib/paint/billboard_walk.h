@@ -107,7 +107,7 @@ static inline void fxl_billboard_walk_rows(const fxl_sprite *sprite,
         fxl_pixels_between(left_top->x, right_bottom->x, columns.first, columns.end);
     const fxl_rows rows = fxl_pixels_between(left_top->y, right_bottom->y, band->first_row,
                                              band->first_row + band->rows);
-    if (row.columns.first == row.columns.end || rows.first == rows.end) {
+    if (rows.first == rows.end) {
         return;
     }
     const size_t row_bytes = fxl_sprite_row_bytes(sprite);

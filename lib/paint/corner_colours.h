@@ -58,7 +58,7 @@ bool fxl_corner_colours_unlit(const fxl_corner *const corners[3], const fxl_corn
  *
  * The step has 11 bits of what red and blue change along a row. So a run is within 128 columns of
  * one whose words have all bits: the face's, or one that is 128 k columns to its right or left. */
-#define FXL_SHIFT_OF_WORDS     127 /* all three shifts; no others are above 64 */
+#define FXL_SHIFT_OF_WORDS     127 /* all three shifts; above FXL_SHIFT_MOST */
 #define FXL_GRADIENTS_OF_WORDS 2
 
 /* Whether gradients of colours at corners are in words. */

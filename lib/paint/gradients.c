@@ -300,11 +300,13 @@ static void find_least(fxl_gradients *gradients, int32_t height)
 /* The least shift: fxl_texture_level_choose takes up to 8 from it, and a byte holds -128. */
 #define SHIFT_LEAST (-112)
 
-/* A shift as a byte holds it. A sliver of a face, far away, may have another one: fxl_attribute_of
- * takes all from 62 on as one, and all from -32 down. */
+/* A shift as a byte holds it, below those of words. That of corners nearly on a line may be another
+ * one: fxl_attribute_of takes all from 62 on as one, and all from -32 down. */
 static int8_t shift_of(int shift)
 {
-    return (int8_t)(shift > INT8_MAX ? INT8_MAX : shift < SHIFT_LEAST ? SHIFT_LEAST : shift);
+    return (int8_t)(shift > FXL_SHIFT_MOST ? FXL_SHIFT_MOST
+                    : shift < SHIFT_LEAST  ? SHIFT_LEAST
+                                           : shift);
 }
 
 /* SPEC 9.1 */

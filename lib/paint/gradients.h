@@ -62,6 +62,10 @@ typedef struct {
     int32_t exponent;
 } fxl_scaled_number;
 
+/* The largest shift but of attributes in words (corner_colours.h, smooth_outline.h): 62, and the 8
+ * that fxl_texture_level_choose takes off. */
+#define FXL_SHIFT_MOST 70
+
 /* The gradients of a face. */
 typedef struct {
     fxl_gradient weight; /* above 0 where the face is */

@@ -232,12 +232,12 @@ mix_words(const fxl_word *colours, fxl_word *pixels, const fxl_word *end, uint32
     }
 }
 
-/* Mixes colours into a row. Requires both at the beginning of a word, or neither. */
+/* Mixes colours, at least one, into a row. Requires both at the beginning of a word, or neither. */
 static inline void mix_row(uint32_t sixteenths, const uint16_t *colours, uint16_t *pixels,
                            uint32_t count)
 {
     if (!FXL_IS_COMPACT) {
-        if (count != 0 && ((uintptr_t)pixels & 2u) != 0) {
+        if (((uintptr_t)pixels & 2u) != 0) {
             *pixels = (uint16_t)mixed_of(*colours++, *pixels, sixteenths);
             pixels++;
             count--;

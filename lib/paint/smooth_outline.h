@@ -197,12 +197,13 @@ fxl_texels_finder fxl_find_texels;
 /* Such gradients: attributes are words in 8.24, modulo 2^32, in column 0 of row 0, and the changes.
  * A texture has at most 256 texels along a side, so coordinates wrap by themselves. Light is that of
  * light_row.h. shifts: of u and v less by the bits that a level of the texture leaves out. */
-#define FXL_SHIFT_OF_TEXELS 120 /* no other is above 64, but FXL_SHIFT_OF_WORDS */
+#define FXL_SHIFT_OF_TEXELS 120
+FXL_STATIC_ASSERT(FXL_SHIFT_OF_TEXELS - 8 > FXL_SHIFT_MOST, "also less the bits of a level");
 
 /* Of a face with a texture: without any attribute, the shifts are undefined. */
 static inline bool fxl_has_texel_words(const fxl_gradients *gradients)
 {
-    return gradients->shifts[0] > 64 && gradients->shifts[0] <= FXL_SHIFT_OF_TEXELS;
+    return gradients->shifts[0] > FXL_SHIFT_MOST;
 }
 
 /* What is linear over the pixels: the code of depth_code.h, u, v, and light. Light is less the half

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The walk on the host, with every board function mocked by CMock; and the frame
+# The walk on the host, with a stub by CMock for every board function; and the frame
 # dump that boards share.
 
 CMOCK_DIR ?= /usr/share/cmock

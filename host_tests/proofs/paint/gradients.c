@@ -45,8 +45,8 @@ static int drop_by(int shift, uint32_t zeros)
 
 /* [[row]]
  * function = "shift_of"
- * property = "gradients->shifts: the number itself from -112 to 127, and of any other one that moves a product as far, also less the 8 of a level"
- * checks = 8
+ * property = "gradients->shifts: the number itself from -112 to 70, and of any other one that moves a product as far, also less the 8 of a level"
+ * checks = 9
  */
 void prove_shift_of(void)
 {
@@ -54,7 +54,8 @@ void prove_shift_of(void)
     const uint32_t zeros = nondet_u32();
     ASSUME(WITHIN(shift, 1 << 20) && zeros <= 31 && less >= 0 && less <= 8);
     const int held = shift_of(shift);
-    ASSERT("the number", shift < SHIFT_LEAST || shift > INT8_MAX || held == shift);
+    ASSERT("the number", shift < SHIFT_LEAST || shift > FXL_SHIFT_MOST || held == shift);
+    ASSERT("that of no word", held <= FXL_SHIFT_MOST);
     ASSERT("a level's", held - less >= INT8_MIN && drop_by(held - less, zeros) == drop_by(shift - less, zeros));
     PROOF_ENDS();
 }

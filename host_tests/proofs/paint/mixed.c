@@ -54,7 +54,7 @@ void prove_mixed_of(void)
 
 /* [[row]]
  * function = "mix_row"
- * property = "any 5 pixels from either half of a word on, blended or added: nothing is out of bounds, and no other pixel is written"
+ * property = "1 to 5 pixels from either half of a word on, blended or added: nothing is out of bounds, and no other pixel is written"
  * checks = 129
  * unwind = 4
  */
@@ -70,9 +70,9 @@ void prove_mix_row(void)
     FXL_ALIGN_8 uint16_t above[6], pixels[6];
     fxl_paint_565 of;
     const uint32_t count = nondet_u32(), k = nondet_u32(), first = nondet_u32();
-    ASSUME(count <= 5 && k < 6 && first <= 1 && of.sixteenths <= 16);
+    ASSUME(count >= 1 && count <= 5 && k < 6 && first <= 1 && of.sixteenths <= 16);
     const uint16_t before = pixels[k];
-    mix_row(&of, above + first, pixels + first, count);
+    mix_row(of.sixteenths, above + first, pixels + first, count);
     ASSERT("no other", pixels[k] == before || (k >= first && k < first + count));
     PROOF_ENDS();
 }
