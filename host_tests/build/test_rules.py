@@ -16,6 +16,8 @@ PAGE = """| rule | what it asks | decision | files | reason |
 | --- | --- | --- | --- | --- |
 | 15.5 | one return | deviated | `lib/clip/*` | refusals come first |
 | 21.3 | no heap | kept | | |
+| 12.1 | parentheses | disapplied | | the sequence of C |
+| P1 | 15.5 | a letter | `^[a-c] =` | nothing |
 """
 TEXT = "a = 1;\nb = 2;\nb = 2;\nc = 3;\n"
 
@@ -42,17 +44,37 @@ def test_what_cppcheck_prints_is_read(root):
 def test_the_page_is_read(root):
     page = rules.read_page(root / "rules.md")
     assert page == {"15.5": rules.Rule("one return", "deviated", ("lib/clip/*",), "refusals come first"),
-                    "21.3": rules.Rule("no heap", "kept", (), "")}
+                    "21.3": rules.Rule("no heap", "kept", (), ""), "12.1": rules.Rule("parentheses", "disapplied", (), "the sequence of C")}
+    (permit,) = rules.read_permits(root / "rules.md")
+    assert (permit.name, permit.rule, permit.construct, permit.stands) == ("P1", "15.5", "a letter", "nothing")
 
 
 @pytest.mark.parametrize("row, words", [
     ("| 8.7 | static | deviated | | a reason |", "has files and a reason"), ("| 8.7 | static | deviated | `lib/*` | |", "has files and a reason"),
     ("| 8.7 | static | kept | `lib/*` | why |", "has files and a reason"), ("| 8.7 | static | perhaps | | |", "a row is"),
-    ("| 8.7 | static | kept |", "a row is"), ("| 21.3 | no heap | kept | | |", "stands there twice")])
+    ("| 8.7 | static | kept |", "a row is"), ("| 10.1 | operands | disapplied | | why |", "advisory"),
+    ("| 8.7 | static | disapplied | | |", "advisory"), ("| 8.7 | static | disapplied | `lib/*` | why |", "has files and a reason"), ("| 21.3 | no heap | kept | | |", "stands there twice")])
 def test_a_row_that_decides_nothing_is_refused(root, row, words):
     (root / "rules.md").write_text(f"{PAGE}{row}\n", encoding="utf-8")
     with pytest.raises(ToolError, match=words):
         rules.read_page(root / "rules.md")
+
+
+@pytest.mark.parametrize("row, words", [
+    ("| P2 | 15.5 | all | any | nothing |", "a permit is"), ("| P2 | 15.5 | `x` |", "a permit is"), ("| P1 | 15.5 | all | `x` | nothing |", "twice"),
+    ("| P2 | 15.5 | all | `(` | nothing |", "P2: no expression")])
+def test_a_permit_that_names_no_construct_is_refused(root, row, words):
+    (root / "rules.md").write_text(f"{PAGE}{row}\n", encoding="utf-8")
+    with pytest.raises(ToolError, match=words):
+        rules.read_permits(root / "rules.md")
+
+
+def test_a_finding_without_a_permit_is_found(root):
+    page, permits = rules.read_page(root / "rules.md"), rules.read_permits(root / "rules.md")
+    other = rules.Finding("lib/clip/a.c", 9, "15.5", "return a;")
+    assert rules.without_permit(page, permits, [*found(root, (1, "15.5"), (2, "12.1"), (3, "21.3")), other]) == [other]
+    assert rules.idle(permits, found(root, (1, "15.5"))) == [] and rules.idle(permits, [other]) == permits
+    assert [rules.is_disapplied(page, each) for each in found(root, (1, "12.1"), (1, "15.5"))] == [True, False]
 
 
 def test_what_the_page_does_not_allow_is_found(root):
@@ -76,7 +98,7 @@ def test_a_line_that_is_new_is_named_and_one_that_moved_is_not(root):
 def test_fewer_lines_are_counted_and_a_deviation_without_a_line_is_told(root):
     record = json.loads(rules.record_text(found(root, (1, "15.5"), (2, "15.5"), (4, "10.4"))))
     assert rules.count_of_fewer(found(root, (1, "15.5")), record) == 2
-    assert rules.stale(rules.read_page(root / "rules.md"), []) == ["15.5"]
+    assert rules.stale(rules.read_page(root / "rules.md"), []) == ["15.5", "12.1"]
 
 
 @pytest.mark.parametrize("said, words", [("Cppcheck 2.17.1", "needs cppcheck 2.10, as Debian 12 has it; this is Cppcheck 2.17.1"), (None, "which is not there")])
@@ -108,6 +130,10 @@ def test_a_new_finding_fails_and_says_where(root, monkeypatch, capsys):
         assert failed.value.exit_code == 1 and "lib/clip/a.c:4: rule 15.5: c = 3;" in failed.value.words
         assert "a.c:1:" not in failed.value.words
     assert rules.main(["--accept-new"]) == 0 and rules.main([]) == 0
+    monkeypatch.setattr(rules, "all_findings", lambda _: [*found(root, (1, "15.5"), (2, "12.1")), rules.Finding("lib/clip/a.c", 4, "15.5", "return c;")])
+    with pytest.raises(ToolError) as bare:
+        rules.main(["--accept-new"])
+    assert bare.value.exit_code == 1 and "lib/clip/a.c:4: rule 15.5: return c;" in bare.value.words and "12.1" not in bare.value.words
     monkeypatch.setattr(rules, "all_findings", lambda _: found(root, (4, "15.5")))
     capsys.readouterr()
     assert rules.main([]) == 0 and "1 findings fewer" in capsys.readouterr().out
@@ -118,5 +144,9 @@ def test_the_page_deviates_from_what_is_on_record_there():
     page = rules.read_page(CHECKOUT / rules.PAGE)
     record = json.loads((CHECKOUT / rules.RECORD).read_text(encoding="utf-8"))
     there = [rules.Finding(file, 0, rule, "") for file, lines in record.items() for rule in lines]
-    assert len(there) > 500 and rules.not_allowed(page, there) == [] and rules.stale(page, there) == []
+    disapplied = [rule for rule, said in page.items() if said.decision == "disapplied"]
+    assert len(there) > 200 and rules.not_allowed(page, there) == [] and rules.stale(page, there) == disapplied
+    assert not any(rules.is_disapplied(page, each) for each in there)
+    permitted = {permit.rule for permit in rules.read_permits(CHECKOUT / rules.PAGE)}
+    assert permitted == {rule for rule, said in page.items() if said.decision == "deviated"}
     assert all((CHECKOUT / file).is_file() for file in record)

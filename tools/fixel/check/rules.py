@@ -3,10 +3,11 @@
 
     fixel rules [--renew | --accept-new] [--json FILE]
 
-docs/safety/rules.md has each rule, in our own words, and whether the library keeps it or deviates from it, where and why.
-host_tests/build/rules.json has what is on record: for each file and rule, the lines. A rule's lines in a file may only become fewer.
+docs/safety/rules.md has each rule, in our own words, and whether the library keeps it, disapplies it, which only an advisory rule may be, or
+deviates from it: where, why, and by which permits, each of a construct that the lines have. host_tests/build/rules.json has what is on record:
+for each file and rule that is deviated from, the lines. A rule's lines in a file may only become fewer.
 The record knows a line by the hash of its text, so that it does not change where lines move.
-Exit: 0 nothing new, 1 a finding is new or its rule is not deviated from there, 2 not run: another cppcheck, or none.
+Exit: 0 nothing new, 1 a finding is new, its rule is not deviated from there or it has no permit, 2 not run: another cppcheck, or none.
 """
 
 import argparse
@@ -39,7 +40,11 @@ UNREAD = re.compile(r":(?:syntaxError|internalError|internalAstError|preprocesso
                     r"noValidConfiguration|misra-config):|Bailing out|Traceback")
 DONE = re.compile(r"(\d+)/(\d+) files checked")
 ROW = re.compile(r"^\| (?P<rule>\d+\.\d+) \| (?P<words>[^|]+) \| (?P<decision>[^|]+) \| (?P<where>[^|]*)\|(?P<reason>[^|]*)\|$")
-DECISIONS = ("kept", "mended", "deviated")
+PERMIT = re.compile(r"^\| (?P<name>P\d+) \| (?P<rule>\d+\.\d+) \| (?P<construct>[^|]+) \| (?P<texts>[^|]+) \| (?P<stands>[^|]+) \|$")
+DECISIONS = ("kept", "mended", "deviated", "disapplied")
+# Of MISRA C:2012; all others are required or mandatory.
+ADVISORY = frozenset("""1.2 2.3 2.4 2.5 2.6 2.7 4.2 5.9 8.7 8.9 8.11 8.13 10.5 11.4 11.5 12.1 12.3 12.4 13.3 13.4 15.1 15.4 15.5 17.5 17.8
+    18.4 18.5 19.2 20.1 20.5 20.10 21.12""".split())
 HASH = 6            # digits
 
 
@@ -70,18 +75,21 @@ def report(page, findings):
     return rows
 
 
-def refusals(page, findings, record):
+def refusals(page, permits, findings, record):
     """(what the page does not allow, what is new against the record), each as sentences with places."""
     undecided = not_allowed(page, findings)
+    bare = without_permit(page, permits, findings)
     new = new_findings(findings, record)
     said = []
+    if bare:
+        said.append(f"{len(bare)} findings have no text of a permit of their rule. Mend the line, or give {PAGE} a permit:\n" + places(bare))
     if undecided:
         said.append(f"{len(undecided)} findings of rules from which {PAGE} does not deviate there. Mend the line, or give the page a reason:\n"
                     + places(undecided))
     if new:
         said.append(f"{len(new)} findings are new. Mend the lines; or, if the reason in {PAGE} holds for them,\n"
                     ".venv/bin/fixel rules --accept-new takes them into the record:\n" + places(new))
-    return undecided, new, said
+    return undecided + bare, new, said
 
 
 def write_record(root, findings):
@@ -92,28 +100,33 @@ def write_record(root, findings):
 def main(argv):
     options = parser().parse_args(argv)
     root = pathlib.Path(options.root).resolve()
-    page = read_page(root / PAGE)
+    page, permits = read_page(root / PAGE), read_permits(root / PAGE)
     require_version()
-    findings = all_findings(root)
+    every = all_findings(root)
+    findings = [each for each in every if not is_disapplied(page, each)]
     record = json.loads((root / RECORD).read_text(encoding="utf-8"))
-    rows = report(page, findings)
+    rows = report(page, every)
     print(table(rows, ["rule", "findings", "files", "decision", "what it asks"]))
     kept = sum(rule.decision == "kept" for rule in page.values())
-    undecided, new, said = refusals(page, findings, record)
+    undecided, new, said = refusals(page, permits, findings, record)
     fewer = count_of_fewer(findings, record)
     output.write_json(root / options.json, {
         "cppcheck": VERSION, "new": len(new), "not_allowed": len(undecided), "fewer": fewer,
         "rules": [dict(zip(("rule", "findings", "files", "decision", "words"), row)) for row in rows],
         "findings": [vars(each) for each in findings]})
-    print(f"\ncppcheck {VERSION}: {len(page)} rules, {kept} kept without a finding, {len(rows)} deviated from in {len(findings):,} lines; {options.json}")
+    deviated = len({each.rule for each in findings})
+    print(f"\ncppcheck {VERSION}: {len(page)} rules, {kept} kept without a finding, {deviated} deviated from in {len(findings):,} lines by "
+          f"{len(permits)} permits, {len(rows) - deviated} advisory ones disapplied; {options.json}")
     if undecided or (new and not options.accept_new):
         raise ToolError("the library breaks rules where it did not", 1, "\n".join(said))
     if options.accept_new or options.renew:
         write_record(root, findings)
     elif fewer:
         print(f"{fewer} findings fewer than on record: make rules RENEW=1 takes that into {RECORD}")
-    for rule in stale(page, findings):
-        print(f"note: {PAGE} deviates from rule {rule}, of which there is no finding any more")
+    for rule in stale(page, every):
+        print(f"note: {PAGE} deviates from rule {rule} or disapplies it, of which there is no finding any more")
+    for permit in idle(permits, findings):
+        print(f"note: {PAGE}: no finding of rule {permit.rule} has a text of {permit.name} alone")
     return 0
 
 
@@ -128,11 +141,24 @@ class Finding:
 
 @dataclasses.dataclass(frozen=True)
 class Rule:
-    """What the page says of a rule. where: globs of files, () if it has no finding."""
+    """What the page says of a rule. where: globs of files, () if it has no finding or is disapplied."""
     words: str
     decision: str
     where: tuple
     reason: str
+
+
+@dataclasses.dataclass(frozen=True)
+class Permit:
+    """A construct in which a rule is deviated from. texts: expressions, of which a line has one."""
+    name: str
+    rule: str
+    construct: str
+    texts: tuple
+    stands: str
+
+    def holds(self, finding):
+        return finding.rule == self.rule and any(text.search(finding.text) for text in self.texts)
 
 
 def number(rule):
@@ -154,8 +180,29 @@ def read_page(path):
             raise ToolError(f"{path.name}:{place}: rule {row['rule']} stands there twice")
         if (row["decision"] == "deviated") != bool(where) or (where and not row["reason"].strip()):
             raise ToolError(f"{path.name}:{place}: a rule that is deviated from, and no other, has files and a reason")
+        if row["decision"] == "disapplied" and (row["rule"] not in ADVISORY or not row["reason"].strip()):
+            raise ToolError(f"{path.name}:{place}: a rule that is disapplied is an advisory one and has a reason")
         rules[row["rule"]] = Rule(row["words"].strip(), row["decision"], where, row["reason"].strip())
     return rules
+
+
+def read_permits(path):
+    """[Permit, ...] of the page."""
+    permits = []
+    for place, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        if not re.match(r"\| P\d+ \|", line):
+            continue
+        row = PERMIT.match(line)
+        texts = re.findall(r"`([^`]+)`", row["texts"]) if row else []
+        if not texts or not row["stands"].strip():
+            raise ToolError(f"{path.name}:{place}: a permit is | P1 | rule | construct | `its line has` | what stands for the rule |")
+        if row["name"] in {each.name for each in permits}:
+            raise ToolError(f"{path.name}:{place}: permit {row['name']} stands there twice")
+        try:
+            permits.append(Permit(row["name"], row["rule"], row["construct"].strip(), tuple(map(re.compile, texts)), row["stands"].strip()))
+        except re.error as error:
+            raise ToolError(f"{path.name}:{place}: {row['name']}: no expression: {error}") from None
+    return permits
 
 
 def require_version():
@@ -256,7 +303,23 @@ def not_allowed(page, found):
             if each.rule not in page or not any(fnmatch.fnmatchcase(each.file, glob) for glob in page[each.rule].where)]
 
 
+def is_disapplied(page, each):
+    return each.rule in page and page[each.rule].decision == "disapplied"
+
+
+def without_permit(page, permits, found):
+    """The findings of rules from which the page deviates whose lines have no text of a permit of the rule."""
+    return [each for each in found
+            if each.rule in page and page[each.rule].decision == "deviated" and not any(permit.holds(each) for permit in permits)]
+
+
+def idle(permits, found):
+    """Permits of which each line has one of another permit of its rule, too: what they permit is not seen apart."""
+    return [permit for permit in permits
+            if not any(permit.holds(each) and not any(other.holds(each) for other in permits if other != permit) for each in found)]
+
+
 def stale(page, found):
-    """Rules from which the page deviates without a finding."""
+    """Rules from which the page deviates, or which it disapplies, without a finding."""
     there = {each.rule for each in found}
-    return [rule for rule, said in page.items() if said.decision == "deviated" and rule not in there]
+    return [rule for rule, said in page.items() if said.decision in ("deviated", "disapplied") and rule not in there]
