@@ -2,6 +2,7 @@
 """How fixel breaks draws, makes and judges breaks. The breaks of the list itself: make breaks."""
 
 import argparse
+import dataclasses
 import json
 import pathlib
 import types
@@ -12,6 +13,7 @@ from conftest import CHECKOUT
 from fixel.base.errors import ToolError
 from fixel.check import breaks, clauses, planting, trace_break
 from fixel.check.breaks import NAMED, PASSED, UNNAMED
+from fixel.prove import bugs, rows
 
 BUILT_PROGRAMS = ()
 BREAK = """["lib/a.c".sum.%s]
@@ -237,3 +239,100 @@ def test_a_break_is_taken_back_where_its_command_fails(root):
     with pytest.raises(ToolError, match="does not build"):
         commands.report(each)
     assert (root / "build/breaks/checkout/lib/a.c").read_text() == CODE
+
+
+# --- rows of proofs ----------------------------------------------------------------
+
+# Bugs that may be untried, or tried with another text: they become fewer.
+UNTRIED = 400
+
+
+def test_each_row_has_a_bug_of_its_own_that_it_noticed():
+    """The record of fixel prove --bugs, which names what it has not tried, or with another text."""
+    every = rows.read(CHECKOUT)
+    pairs, known = bugs.pairs_of(CHECKOUT, every), {each.id for each in every}
+    assert {each for bug in planting.of_rows(CHECKOUT) for each in bug.rows} <= known
+    # a row that runs a formula is asked for the bug of the formula's row
+    assert not {each.id for each in every if not each.formula} - {each.id for _, each in pairs}, "a row without a bug: add one to host_tests/breaks"
+    assert {(each, bug) for each, named in bugs.load(CHECKOUT).items() for bug in named} <= {(each.id, bug.id) for bug, each in pairs}
+    stale = [f"{each.id}: {bug.id}" for bug, each in bugs.stale(CHECKOUT, pairs)]
+    assert len(stale) <= UNTRIED, f"make prove BUGS=1 tries them: {', '.join(stale)}"
+
+
+def test_a_bug_was_tried_with_this_text_of_its_function_and_row(tmp_path):
+    """A comment is no text."""
+    path = tmp_path / "lib/math/a.c"
+    path.parent.mkdir(parents=True)
+    harness = tmp_path / "a.c"
+    harness.write_text("void prove_a(void)\n{\n}\n", encoding="utf-8")
+    one = rows.Row(function="lib/math/a.c:a", property="", place=harness, id="a", harness="prove_a")
+    bug = planting.Break("lib/math/a.c", "a", "one-more", "return 1;", "return 2;", "one more", ledger="")
+    seen = []
+    for text in ("return 1;", "return  1; /* one */", "return 1 + 0;"):
+        bugs._lines.cache_clear()
+        path.write_text(f"int a(void)\n{{\n    {text}\n}}\n", encoding="utf-8")
+        seen.append(bugs.hash_of(tmp_path, bug, one))
+    assert seen[0] == seen[1] != seen[2]
+    assert bugs.hash_of(tmp_path, bug, dataclasses.replace(one, unwind=9)) != seen[2]
+    (tmp_path / rows.PROOFS).mkdir(parents=True)
+    bugs.save(tmp_path, [(bug, one)], {"a": {"one-more": seen[2], "gone": "0"}})
+    assert bugs.load(tmp_path) == {"a": {"one-more": seen[2]}} and bugs.stale(tmp_path, [(bug, one)]) == []
+
+
+def test_stubs_that_assume_what_no_row_says_are_named_and_become_fewer():
+    found = {}
+    for place, to, _ in rows.assumptions(CHECKOUT, rows.read(CHECKOUT)):
+        found.setdefault(place, set()).add(to)
+    assert found == {place: set(named.split()) for place, named in rows.UNSTATED.items()}
+    assert sum(map(len, found.values())) <= 47
+
+
+STUB = """#include "math/a.c"
+int any_b(int from, const int *to)
+{
+    int found;
+    ASSUME(%s);
+    return found;
+}
+
+/* [[row]]
+ * function = "a"
+ * property = "p"
+ * stands_in = { b = "any_b" }
+ */
+void prove_a(void)
+{
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "b"
+ * property = "p"
+ */
+void prove_b(void)
+{
+    ASSERT("between them", status != FXL_OK || (x >= low && x <= high));
+    ASSERT("below 4", WITHIN(b(low, &high), 4));
+}
+"""
+
+
+@pytest.mark.parametrize("assumed, is_said", [
+    ("found >= from && found <= *to", True),
+    ("!good || found <= *to", True),
+    ("WITHIN(found, 4)", True),
+    ("WITHIN(found, 3)", False),
+    ("found > from && found <= *to", False),
+    ("found >= from && from <= *to", False),    # another number between them
+    ("found >= found", False),
+])
+def test_what_a_stub_assumes_a_row_says_in_the_same_words(tmp_path, assumed, is_said):
+    (tmp_path / "lib").mkdir()
+    harness = tmp_path / rows.PROOFS / "math/arith.c"
+    harness.parent.mkdir(parents=True)
+    harness.write_text(STUB % assumed, encoding="utf-8")
+    every = rows.read(tmp_path)
+    assert rows.assumptions(tmp_path, every) == ([] if is_said else [("math/arith.c", "any_b", "b")])
+    if not is_said:
+        with pytest.raises(ToolError, match="any_b assumes what no row of b asserts"):
+            rows.check_assumptions(tmp_path, every)

@@ -8,7 +8,6 @@ import pytest
 
 from conftest import CHECKOUT
 from fixel.base.errors import ToolError
-from fixel.check import planting
 from fixel.prove import cbmc, exact, formulas, functions, mutants, others, prove, proving, recomputed, rows
 
 BUILT_PROGRAMS = ()
@@ -202,18 +201,6 @@ def test_constants_are_what_their_formulas_give():
             assert recomputed.prove(None, CHECKOUT, row, None)["checks"] == row.checks, row.id
 
 
-def test_each_room_with_rows_has_a_seeded_bug_and_there_are_thirty():
-    rooms = {row.id: row.place.parent.name for row in rows.read(CHECKOUT)}
-    broken = [row for bug in planting.of_rows(CHECKOUT) for row in bug.rows]
-    assert {rooms[row] for row in broken} == set(rooms.values())
-    assert len(set(broken)) >= 30
-
-
-def test_seeded_bugs_name_rows():
-    known = {row.id for row in rows.read(CHECKOUT)}
-    assert {row for bug in planting.of_rows(CHECKOUT) for row in bug.rows} <= known
-
-
 def test_rows_state_results_of_functions_as_they_are():
     """The record of fixel prove --mutants is of today's text, and no seed has fewer than four of five."""
     kept = mutants.load(CHECKOUT)
@@ -299,9 +286,20 @@ by_pointer /* by_pointer */
 
 def test_only_what_is_called_by_name_is_within_a_row():
     """A function that the harness has in its place is not, and a static function is that of its own file."""
-    found = cbmc._within(PROGRAM, row("f", harness="prove_f", stands_in={"gone": "any_gone"}))
+    found, direct = cbmc._within(PROGRAM, row("f", harness="prove_f", stands_in={"gone": "any_gone"}))
     assert {name: place for name, place in found.items() if place[0].startswith("lib/")} == {
         "f": ("lib/view/arith.c", "f"), "clear$link1": ("lib/view/arith.c", "clear")}
+    assert direct == set()      # this f is of another file than the row's
+    assert cbmc._within(PROGRAM.replace("math/../view", "math"), row("f", harness="prove_f"))[1] == {"clear$link1"}
+
+
+def test_a_row_fails_whose_function_calls_what_never_comes_back():
+    """Unless another case of the row comes back from there. A call under a condition that never holds shows nothing of what is called."""
+    once, never = {"checks": 4, "within": [], "lost": []}, {"checks": 4, "within": [], "lost": ["emit_all"]}
+    assert "calls emit_all" in proving.failure(row("a"), [(None, never)])
+    assert proving._summed(row("a", checks=4), [(None, {**never, "seconds": 1.0})])["state"] == "not proved"
+    assert proving.failure(row("a"), [(0, never), (1, once)]) is None
+    assert proving.failure(row("a"), [(0, {"failed": "overflow"}), (1, once)]) == "case 0: overflow"
 
 
 def test_a_contract_without_a_row_and_a_circle_are_found():

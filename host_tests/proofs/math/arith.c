@@ -55,6 +55,7 @@ void prove_round_shift(void)
  * checks = 112
  * contract = true
  * equations = true
+ * unreached = { fxl_fraction = "of FXL_COMPACT alone", fxl_multiply_u32 = "the same" }
  */
 void prove_divide_u64(void)
 {

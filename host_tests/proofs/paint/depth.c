@@ -47,6 +47,79 @@ void prove_depth_skip_hidden(void)
     PROOF_ENDS();
 }
 
+/* --- the ends of a run of cells of 32 bits --------------------------------------------------------------------- */
+
+/* Four at once, and one more: on the columns from 0 on. */
+#define RUN 5
+
+static uint32_t run[RUN], run_before[RUN];
+
+/* Any run of so many columns, its codes, which do not come round, and the one behind it. */
+static fxl_depth_line any_run(int32_t columns, uint32_t codes[RUN + 1])
+{
+    const fxl_depth_line line = {nondet_u32(), nondet_u32()};
+    ASSUME(columns >= 1 && columns <= RUN);
+    codes[0] = line.code;
+    for (int32_t i = 0; i < RUN; i++) {
+        codes[i + 1] = codes[i] + line.step;
+        ASSUME(i + 1 >= columns || (line.step >> 31 == 0 ? codes[i + 1] >= codes[i] : codes[i + 1] < codes[i]));
+        run_before[i] = run[i];
+    }
+    return line;
+}
+
+/* [[row]]
+ * id = "fxl_depth_visible_end, its result"
+ * function = "lib/paint/depth_cells.h:fxl_depth_visible_end"
+ * property = "runs of up to 5 cells of 32 bits, by either rule: the first hidden column, or the end; what is before it is kept where it keeps, no other cell changes, and the line goes along"
+ * checks = 318
+ * unwind = 7
+ * unreached = { fxl_depth_keep_visible = "of cells of 16 bits" }
+ */
+void prove_visible_end(void)
+{
+    const int32_t x0 = 0, x1 = nondet_s32();
+    const fxl_depth_rule rule = {true, nondet_bool()};
+    const bool keeps_codes = nondet_bool();
+    uint32_t codes[RUN + 1];
+    fxl_depth_line line = any_run(x1, codes);
+    const int32_t end = fxl_depth_visible_end(run, x0, x1, &line, keeps_codes, rule);
+    ASSERT("a column, or the end", end >= x0 && end <= x1);
+    for (int32_t i = 0; i < RUN; i++) {
+        const bool visible = fxl_depth_passes(run_before, i, codes[i], rule);
+        ASSERT("visible ones before it", i >= end || visible);
+        ASSERT("a hidden one", i != end || end == x1 || !visible);
+        ASSERT("kept, or as it was", run[i] == (i < end && keeps_codes ? codes[i] : run_before[i]));
+    }
+    ASSERT("the line goes along", line.code == codes[end]);
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * id = "fxl_depth_hidden_end, its result"
+ * function = "lib/paint/depth_cells.h:fxl_depth_hidden_end"
+ * property = "runs of up to 5 cells of 32 bits, by either rule: the first visible column, or the end, and the line goes along"
+ * checks = 280
+ * unwind = 7
+ * unreached = { fxl_depth_codes_have_next = "of cells of 16 bits", fxl_depth_skip_hidden = "the same", fxl_depth_go_on = "the same" }
+ */
+void prove_hidden_end(void)
+{
+    const int32_t x0 = 0, x1 = nondet_s32();
+    const fxl_depth_rule rule = {true, nondet_bool()};
+    uint32_t codes[RUN + 1];
+    fxl_depth_line line = any_run(x1, codes);
+    const int32_t end = fxl_depth_hidden_end(run, x0, x1, &line, rule);
+    ASSERT("beyond a hidden one", fxl_depth_passes(run, x0, codes[x0], rule) || (end > x0 && end <= x1));
+    for (int32_t i = 0; i < RUN; i++) {
+        const bool visible = fxl_depth_passes(run, i, codes[i], rule);
+        ASSERT("hidden ones before it", i >= end || !visible);
+        ASSERT("a visible one", i != end || end == x1 || visible);
+    }
+    ASSERT("the line goes along", line.code == codes[end]);
+    PROOF_ENDS();
+}
+
 static fxl_depth_scale any_scale(void)
 {
     fxl_depth_scale scale;

@@ -146,9 +146,16 @@ void prove_mixture_of_565(void)
 void prove_has_lines(void)
 {
     fxl_paint paint;
-    ASSERT("texels", !has_lines(&paint) || paint.level.texels != NULL);
-    ASSERT("texels of 8 or 16 bits", !has_plain_lines(&paint) || (paint.level.texels != NULL && has_plain_texels(&paint)));
-    ASSERT("a key is a hole", !is_keyed(&paint) || has_holes(&paint));
+    uint8_t texel;
+    paint.level.texels = nondet_bool() ? &texel : NULL; /* CBMC takes an unset pointer for null once it was compared */
+    const uint32_t others = FXL_TEXTURE_CLAMP | FXL_LEVEL_IN_BEAM;
+    const bool is_plain = paint.level.colours == NULL && (paint.level.flags & others) == 0;
+    const bool is_keyed_one = (paint.level.flags & FXL_TEXTURE_KEYED) != 0, is_first = paint.of_565.part_of_level == 0;
+    ASSERT("of 8 or 16 bits, repeated, in no beam", has_plain_texels(&paint) == is_plain);
+    ASSERT("such texels, all drawn, in no light", has_plain_lines(&paint) == (is_plain && is_first && paint.opacity == 16 && paint.level.texels != NULL));
+    ASSERT("a key", is_keyed(&paint) == is_keyed_one);
+    ASSERT("a key is a hole, and so is an opacity", has_holes(&paint) == (is_keyed_one || paint.opacity < 16));
+    ASSERT("texels in one light", has_lines(&paint) == (paint.level.texels != NULL && (is_first || (paint.is_evenly_lit && !has_holes(&paint)))));
     PROOF_ENDS();
 }
 
@@ -311,6 +318,6 @@ void prove_leave_out(void)
     ASSERT("four bits", drawn <= 15 && (paint.opacity < 16 || drawn == 15));
     leave_out(drawn, adds, x, pixels, colours, 4);
     ASSERT("drawn or beneath", colours[k] == ((drawn >> ((uint32_t)x + k) % 4 & 1u) != 0 ? before : adds ? 0 : pixels[k]));
-    mix_evenly(&paint, pixels, pixels + 2);
+    mix_evenly(&paint, pixels + 2, pixels + 4);
     PROOF_ENDS();
 }

@@ -13,7 +13,7 @@ MEMORY = 6 << 30        # bytes of address space of a prover: two at a time leav
 DEFINES = ("-DFXL_PROVE", "-std=gnu11", "-Ilib/include", "-Ilib", "-Ihost_tests/proofs")
 CHECKS = ("--bounds-check", "--pointer-check", "--pointer-overflow-check", "--signed-overflow-check", "--undefined-shift-check",
           "--div-by-zero-check", "--conversion-check", "--pointer-primitive-check", "--unwinding-assertions", "--slice-formula", "--object-bits", "12")
-RESULT = "any statics, reached ends"      # of what a result says: another text here, and nothing that was kept is used
+RESULT = "any statics, reached ends, calls come back"   # of what a result says: another text here, and nothing that was kept is used
 REACHED = "the harness ends"        # PROOF_ENDS of proof.h: it must fail
 ENDS = "insert-final-assert-false (should fail) "       # of a function's end: it fails if a call comes back from there
 # Lines of goto-instrument --show-goto-functions: where a function begins, the place of an instruction, a call that is not by pointer.
@@ -72,7 +72,8 @@ def _defines(row, case):
 
 
 def prove(programs, root, row, case):
-    """{"checks", "within", "seconds"} of a proved case; Failed where it is not proved."""
+    """{"checks", "within", "lost", "seconds"} of a proved case; Failed where it is not proved. lost: what the function calls without any
+    call that comes back."""
     spent = 0.0
     with scratch.folder("proof") as folder:
         program, ready = folder / "whole.goto", folder / "ready.goto"
@@ -83,7 +84,8 @@ def prove(programs, root, row, case):
             raise Failed(f"goto-cc: {_last(said)}")
         said, code, cpu = _run(programs, root, ["goto-instrument", "--show-goto-functions", program], SECONDS - spent)
         spent += cpu
-        within = _texts(root, row, case, folder, _within(said, row))
+        within, direct = _within(said, row)
+        within = _texts(root, row, case, folder, within)
         for name in within:
             ended = folder / f"ended_{name}.goto"
             said, code, cpu = _run(programs, root, ["goto-instrument", "--insert-final-assert-false", name, program, ended], SECONDS - spent)
@@ -125,7 +127,8 @@ def prove(programs, root, row, case):
         words = ["cbmc", "--drop-unused-functions", *_checks(row), *(flag for flag in row.flags if not flag.startswith("-D")), "--unwind", row.unwind, *(["--unwindset", unwound] if unwound else []), ready]
         said, _, cpu = _run(programs, root, words, SECONDS - spent)
     checks, ended = judge(said)
-    return {"checks": checks, "within": sorted({key for name, key in within.items() if name in ended}), "seconds": spent + cpu}
+    lost = sorted(name for name in direct if name in within and name not in ended and name not in row.unreached)
+    return {"checks": checks, "within": sorted({key for name, key in within.items() if name in ended}), "lost": lost, "seconds": spent + cpu}
 
 
 def _last(said):
@@ -135,8 +138,8 @@ def _last(said):
 
 
 def _within(shown, row):
-    """{name in the program: (file, name)} of the functions that the harness, or one that it calls, calls by name, and that have
-    their own text in the program. One that a pointer of its type might mean is none of them."""
+    """({name in the program: (file, name)} of the functions that the harness, or one that it calls, calls by name, and that have
+    their own text in the program; those that the row's function calls itself). One that a pointer of its type might mean is none of them."""
     calls, files, caller = {}, {}, None
     for line in shown.splitlines():
         if begins := BEGINS.match(line):
@@ -153,7 +156,8 @@ def _within(shown, row):
             found.add(name)
             waiting += calls.get(name, [])
     # of two static functions of a name, the linker adds to that of one
-    return {name: (files[name], name.partition("$")[0]) for name in found if name in files}
+    return ({name: (files[name], name.partition("$")[0]) for name in found if name in files},
+            {called for name in found if (files.get(name), name.partition("$")[0]) == (row.file, row.name) for called in calls[name]})
 
 
 def _texts(root, row, case, folder, within):

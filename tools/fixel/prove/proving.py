@@ -27,13 +27,13 @@ def placed(row, root):
 
 def _inputs(root, row, case, versions):
     """All that the result of a case depends on."""
-    words = (row.harness, row.contract, row.uses, row.unwind, row.unwindset, row.flags, row.loops, row.text, *([row.stands_in] if row.stands_in else []), *([row.of] if row.of else []),
+    words = (row.function, row.unreached, row.harness, row.contract, row.uses, row.unwind, row.unwindset, row.flags, row.loops, row.text, *([row.stands_in] if row.stands_in else []), *([row.of] if row.of else []),
              bool(row.narrows))
     return [versions, words, cbmc.CHECKS, cbmc.DEFINES, cbmc.RESULT, PROVERS[row.tool].preprocessed(root, row, case)]
 
 
 def prove_case(programs, root, row, case, store, versions):
-    """The result of a case, computed or as it is kept: {"checks", "within", "seconds"}, or {"failed", "seconds"}."""
+    """The result of a case, computed or as it is kept: {"checks", "within", "lost", "seconds"}, or {"failed", "seconds"}."""
     def compute():
         try:
             found.update(PROVERS[row.tool].prove(programs, root, row, case))
@@ -55,9 +55,16 @@ def prove_case(programs, root, row, case, store, versions):
         return json.loads(result.read_text(encoding="utf-8"))
 
 
+def failure(row, cases):
+    """Why a row of such cases is not proved, or None: one fails, or its function calls what no case comes back from."""
+    failed = next((f"{'' if case is None else f'case {case}: '}{each['failed']}" for case, each in cases if "failed" in each), None)
+    lost = set.intersection(*(set(each.get("lost", [])) for _, each in cases)) if cases else set()
+    return failed or (f"{row.name} calls {min(lost)}, and for no input does that call come back" if lost else None)
+
+
 def _summed(row, cases):
     """The result of a row: of all its cases."""
-    failed = next((f"{'' if case is None else f'case {case}: '}{each['failed']}" for case, each in cases if "failed" in each), None)
+    failed = failure(row, cases)
     seconds = sum(each["seconds"] for _, each in cases)
     result = {"row": row.id, "function": row.function, "property": row.property, "tool": row.tool, "whole": row.is_whole, "seconds": round(seconds, 1)}
     if failed:
@@ -98,7 +105,7 @@ def _root(parameters):
 
 
 def run_shard(build, parameters):
-    """{"checks", "within"} of a proved case, or {"failed"}: of one that took too long only for now."""
+    """{"checks", "within", "lost"} of a proved case, or {"failed"}: of one that took too long only for now."""
     cbmc.SECONDS = parameters["seconds"]
     root, row = _root(parameters), _rows(_root(parameters))[parameters["row"]]
     try:
@@ -109,7 +116,7 @@ def run_shard(build, parameters):
         return {"failed": str(error)}
     except ToolError as error:
         return {"failed": error.shown().replace("\n", " "), AGAIN: True}
-    return {key: found[key] for key in ("checks", "within")}
+    return {key: found.get(key, []) for key in ("checks", "within", "lost")}
 
 
 def shard_inputs(build, parameters):
@@ -218,9 +225,10 @@ def command(options):
         records.accept(root, chosen, functions.text_of)
         options.accept = False
         return command(options)
+    records.check_assumptions(root, rows)
     jobs = runner.jobs_of(options)
+    from fixel.prove import bugs, mutants    # which use this module
     if options.bugs or options.mutants:
-        from fixel.prove import bugs, mutants    # which use this module
         cbmc.SECONDS = options.seconds
         return (bugs if options.bugs else mutants).command(_programs(options.build)[0], root, jobs, chosen, options, kept.Kept(options.build, options.fresh))
     if not options.cluster:
@@ -241,4 +249,7 @@ def command(options):
         records.tidy(root, gone | {key for result in proved if result["whole"] for key in (result["function"], *result["within"])})
     output.write_json(pathlib.Path(options.build) / "prove/prove.json", {"rows": results, "functions": shown, "assembly": assembly, "wrong": wrong})
     _print(results, shown, assembly, wrong)
+    stale = bugs.stale(root, bugs.pairs_of(root, chosen))
+    if stale:
+        print(f"of another text are the bugs of {', '.join(sorted({row.id for _, row in stale}))}: make prove BUGS=1 tries them anew")
     return 1 if wrong or any(result["state"] != "proved" for result in results) else 0

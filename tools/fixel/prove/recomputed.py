@@ -15,13 +15,9 @@ NUMBER = r"(?<![\w.])-?(?:0x[0-9A-Fa-f]+|[0-9]+(?:\.[0-9]+)?)(?=[uUlL]*(?![\w.])
 MARKS = {"{}": f"({NUMBER})", "{*}": r"([^{}]*(?:\{[^{}]*\}[^{}]*)*)(?=\})", "{.byte}": r"((?:\s*\.byte [^\n]*)+)"}
 
 
-def _file(row):
-    return row.function.rpartition(":")[0]
-
-
 def preprocessed(root, row, _case):
     """All that the result depends on."""
-    return row.place.read_bytes(), (root / _file(row)).read_bytes()
+    return row.place.read_bytes(), (root / row.file).read_bytes()
 
 
 def _value(word):
@@ -53,9 +49,9 @@ def prove(_programs, root, row, _case):
     wanted = runpy.run_path(str(row.place)).get(row.harness)
     if wanted is None:
         raise Failed(f"{row.place.name} has no function {row.harness}")
-    wanted, found = list(wanted()), numbers_of((root / _file(row)).read_text(encoding="utf-8"), row.text)
+    wanted, found = list(wanted()), numbers_of((root / row.file).read_text(encoding="utf-8"), row.text)
     if len(wanted) != len(found) or not found:
-        raise Failed(f"its formula gives {len(wanted)} numbers, and {_file(row)} has {len(found)}")
+        raise Failed(f"its formula gives {len(wanted)} numbers, and {row.file} has {len(found)}")
     for number, (want, have) in enumerate(zip(wanted, found)):
         if want != have:
             place = f"number {number} of {row.name}" if len(wanted) > 1 else row.name

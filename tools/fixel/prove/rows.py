@@ -32,7 +32,7 @@ LEADER = re.compile(r"^(?: \*|[;#]) ", re.MULTILINE)
 HARNESS = re.compile(r"^(?:void|def) (\w+)\(", re.MULTILINE)
 FIELDS = {"function": str, "property": str}
 OPTIONAL = {"id": str, "contract": bool, "uses": list, "stubs": dict, "unwind": int, "cases": list, "checks": int, "flags": list,
-            "links": list, "loops": bool, "equations": bool, "text": list, "of": dict, "formula": str, "induction": str, "unwindset": dict, "stands_in": dict, "every": bool, "narrows": str, "clause": str}
+            "links": list, "loops": bool, "equations": bool, "text": list, "of": dict, "formula": str, "induction": str, "unwindset": dict, "stands_in": dict, "every": bool, "unreached": dict, "narrows": str, "clause": str}
 MILLION = 1_000_000
 CAMPAIGNS = ("equality", "fuzz", "report", "unit tests", "frames", "seeded bugs", "stages")
 
@@ -65,7 +65,13 @@ class Row:
     induction: str = ""         # why a circle of contracts is none
     clause: str = ""            # the clauses and sentences that it shows, as a tag has them: "SPEC 2.2a, accuracy 1.1c"
     narrows: str = ""           # why a conversion may change a value: such rows are counted, and become fewer
+    unreached: dict = dataclasses.field(default_factory=dict)   # functions that it calls, and that no input of the row reaches: why
     every: bool = False         # enumeration runs the host's text of the function on each input that it may get
+
+    @property
+    def file(self):
+        """The file of the function."""
+        return self.function.rpartition(":")[0]
 
     @property
     def name(self):
@@ -288,3 +294,118 @@ def circles(rows):
             wrong.append(f"{row.id} is proved by its own contract, by way of {', '.join(sorted(reached))}: state the induction")
     return wrong
 
+
+# --- what stubs assume ---------------------------------------------------------------------------
+
+BODY = re.compile(r"(?ms)^(?!#)\w[^\n;{}=]*?\b(\w+)\([^;{}]*\)\n\{\n(.*?)^\}")
+VARIABLE = re.compile(r"(?<![\w.])(?!sizeof\b|\w+_t\b)[a-z_]\w*(?![\w(])")
+# Functions of harnesses that assume what no row of the function for which they are called says in these words. None is added, and one
+# that a row says is taken out.
+UNSTATED = {
+    "clip/clip_by_view.c": "any_fetch any_assembled fxl_project_inside",
+    "clip/clip_view.c": "any_intersection any_cut_edge",
+    "clip/intersection.c": "any_part",
+    "clip/line.c": "fxl_intersection_vertex any_move_end fxl_half_space_distance",
+    "clip/volume.c": "any_su32 any_s32",
+    "game/setup.c": "any_divide",
+    "math/arith.c": "any_quotient any_quotient_32",
+    "paint/billboards_open.c": "any_sprite any_set",
+    "paint/corner_planes.c": "any_product",
+    "paint/depth_row.c": "any_octave_of any_words_end",
+    "paint/surfaces_open.c": "any_place any_set",
+    "raster/active_edges.c": "any_slope any_step any_find_edges any_next_row any_end",
+    "raster/chains.c": "fxl_active_edges_next any_begin_edge any_trapezoid",
+    "raster/draw_outline.c": "fxl_active_edges_next",
+    "raster/edge.c": "any_divide any_floor some_dividend some_quotient some_divide first_of",
+    "scene/beam.c": "fxl_plane_from_points",
+    "scene/bsp_check.c": "any_range",
+    "scene/cluster_check.c": "any_dot_units",
+    "scene/image.c": "any_place",
+    "scene/lens.c": "any_product fxl_sin_q31",
+    "scene/motion_check.c": "any_product any_root any_reach any_length",
+    "scene/scene_open.c": "fxl_scene_section",
+}
+
+
+def _arguments(text, word):
+    """What stands within the brackets of each call of a macro or function."""
+    for found in re.finditer(rf"\b{word}\(", text):
+        end, depth = found.end(), 1
+        while depth:
+            depth += (text[end] == "(") - (text[end] == ")")
+            end += 1
+        yield text[found.end():end - 1]
+
+
+def _split(words, sign):
+    """The parts of an expression between signs that are in no brackets."""
+    parts, depth, begin = [], 0, 0
+    for place, letter in enumerate(words):
+        depth += (letter in "([") - (letter in ")]")
+        if not depth and words.startswith(sign, place):
+            parts.append(words[begin:place])
+            begin = place + len(sign)
+    return [*parts, words[begin:]]
+
+
+def _terms(words, name):
+    """{(a term, with marks for its variables: these)} of what an expression says where what stands before its last || is false. What
+    the function `name` returns is a variable."""
+    words = "".join(words.split()).replace("->", ".").replace("[0]", "").replace("FXL_BELOW", "WITHIN").replace("FXL_RESULT", "result")
+    words = re.sub(r"(?<![\w)\]&])[&*](?=[a-z])", "", words)     # a place for what stands there
+    for inside in list(_arguments(words, name)):
+        words = words.replace(f"{name}({inside})", "result")
+    last = _split(words, "||")[-1]
+    while last.startswith("(") and last.endswith(")") and len(_split(last[1:-1], ")")) == 1:
+        last = last[1:-1]
+    return [(VARIABLE.sub("@", term), VARIABLE.findall(term)) for term in _split(last, "&&")]
+
+
+def _are_among(terms, said, names):
+    """Whether terms are among those that are said, with one name there for each name here."""
+    if not terms:
+        return True
+    text, own = terms[0]
+    for other, theirs in said:
+        known = {**names, **dict(zip(own, theirs))}
+        if text == other and [known[each] for each in own] == theirs and len(set(known.values())) == len(known) and \
+                all(known[each] == names[each] for each in names) and _are_among(terms[1:], said, known):
+            return True
+    return False
+
+
+def _said_of(row, bodies, library):
+    """The terms that a row of CBMC says of its function: by the assertions of its harness, and by its contract."""
+    said = [_terms(each.partition('",')[2], row.name) for each in _arguments(bodies(row.place).get(row.harness, ""), "ASSERT")]
+    if row.contract:
+        said += [_terms(each, row.name) for found in re.finditer(rf"\b{row.name}\([^;{{]*", library) for each in _arguments(found[0], "FXL_ENSURES")]
+    return [term for terms in said for term in terms]
+
+
+def assumptions(root, rows):
+    """[(ROOM/FILE.c, a function of it, for which function it is called)] of those that assume what no row of this one says in the same words."""
+    texts = {}
+
+    def bodies(place):
+        if place not in texts:
+            texts[place] = dict(BODY.findall(place.read_text(encoding="utf-8")))
+        return texts[place]
+
+    library = "\n".join(path.read_text(encoding="utf-8") for path in sorted((pathlib.Path(root) / "lib").rglob("*.[ch]")))
+    proved = [row for row in rows if row.tool == "cbmc"]
+    some = dict.fromkeys((row.place, to, name) for row in proved for name, to in (*row.stands_in.items(), *((name, name) for name in row.stubs)))
+    found = []
+    for place, to, name in some:
+        assumed = [_terms(each, name) for each in _arguments(bodies(place).get(to, ""), "ASSUME")]
+        said = [_said_of(row, bodies, library) for row in proved if row.name == name] if assumed else []
+        if not all(any(_are_among(terms, each, {}) for each in said) for terms in assumed):
+            found.append((f"{place.parent.name}/{place.name}", to, name))
+    return found
+
+
+def check_assumptions(root, rows):
+    """Refuses a function of a harness that assumes what no row says."""
+    for place, to, name in assumptions(root, rows):
+        if to not in UNSTATED.get(place, "").split():
+            raise ToolError(f"{PROOFS}/{place}: {to} assumes what no row of {name} asserts in the same words: assert it in the harness of one, or "
+                            "in its contract by FXL_ENSURES, and assume no more")
