@@ -471,3 +471,23 @@ void test_texels_of_4_bits_are_those_of_bytes(void)
     TEST_ASSERT_GREATER_THAN(200, covered);
     TEST_ASSERT_LESS_THAN(covered / 20, differing);
 }
+
+/* A texture with levels, of which the face shows the largest alone. */
+/* SPEC 9.1.1, 9.4 */
+void test_levels_that_are_too_small_change_no_texel(void)
+{
+    static const fxl_surface plain = {.texture = 1, .opacity = 16, .division = FXL_DIVIDE_16};
+    static uint8_t levels[32 + 8 + 2 + 1];
+    static uint16_t frames[2][PIXELS];
+    const fxl_texture of_one = texture;
+    memcpy(levels, texels, sizeof texels);
+    target = &fxl_rgb565_depth_16;
+    painter = FXL_SURFACES_OF(fxl_rgb565_depth_16);
+    cells_size = sizeof cells;
+    draw(&plain, NULL, frames[0]);
+    texture.texels = levels;
+    texture.levels = 4;
+    draw(&plain, NULL, frames[1]);
+    texture = of_one;
+    TEST_ASSERT_EQUAL_HEX16_ARRAY(frames[0], frames[1], PIXELS);
+}
