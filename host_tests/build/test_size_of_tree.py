@@ -26,13 +26,13 @@ def test_growth_is_measured_from_the_record():
 
 
 def test_a_line_of_code_is_no_comment_no_docstring_and_not_blank(tmp_path):
-    texts = {"lib/a.c": "/* one\n two */\nint a; /* three */\n\n// four\nint b;\n", "lib/a.S": "/* one */\n    nop\n",
+    texts = {"lib/a.c": "/* one\n two */\nint a; /* three */\n\n// four\nint b;\n", "lib/a.S": "/* one */\n    nop\n", "lib/b_armv7m.h": "    nop\n",
              "tools/a.py": '"""One\n\ntwo."""\n\n# three\nA = """4\n5"""\ndef f():\n    """Six."""\n    return A\n',
              "host_tests/a.toml": "# one\na = 1\n", "docs/a.md": "no code\n",
              "host_tests/proofs/a/a.c": '/* [[row]]\n * function = "f"\n * checks = 1\n */\nvoid f(void);\n'}
     write_files(tmp_path, texts)
     assert size_of_tree.count_lines(texts, tmp_path) == {
-        "lines of host_tests, C": 1, "lines of host_tests, TOML": 4, "lines of lib, C": 2, "lines of lib, assembly": 1, "lines of tools, Python": 4}
+        "lines of host_tests, C": 1, "lines of host_tests, TOML": 4, "lines of lib, C": 2, "lines of lib, assembly": 2, "lines of tools, Python": 4}
 
 
 def test_functions_are_counted_once_wherever_they_are_declared(tmp_path):

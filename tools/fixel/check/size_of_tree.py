@@ -29,6 +29,7 @@ RECORD = "host_tests/build/tree.json"
 SLACK = 0.02
 FOLDERS = ("lib", "tools", "host_tests", "firmware", "boards", "bench", "ports", "examples")
 LANGUAGES = {".c": "C", ".h": "C", ".S": "assembly", ".py": "Python", ".toml": "TOML", ".mk": "make", ".mjs": "JavaScript", ".rs": "Rust"}
+ASSEMBLY = re.compile(r"_armv\w+\.h$")    # headers of assembly: what several sources of it share
 HASH = re.compile(r"^[ \t]*#.*", re.MULTILINE)
 COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.DOTALL)
 HEADERS = "lib/include"
@@ -65,7 +66,8 @@ def count_lines(files, root=ROOT):
     for name in files:
         folder, suffix = name.partition("/")[0], os.path.splitext(name)[1]
         if folder in FOLDERS and suffix in LANGUAGES:
-            found[f"lines of {folder}, {LANGUAGES[suffix]}"] += lines_of_code((root / name).read_text(encoding="utf-8"), suffix)
+            language = "assembly" if ASSEMBLY.search(name) else LANGUAGES[suffix]
+            found[f"lines of {folder}, {language}"] += lines_of_code((root / name).read_text(encoding="utf-8"), suffix)
         if name.startswith(f"{rows.PROOFS}/"):
             found[f"lines of {folder}, TOML"] += rows.lines_of_rows((root / name).read_text(encoding="utf-8"))
     return dict(sorted(found.items()))
