@@ -474,7 +474,7 @@ void test_texels_of_4_bits_are_those_of_bytes(void)
 
 /* A texture with levels, of which the face shows the largest alone. */
 /* SPEC 9.1.1, 9.4 */
-void test_levels_that_are_too_small_change_no_texel(void)
+void test_levels_that_are_too_small_are_not_seen(void)
 {
     static const fxl_surface plain = {.texture = 1, .opacity = 16, .division = FXL_DIVIDE_16};
     static uint8_t levels[32 + 8 + 2 + 1];
