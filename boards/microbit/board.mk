@@ -23,7 +23,7 @@ BOARD_OWN_FLAGS := -Os
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=16000000u WALK_WITHOUT_DEPTH_32 GAME_WITHOUT_RGB565_DEPTH
 
 # Flash has pages of 1 KiB.
-BOARD_MEMORY := flash_base=0x00000000 flash_size=256K flash_sector=1K program_size=192K \
+BOARD_MEMORY := flash_base=0x00000000 flash_size=256K flash_sector=1K program_size=194K \
     ram_base=0x20000000 ram_size=16K stack_size=3104 handler_stack_size=600
 
 BOARD_PARTS := $(CORTEXM_PARTS) armv6m_fault
