@@ -123,7 +123,8 @@ TARGET = ["-DFXL_TARGET=fxl_rgb565_depth_16", "-DFXL_TARGET_FORMAT=FXL_RGB565_PI
           "-DFXL_TARGET_SURFACES=fxl_rgb565_depth_16_surfaces", "-DFXL_TARGET_SPRITES=fxl_rgb565_depth_16_sprites"]
 OUTLINE = ["-DFXL_DRAW_OUTLINE=fxl_draw_outline", "-DFXL_DRAW_BY_ACTIVE_EDGES=fxl_draw_by_active_edges",
            "-DFXL_FILL_TRAPEZOID=fxl_fill_trapezoid", "-DFXL_COLOUR=uint8_t", "-Dfill_span(edges, span, band, colour)=(void)(colour)"]
-TEMPLATES = {f"draw/{name}_text.h": TARGET for name in ("target", "surfaces", "surface_paint", "surface_depth", "surface_smooth", "sprites")} | {
+TEMPLATES = {f"draw/{name}_text.h": TARGET
+             for name in ("target", "target_flat", "target_faces", "surfaces", "surface_paint", "surface_depth", "surface_smooth", "sprites")} | {
     "draw/pixel_row.h": TARGET, "raster/draw_outline_text.h": OUTLINE, "paint/segment_runs.h": ["-DTEXEL_CODE=(&fxl_texel_code_8)"]}
 OTHER_CORES = re.compile(r"_armv[67]m\.h$")
 
