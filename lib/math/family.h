@@ -10,7 +10,6 @@
  *   FXL_HAS_DIVIDER        a division of 32 bits is an instruction
  *   FXL_HAS_LONG_DIVIDER   so is one of 64 bits
  *   FXL_HAS_LEADING_ZEROS  so is the count of leading zeros
- *   FXL_HAS_DSP            sums of two halfwords or four bytes, saturated: Arm's DSP extension
  *   FXL_HAS_MVE            vectors: Arm's Helium
  *
  * FXL_CORE_HAS is the sum of what a core has. A test may define it, and so have the text of another
@@ -40,8 +39,7 @@
 #define FXL_DIVIDER       2
 #define FXL_LONG_DIVIDER  4
 #define FXL_LEADING_ZEROS 8
-#define FXL_DSP           16
-#define FXL_MVE           32
+#define FXL_MVE           16
 
 /* Of an Arm core of 32 bits the compiler says most. Thumb-1 alone has no long product. */
 #if defined __thumb__ && defined __ARM_ARCH_ISA_THUMB && __ARM_ARCH_ISA_THUMB == 1
@@ -59,11 +57,6 @@
 #else
 #define FXL_ARM_LEADING_ZEROS 0
 #endif
-#ifdef __ARM_FEATURE_DSP
-#define FXL_ARM_DSP FXL_DSP
-#else
-#define FXL_ARM_DSP 0
-#endif
 #ifdef __ARM_FEATURE_MVE
 #define FXL_ARM_MVE FXL_MVE
 #else
@@ -74,8 +67,7 @@
 #if defined FXL_PORTABLE_KERNELS || defined __LP64__ || defined _WIN64 || defined __wasm__
 #define FXL_CORE_HAS (FXL_LONG_PRODUCT + FXL_DIVIDER + FXL_LONG_DIVIDER + FXL_LEADING_ZEROS)
 #elif defined __arm__ /* an ARM7 or ARM9 has no divider, and no count before Armv5 */
-#define FXL_CORE_HAS \
-    (FXL_ARM_LONG_PRODUCT + FXL_ARM_DIVIDER + FXL_ARM_LEADING_ZEROS + FXL_ARM_DSP + FXL_ARM_MVE)
+#define FXL_CORE_HAS (FXL_ARM_LONG_PRODUCT + FXL_ARM_DIVIDER + FXL_ARM_LEADING_ZEROS + FXL_ARM_MVE)
 #elif defined __riscv && defined __riscv_mul && defined __riscv_zbb /* rv32imc_zba_zbb: RP2350 */
 #define FXL_CORE_HAS (FXL_LONG_PRODUCT + FXL_DIVIDER + FXL_LEADING_ZEROS)
 #elif defined __riscv && defined __riscv_mul /* rv32imc: ESP32-C3 */
@@ -93,7 +85,6 @@
 #define FXL_HAS_DIVIDER       ((FXL_CORE_HAS & FXL_DIVIDER) != 0)
 #define FXL_HAS_LONG_DIVIDER  ((FXL_CORE_HAS & FXL_LONG_DIVIDER) != 0)
 #define FXL_HAS_LEADING_ZEROS ((FXL_CORE_HAS & FXL_LEADING_ZEROS) != 0)
-#define FXL_HAS_DSP           ((FXL_CORE_HAS & FXL_DSP) != 0)
 #define FXL_HAS_MVE           ((FXL_CORE_HAS & FXL_MVE) != 0)
 
 #if defined __ARM_ARCH_PROFILE && !defined FXL_PORTABLE_KERNELS
