@@ -22,7 +22,7 @@ from fixel.view import browser
 from fixel.image import image as scene_image
 from viewers import BOARDS, HEIGHT, SCREEN, WIDTH, left, own_build, plaza_image, port_of, ready, ready_board, wait_for_rest   # two are fixtures
 
-BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "boards/lm3s6965evb/walk.elf", "boards/mps2-an385/game.elf", "host/live")
+BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "boards/lm3s6965evb/walk.elf", "host/live")
 MARK = (255, 0, 160)    # of a pixel that differs, in templates/view_picture.js
 LINE = (255, 211, 77)   # of an outline
 FIGURES = ("x", "y", "z", "yaw", "pitch", "roll")
