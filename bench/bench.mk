@@ -27,6 +27,8 @@ BENCH_CROSS = $(call CROSS_OF,$(BENCH_BOARD.$(1)))
 BENCH_SCREEN.m0 := "-DDRAW_PIXELS_MAX=(480u * 320u)"
 BENCH_SCREEN.m3 := $(BENCH_SCREEN.m0)
 BENCH_SCREEN.rv32 := $(BENCH_SCREEN.m0)
+# 512 KiB of RAM: scenes of at most 8,191 faces a model.
+BENCH_ORDER.m55 := -DORDER_ENTRIES=8192u
 
 BENCH_OPTIMISE := -O2
 BENCH_SMALL := -Os -DFXL_SMALL
@@ -172,12 +174,12 @@ $(BENCH_OUT)/$(1)/$(part).o: firmware/walk/$(part).c bench/bench.mk
 $(BENCH_OUT)/$(1)/memory_functions.o: boards/parts/memory_functions.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding -fno-tree-loop-distribute-patterns)
 $(BENCH_OUT)/$(1)/%.o: bench/firmware/%.c bench/bench.mk
-	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $(BENCH_SCREEN.$(1)) $$(FLAGS_OF_FILE))
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $(BENCH_SCREEN.$(1)) $(BENCH_ORDER.$(1)) $$(FLAGS_OF_FILE))
 $(BENCH_OUT)/$(1)/target/draw_costs.o: bench/firmware/draw_costs.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $$(call COSTS_FLAGS,TARGET) -DDRAW_ORDER_ENTRIES=3072u -DDRAW_ROOM_BYTES=196608u)
 $(foreach way,native bands native-bands,
 $(BENCH_OUT)/$(1)/$(way)/%.o: bench/firmware/%.c bench/bench.mk
-	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $(BENCH_SCREEN.$(1)) $(BENCH_DRAWS.$(way)))
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $(BENCH_SCREEN.$(1)) $(BENCH_ORDER.$(1)) $(BENCH_DRAWS.$(way)))
 )
 $(foreach real,double float,
 $(BENCH_OUT)/$(1)/$(real)/%.o: bench/listing/%.c bench/bench.mk

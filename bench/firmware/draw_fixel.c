@@ -8,7 +8,9 @@
 #include "plan.h"
 #include "program.h"
 
+#ifndef ORDER_ENTRIES
 #define ORDER_ENTRIES 16384u /* a ground of 16,200 faces in one model takes 16,201 */
+#endif
 #define CACHE_ENTRIES 256u  /* at most */
 #define LOOKS_BYTES   (4096u + FXL_DEPTH_BYTES(DRAW_PIXELS_MAX, 1, 16))
 
