@@ -73,9 +73,10 @@ def test_a_renderer_without_a_world_and_light_links_nothing_of_them(build, tmp_p
 @pytest.mark.parametrize("call, other", [
     ("fxl_attach_surfaces(NULL, NULL, NULL, FXL_SURFACES_OF(fxl_palette_depth_16)) + "
      "fxl_renderer_choose(NULL, &(fxl_config){.target = &fxl_palette_depth_16})", ("fxl_billboard", "fxl_sprite")),
-    ("fxl_attach_billboards(NULL, NULL, NULL, FXL_SPRITES_OF(fxl_palette))", ("fxl_depth", "fxl_surface"))])
+    ("fxl_attach_billboards(NULL, NULL, NULL, FXL_SPRITES_OF(fxl_palette))", ("fxl_depth", "fxl_surface")),
+    ("fxl_scene_open(NULL, 0, NULL, NULL) + fxl_scene_check_all(&scene, NULL)", ("fxl_surfaces_open", "fxl_surfaces_check"))])
 def test_billboards_surfaces_and_depth_do_not_link_each_other(build, tmp_path, call, other):
-    """billboards 4.4, surfaces 6.4."""
+    """billboards 4.4, surfaces 6.4, formats 1.12h."""
     source, program = tmp_path / "draw.c", tmp_path / "draw"
     text = "fxl_frame_begin(NULL, NULL) + fxl_renderer_init_with(NULL, &scene, NULL, NULL) + " + call
     source.write_text("#include <stddef.h>\n#include <fixel/all.h>\n" + PROGRAM.replace("NAME", text), encoding="utf-8")

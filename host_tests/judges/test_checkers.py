@@ -190,6 +190,15 @@ def test_a_section_that_no_reader_knows(build, blob, tmp_path):
     assert readers_say(build, blobs, tmp_path) == [(True,) * 3, (False,) * 3]
 
 
+def test_sections_that_must_be_there(build, blob, tmp_path):
+    """formats 1.2at."""
+    for name in ("palette", "vertices", "faces", "models", "objects"):
+        without = {kind: part for kind, part in bodies(blob).items() if fields.SECTIONS[kind - 1].name != name}
+        assert len(without) == len(bodies(blob)) - 1
+        said = loader_says(build, [joined(blob, without)], tmp_path)
+        assert said == [python_says(joined(blob, without))] and said != ["ok"], name
+
+
 def test_an_older_image_is_to_be_built_again(build, blob, tmp_path):
     for version in (1, 2, 8, 10):
         old = bytearray(blob)

@@ -8,6 +8,7 @@ import pytest
 from conftest import CHECKOUT, run_cli
 from host_frames import drawn, judged
 from drawn_scenes import head
+from scene_sections import section
 
 from fixel.board import dump
 from fixel.image import image
@@ -143,7 +144,7 @@ def test_the_stack_of_the_smallest_board_holds_the_deepest_scene(tmp_path, pixel
 
 
 def test_parts_share_the_record_of_the_whole(tmp_path):
-    """Its vertices stay in the model, also where no part has them for corners."""
+    """Its vertices stay in the model, also where no part has them for corners. formats 1.12c."""
     text = SCREEN % "palette" + CROSSING % "opacity = 6"
     whole, _ = compiled(tmp_path, text, "none")
     scene, made = compiled(tmp_path, text, "all")
@@ -176,7 +177,8 @@ def test_a_cut_moves_no_texel(build, tmp_path, pixels, division, more, yaw):
 
 @pytest.mark.parametrize("pixels", TARGETS)
 def test_the_parts_of_a_face_without_a_surface_have_its_colour(build, tmp_path, pixels):
-    """Light takes the middle of the whole face: each frame has one colour. By their own middles the parts have others."""
+    """Light takes the middle of the whole face: each frame has one colour. By their own middles the parts have others.
+    formats 1.2ba-bb."""
     text = SCREEN % pixels + FLOOR % ("16", "", "20", ", ".join(f"[0, -3, {0.7 * i + 1.5:.1f}]" for i in range(9)))
     text = text.replace('texture = "stones"\ntexels_per_unit = 4\ndivision = 16\n', 'colour = "#d0c0b0"\n')
     scene, cut = compiled(tmp_path, text, "all")
@@ -189,6 +191,10 @@ def test_the_parts_of_a_face_without_a_surface_have_its_colour(build, tmp_path, 
     assert len(one) == 6 and all(map(numpy.array_equal, one, other))
     assert all(len(numpy.unique(picture)) == 1 for picture in one)
     assert judged(build, cut, drawn(build, cut, "cut"))["pixels_unexplained"] == 0
+    assert section(cut.read_bytes(), "wholes")[1] > 0
+    text = "\n".join(line for line in text.splitlines() if not line.startswith(("levels", "fog", "points")))
+    unlit, plain = compiled(tmp_path, text, "all")
+    assert unlit.light is None and section(plain.read_bytes(), "wholes")[1] == 0
     for face in parts:
         face.whole = ()
     cut.write_bytes(image.pack(scene))

@@ -48,6 +48,7 @@ def test_without_billboards_an_image_is_as_before(tmp_path):
 
 
 def test_copies_share_a_model_and_pictures_their_pixels(tmp_path):
+    """formats 1.13b."""
     scene = build(tmp_path, BOARD + BOARD.replace('"b"', '"c"').replace("[2, 3]", "[1, 1]") +
                   OBJECT.replace("position = [0, 0, 9]", "positions = [[0, 0, 9], [1, 0, 9]]") + OBJECT.replace('"b"', '"c"'))
     assert len(scene.objects) == 3 and scene.billboards.model_map == [1, 2]

@@ -111,6 +111,7 @@ def in_cone(cluster, eye):
 
 @pytest.mark.parametrize("text", [GLOBE, WALL])
 def test_no_eye_in_a_cone_sees_a_front(tmp_path, text):
+    """formats 1.8l."""
     model, = made_of(tmp_path, text).models
     chance, seen = random.Random(3), 0
     for cluster, faces in faces_by_cluster(model):

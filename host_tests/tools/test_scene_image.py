@@ -373,6 +373,7 @@ def test_colours_are_added_in_an_image_of_rgb565():
 
 
 def test_a_blend_table_ends_with_the_palette():
+    """formats 1.4f."""
     rows = [bytes(256)] * 6
     made = image_surface.read(surfaces(**{"blend table": rows}), 250, MODELS)
     assert made.blend_first == 250 and len(made.blend) == 6
@@ -409,6 +410,7 @@ def test_a_face_has_a_mapping_of_three_vertices_that_are_on_no_line():
 
 
 def test_a_surface_counts_corners_from_its_first():
+    """formats 1.12e."""
     found = mapped(0, 0, 1, 2, coordinates=(0, 0) + (0, 0, 1, 0, 1, 1))
     found["surfaces"] = [(0, 0, 0, 16, 0, 0, 0, 1)]
     image_surface.read(found, 0, MODELS)
@@ -420,7 +422,7 @@ def test_a_surface_counts_corners_from_its_first():
 
 def test_faces_share_corners_up_to_65536_a_surface():
     """Of the faces of a strip each shares two corners with the one before. Where a surface has as many as its faces can count, one
-    like it goes on, and the faces are read as they were."""
+    like it goes on, and the faces are read as they were. formats 1.12d."""
     count = image_surface.CORNERS_OF_SURFACE
     strip = [image_surface.Mapped(0, (i, i + 1, i + 2), ((i, 0), (i + 1, 0), (i + 2, 0))) for i in range(count)]
     look = image_surface.Surface(opacity=7)

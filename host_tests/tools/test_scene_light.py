@@ -63,7 +63,7 @@ def test_what_is_not_given_has_a_default(tmp_path):
 
 # place light: the ramp that the tools make
 def test_a_ramp_goes_from_dark_to_the_colour_itself(tmp_path):
-    """light 3.3a."""
+    """light 3.3a, formats 1.11d."""
     scene = build(tmp_path, LIGHT + 'dark = "#102030"\n' + BOX)
     [colour] = colours_of(scene)
     shades = [scene.palette[level[colour]] for level in scene.light.ramp]

@@ -31,6 +31,16 @@ def area(shape):
                for f in shape.faces) / 2
 
 
+def dent_of(points, area):
+    """How far a corner lies at most on the inner side of the line between its neighbours, in units."""
+    found = 0
+    for a, b, c in zip(points[-1:] + points[:-1], points, points[1:] + points[:1]):
+        line = mesh.minus(c, a)
+        side = mesh.dot(mesh.cross(mesh.minus(b, a), line), area)
+        found = max(found, -side / math.sqrt(mesh.dot(line, line) * mesh.dot(area, area)) if any(line) else 0)
+    return found
+
+
 def check_faces(shape):
     """What the loader asks of every face, and that outline and normal agree."""
     for face in shape.faces:
@@ -39,12 +49,14 @@ def check_faces(shape):
         image.check_plane(face.normal, points, "a face")
         assert mesh.dot(mesh.newell(points), face.normal) > 0
         assert mesh.is_convex_outline(points, mesh.newell(points))
+        assert dent_of(points, mesh.newell(points)) <= 2
 
 
 @pytest.mark.parametrize("name", CLOSED)
 @settings(max_examples=15, deadline=None)
 @given(turns, st.fractions(Fraction(1, 4), 60, max_denominator=97))
 def test_solids_are_closed_convex_and_look_outward_however_turned(name, turn, scale):
+    """SPEC 3.4c."""
     shape = mesh.shape(solids.make(name, {}, name), matrix((scale,) * 3, turn), name)
     check_faces(shape)
     assert shape.open_edges == 0 and not shape.notes
@@ -149,6 +161,7 @@ def test_inside_turns_the_faces_inward():
 
 
 def test_a_concave_polygon_is_cut_into_triangles_of_the_same_area():
+    """SPEC 3.4d-e."""
     # An L, clockwise from above.
     ell = [(0, 0), (0, 131072), (65536, 131072), (65536, 65536), (131072, 65536), (131072, 0)]
     shape = mesh.shape(flat_mesh(ell), ONE, "ell")
@@ -201,6 +214,7 @@ def test_faces_without_area_are_dropped_and_said():
 
 
 def test_an_inside_out_model_is_turned_round():
+    """SPEC 3.4c, 3.4e."""
     box = solids.box()
     box.faces = [face[::-1] for face in box.faces]
     shape = mesh.shape(box, ONE, "box")

@@ -74,11 +74,32 @@ def pair(tmp_path, patient):
 # --- the window -------------------------------------------------------------------
 
 def test_the_board_is_invited_before_it_starts(tmp_path):
+    """formats 3.3a."""
     window = Window(tmp_path / "window", 1 << 20)
     board = FakeBoard(tmp_path / "window")
     assert board.memory[32:36].tobytes() == b"VIEW"
     assert board.memory.size == 1 << 20 and not board.memory[:32].any()
     assert f"size={1 << 20}" in window.options[1] and "memory-backend=window" in window.options[3]
+
+
+def test_the_window_waits_for_the_magic(tmp_path):
+    """All else that a head has is there before it. formats 3.1c, 3.3c."""
+    window, waits = Window(tmp_path / "window", 1 << 20), []
+    board = FakeBoard(tmp_path / "window")
+    board.open()
+    board.put(0, "I", 0)
+
+    def check(_waited):
+        waits.append(window._head)
+        if len(waits) == 3:
+            board.put(0, "4s", b"FXLW")
+        return len(waits) < 9
+
+    head = window.open(check)
+    assert waits == [None] * 3 and (head.width, head.height) == (WIDTH, HEIGHT)
+    board.put(0, "I", 0)
+    assert window.open(lambda _: False) is None
+    window.close()
 
 
 def test_a_comma_in_the_path(tmp_path):

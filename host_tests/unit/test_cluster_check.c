@@ -98,6 +98,7 @@ void test_counts(void)
     expect(FXL_E_COUNT, "cluster table", 0);
 }
 
+/* formats 1.8d */
 void test_which_models_have_some(void)
 {
     const unit_field fields[] = {

@@ -2,6 +2,7 @@
 /* The planes of small faces, against planes through the same corners in double, and the rule that
  * says which faces are small. */
 #include "corner_unit.h"
+#include "paint/corner_colours.h"
 #include "paint/light_row.h"
 
 /* Of the units of a gradient's upper word, what is cut off the steps is at most this part. */
@@ -202,7 +203,8 @@ static void check_attributes(int first, uint32_t count, bool is_affine, attribut
                                    : corner_divided_rounding(values[i], x, y) +
                                          PART_OF_UNIT * (unit + fabs(exact)) / weight;
         if (is_constant && !is_affine) {
-            bound += is_light ? FXL_AFFINE_ERROR_LIGHT : FXL_AFFINE_ERROR_TEXEL;
+            bound += (is_light ? FXL_AFFINE_ERROR_LIGHT : FXL_AFFINE_ERROR_TEXEL) /
+                     (triangle.planes.is_triangle ? 1 : 8);
         }
         check_bounds(&found.attributes[i]);
         TEST_ASSERT_NEAR(exact, value, bound);
@@ -237,6 +239,26 @@ void test_attributes_are_those_of_the_corners(void)
     TEST_ASSERT_LESS_THAN(2 * checked, divided.constant);
     TEST_ASSERT_EQUAL(checked, affine.constant);
     TEST_ASSERT_TRUE(affine.worst > WORST_SHARE);
+}
+
+/* SPEC 9.1.1i */
+void test_attributes_of_a_face_of_more_vertices(void)
+{
+    uint32_t checked = 0;
+    attribute_counts whole = {0, 0}, light = {0, 0};
+    corner_begin_seed(1);
+    for (int i = 0; i < UNIT_REPEAT / 2; i++) {
+        corner_make(i % 2 ? 1.0 / 4096 : 1.0 / 64);
+        triangle.corners.is_triangle = false;
+        if (begins()) {
+            check_attributes(0, 3, false, &whole);
+            check_attributes(2, 1, false, &light);
+            checked++;
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(checked / 100, whole.constant);
+    TEST_ASSERT_GREATER_THAN(checked / 10, light.constant);
+    TEST_ASSERT_LESS_THAN(checked * 9 / 10, light.constant);
 }
 
 /* Rows of the box, and 16 columns about it: where the weights suffice, an attribute on the line
@@ -323,4 +345,113 @@ void test_colours_take_longer_sides_and_thin_triangles(void)
     large.points[2].y--;
     TEST_ASSERT_FALSE(fxl_corner_planes_begin(&large, &triangle.view.lens, FXL_COLOURS_SIDE_MAX,
                                               &triangle.planes));
+}
+
+/* --- colours that are functions of the screen ---------------------------------------------- */
+
+static double level_of(uint64_t words, int upper)
+{
+    return (int32_t)(uint32_t)(words >> (upper ? 32 : 0)) / 4194304.0;
+}
+
+/* What a function adds to red (0) or blue (2) at corner 0, in levels. */
+static double added_to(const fxl_gradients *found, int k, double value)
+{
+    const fxl_gradient *a = found->attributes;
+    const fxl_screen_point *p = &triangle.corners.points[0];
+    const double column = (int32_t)(uint32_t)((uint64_t)a[0].at >> 32);
+    const double at = k == 0 ? level_of((uint64_t)a[0].at, 0) : level_of((uint64_t)a[1].at, 1);
+    const double along = level_of((uint64_t)a[1].along, k != 0);
+    const double down = level_of((uint64_t)a[k / 2].down, 0);
+    const double off = at - 1024 / 4194304.0 + along * (p->x / 65536.0 - 0.5 - column) +
+                       down * (p->y / 65536.0 - 0.5) - value;
+    return off - 1024 * floor(off / 1024 + 0.5); /* words are modulo 1024 levels */
+}
+
+/* How far a channel is above its function, in levels: from low to high, and in the mean. */
+typedef struct {
+    double low, high, mean;
+} bend;
+
+static bend bend_of(const int32_t values[3])
+{
+    bend found = {0, 0, 0};
+    double near[3], least = INFINITY;
+    for (int i = 0; i < 3; i++) {
+        near[i] = 1 / (double)triangle.corners.depths[i];
+        least = fmin(least, near[i]);
+    }
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3;
+        const double product = (values[i] - values[j]) / 65536.0 * (near[i] - near[j]) / least;
+        found.low = fmin(found.low, product / 4);
+        found.high = fmax(found.high, product / 4);
+        found.mean += product / 12;
+    }
+    return found;
+}
+
+/* Counts: taken at once, with a mean, and without one near what no pixel shows. */
+static void check_channel(const fxl_gradients *found, int k, const int32_t values[3],
+                          bool is_coarse, uint32_t counts[3])
+{
+    const bend of = bend_of(values);
+    const double added = k == 1 ? 0 : added_to(found, k, values[0] / 65536.0);
+    const double mean = fmin(fmax(of.mean, of.high - 0.3), of.low + 0.3);
+    double inside = INFINITY;
+    for (int i = 0; i < 3; i++) {
+        const double value = values[i] / 65536.0 + mean;
+        inside = fmin(inside, fmin(value, (k == 1 ? 64 : 32) - value) - 1.0 / 16);
+    }
+    TEST_ASSERT_TRUE(k == 1 || (of.high - added <= 0.301 && added - of.low <= 0.301));
+    if (!is_coarse) {
+        TEST_ASSERT_TRUE(of.high <= 0.126 && of.low >= -0.126);
+    }
+    TEST_ASSERT_TRUE(of.high - of.low <= 0.601);
+    if (k == 1 || fabs(inside) < 0.02) {
+        return; /* a word of green has too few bits of its step; a tie */
+    }
+    if (!is_coarse || fmax(of.high, -of.low) < 0.056) {
+        TEST_ASSERT_NEAR(0, added, 0.005);
+        counts[0]++;
+    } else if (fmax(of.high, -of.low) > 0.0626 && inside > 0) {
+        TEST_ASSERT_NEAR(mean, added, 0.02);
+        counts[1]++;
+    } else if (inside < 0) {
+        TEST_ASSERT_NEAR(0, added, 0.005);
+        counts[2]++;
+    }
+}
+
+/* Where a channel is above its function by up to 0.6 of a level, that has its mean, but for one that
+ * would be near what no pixel shows. */
+/* SPEC 9.1.1k, 9.1.1m-p */
+void test_colours_are_functions_of_the_screen_where_they_bend_little(void)
+{
+    uint32_t counts[2][3] = {{0}};
+    corner_begin_seed(1);
+    for (int n = 0; n < UNIT_REPEAT; n++) {
+        const bool is_coarse = n % 2 != 0;
+        int32_t values[3][3];
+        fxl_gradients found;
+        corner_make(n % 3 == 0 ? 0.05 : 0.5);
+        for (int i = 0; i < 9; i++) {
+            const int32_t most = i / 3 == 1 ? 64 << 16 : 32 << 16;
+            values[i / 3][i % 3] = unit_between(-most / 4, most + most / 4);
+            values[i / 3][i % 3] = unit_between(
+                most / 512, values[i / 3][i % 3] < most / 512 ? most / 512 : most - most / 512);
+        }
+        if (fxl_corner_planes_begin(&triangle.corners, &triangle.view.lens, FXL_COLOURS_SIDE_MAX,
+                                    &triangle.planes) &&
+            triangle.planes.weight_range >> 6 > triangle.planes.weight_most >> 13 &&
+            fxl_corner_colours_linear(&triangle.planes, values, false, is_coarse, &found)) {
+            for (int k = 0; k < 3; k++) {
+                check_channel(&found, k, values[k], is_coarse, counts[is_coarse]);
+            }
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, counts[0][0]);
+    for (int i = 0; i < 3; i++) {
+        TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, counts[1][i]);
+    }
 }

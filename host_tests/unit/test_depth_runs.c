@@ -133,6 +133,69 @@ void test_the_resolutions_of_two_scenes(void)
     }
 }
 
+/* Given its normal, which is not rounded in a view that is not turned. */
+/* SPEC 10.2c-d */
+void test_a_plane_gives_the_depth_of_its_points(void)
+{
+    static fxl_view view;
+    const fxl_lens lens = unit_lens(64, 48);
+    const double focal = lens.focal / 65536.0, near_z = lens.near_z / 65536.0;
+    double worst = 0;
+    fxl_view_set_lens(&view, &lens);
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const fxl_direction normal = unit_direction();
+        const fxl_view_point point = {unit_wide(50), unit_wide(50),
+                                      ((int64_t)1 << unit_between(44, 56)) + unit_wide(42)};
+        const int x = unit_between(0, 63), y = unit_between(0, 47);
+        const double way[3] = {(x + 0.5 - 32) / focal, (24 - y - 0.5) / focal, 1};
+        fxl_depth_plane plane;
+        double of_point = 0, at_pixel = 0;
+        for (int k = 0; k < 3; k++) {
+            of_point += (double)(&normal.x)[k] * ldexp((double)(&point.x)[k], -46);
+            at_pixel += (&normal.x)[k] * way[k];
+        }
+        fxl_find_depth_plane(&normal, NULL, &point, &view, &plane);
+        const fxl_gradient *of = &plane.gradient;
+        const double depth = near_z * at_pixel / of_point;
+        if (depth >= 1.0 / 65536 && depth <= 1 && of_point > 0) {
+            const double found = ldexp((double)(of->at + x * of->along + y * of->down), -plane.one);
+            const double off = fabs(found - depth) / depth;
+            worst = fmax(worst, off);
+        }
+    }
+    TEST_ASSERT_TRUE(worst > ldexp(1, -34) && worst < ldexp(1, -27));
+}
+
+/* Of a plane whose depths are known: how much smaller the codes of a wide row are. */
+/* SPEC 10.3e */
+void test_a_code_is_too_small_by_less_than_a_64th(void)
+{
+    static fxl_view view;
+    const fxl_lens lens = unit_lens(FXL_SCREEN_MAX, 48);
+    const fxl_depth_scale scale = fxl_depth_scale_of(&lens);
+    double worst = 0;
+    fxl_view_set_lens(&view, &lens);
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const fxl_direction normal = unit_direction();
+        const fxl_view_point point = {unit_wide(50), unit_wide(50),
+                                      ((int64_t)1 << unit_between(44, 56)) + unit_wide(42)};
+        const int x = unit_between(0, FXL_SCREEN_MAX - 1);
+        fxl_depth_plane plane;
+        fxl_find_depth_plane(&normal, NULL, &point, &view, &plane);
+        const int64_t row = plane.gradient.at + unit_between(0, 47) * plane.gradient.down;
+        const double depth = ldexp((double)(row + x * plane.gradient.along), -plane.one);
+        if (depth < 1 && depth >= ldexp(1, -scale.octaves)) {
+            const int octave = -1 - ilogb(depth);
+            const double code = ldexp(ldexp(depth, octave + 1) - 2 + scale.octaves - octave,
+                                      scale.mantissa + 16) + 65536;
+            const double less = code - fxl_depth_code_at(scale, &plane, row, x);
+            TEST_ASSERT_TRUE(less > -1e-3 && less < 1024);
+            worst = fmax(worst, less);
+        }
+    }
+    TEST_ASSERT_TRUE(worst > 256);
+}
+
 /* A plane through the eye, or on the wrong side of it: its code is the least, at each pixel. */
 /* SPEC 10.1c */
 void test_a_face_that_is_seen_edge_on_is_at_infinity(void)

@@ -108,6 +108,7 @@ static fxl_clip_result clip_into_fan(const fxl_model_view *model_view, const fxl
 
 static const fxl_clipper fan_clipper = {.clip = clip_into_fan, .next = next_of_fan};
 
+/* SPEC 7.3a-b */
 void test_a_clipper_may_give_several_polygons(void)
 {
     uint32_t full = 0, several = 0;
@@ -211,7 +212,7 @@ static bool walk_in_pieces(const fxl_traversal *traversal)
     return true;
 }
 
-/* beams 4.2a */
+/* beams 4.2a, SPEC 7.3a-b */
 void test_a_face_in_pieces_counts_once(void)
 {
     static choice in_pieces;

@@ -192,6 +192,21 @@ void test_planarity_of_every_vertex(void)
     }
 }
 
+/* The tools ensure it: a face that goes the other way round, and one whose outline crosses itself. */
+/* SPEC 3.4e */
+void test_the_way_round_is_not_checked(void)
+{
+    for (uint32_t other = 2; other < 4; other++) {
+        tiny_scene *tiny = tiny_make();
+        uint16_t *corners = tiny->corners + tiny->faces[2].count * 2;
+        const uint16_t second = corners[1];
+        corners[1] = corners[other];
+        corners[other] = second;
+        fxl_face_take_indices(&tiny->faces[2], tiny->corners, 8);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&tiny->scene, NULL));
+    }
+}
+
 void test_path_of_poses(void)
 {
     uint32_t end = (uint32_t)FXL_COORDINATE_MAX;

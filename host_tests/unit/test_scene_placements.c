@@ -127,6 +127,21 @@ void test_there_are_no_more_motions_than_placements(void)
     expect_opening(FXL_E_COUNT, image);
 }
 
+/* At the end of the world a small instance is within it, though its vertices would not be if they
+ * were not placed. */
+/* formats 1.9c */
+void test_vertices_that_are_placed_are_not_checked_one_by_one(void)
+{
+    tiny_image *image = make();
+    tiny_put32(tiny_entry(image, AT_PLACEMENTS, 0, PLACEMENT) + 36, FXL_SCALE_MIN);
+    tiny_put32(tiny_entry(image, AT_INSTANCES, 1, INSTANCE),
+               (uint32_t)(FXL_COORDINATE_MAX - FXL_PLACEMENT_SLACK - TINY_RADIUS / 256 - 1));
+    expect_opening(FXL_OK, image);
+    image = make();
+    tiny_put32(tiny_entry(image, AT_INSTANCES, 0, INSTANCE), (uint32_t)FXL_COORDINATE_MAX - 65535);
+    expect_opening(FXL_E_RANGE, image); /* it has no placement */
+}
+
 /* formats 1.9b */
 void test_entries_are_checked(void)
 {

@@ -233,9 +233,11 @@ void test_sections_of_surfaces_go_together(void)
     }
 }
 
-/* formats 1.12f */
+/* formats 1.12b, 1.12f */
 void test_textures_lie_within_their_texels(void)
 {
+    texture_word(FXL_OK, 1, 0, 0); /* they are those of the first */
+    texture_word(FXL_OK, 1, 4, 0);
     texture_word(FXL_OK, 0, 0, TEXELS - 10);
     texture_word(FXL_E_OFFSET, 0, 0, TEXELS - 9);
     texture_word(FXL_E_OFFSET, 0, 0, 0xFFFFFFFFu);

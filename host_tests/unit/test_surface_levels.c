@@ -381,3 +381,72 @@ void test_a_blend_table_has_the_nearest_colours(void)
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_blend_make_table(palette, 8, 256, 1, table));
     TEST_ASSERT_EQUAL(before, table[0]);
 }
+
+/* Twice the square pixels of the triangle, and the sides of its box: SPEC 9.4's a, w and h. */
+static void find_box(const quad_scene *quad, double *twice_area, double *sides)
+{
+    const fxl_lens *lens = &quad->renderer.frame.view.lens;
+    const fxl_axes *axes = &quad->renderer.frame.view.camera.axes;
+    double x[3], y[3];
+    for (int i = 0; i < 3; i++) {
+        const exact_vector p = exact_minus(
+            quad->corners[i], exact_point(&quad->renderer.frame.view.camera.position, 1.0 / 65536));
+        const double z = exact_dot(exact_direction(&axes->forward), p);
+        x[i] = lens->focal / 65536.0 * exact_dot(exact_direction(&axes->right), p) / z;
+        y[i] = lens->focal / 65536.0 * exact_dot(exact_direction(&axes->up), p) / z;
+    }
+    *twice_area = fabs((x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]));
+    *sides = fmax(x[0], fmax(x[1], x[2])) - fmin(x[0], fmin(x[1], x[2])) +
+             fmax(y[0], fmax(y[1], y[2])) - fmin(y[0], fmin(y[1], y[2]));
+}
+
+/* Triangles whose texels a pixel are 2^-6 to 2^-20 of them beside the end of a level: it is the next
+ * one only nearer than the definition says. */
+/* SPEC 9.4d */
+void test_the_level_beside_its_end(void)
+{
+    static const uint8_t of_level_alone[] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
+                                             1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 4};
+    uint32_t checked = 0, close = 0;
+    for (uint32_t i = 0; i < ROUNDS * 20; i++) {
+        quad_scene *quad = quad_make(false);
+        quad->texture =
+            (fxl_texture){.texels = of_level_alone, .log_width = 3, .log_height = 1, .levels = 4};
+        quad->set.texture_count = 1;
+        quad->surface.texture = 1;
+        quad->face.count = 3;
+        fxl_face_take_indices(&quad->face, quad->scene.indices, 0);
+        quad->mapped_corners[2].vertex = 2;
+        quad->mapped_corners[1].vertex = 1;
+        quad_begin(quad);
+        quad_draw(quad);
+        quad->outline[3] = quad->outline[2];
+        const double off = ldexp(i % 2 ? 1 : -1, -unit_between(6, 20));
+        const double times = sqrt(ldexp(1 + off, unit_between(0, 1) * 2 + 1) / quad_texels(quad));
+        if (!(times < 60)) {
+            continue; /* it is behind the eye, or its numbers would be too large */
+        }
+        for (int k = 0; k < 3; k++) {
+            quad->mapped_corners[k].texel.u = (int32_t)(quad->mapped_corners[k].texel.u * times);
+            quad->mapped_corners[k].texel.v = (int32_t)(quad->mapped_corners[k].texel.v * times);
+        }
+        quad_begin(quad);
+        quad_draw(quad);
+        quad->outline[3] = quad->outline[2];
+        double area, sides;
+        find_box(quad, &area, &sides);
+        const double wanted = (log2(quad_texels(quad)) + 1) / 2, end = floor(wanted + 0.5);
+        const double beside = fabs(exp2(2 * (wanted - end)) - 1);
+        const double error = ldexp(1, -26) + 1.1 * sides / (65536 * area) + ldexp(1, -27);
+        for (int p = 0; p < QUAD_WIDTH * QUAD_HEIGHT; p++) {
+            if (quad->frame[p] != QUAD_BACKGROUND) {
+                const int level = quad->frame[p] - 1;
+                TEST_ASSERT_TRUE(level == (int)floor(wanted) ||
+                                 (beside < error && level == (int)end - (wanted >= end)));
+                checked++;
+                close += beside < 4 * error;
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(checked > 100 * ROUNDS && close > ROUNDS);
+}

@@ -88,6 +88,18 @@ void test_a_floor_divided_every_16_pixels(void)
     check_frame(0.5 + 1.0 / 256);
 }
 
+/* Of a level eye a row of the floor is equally far everywhere. */
+/* SPEC 9.2k */
+void test_rows_of_one_weight_are_exact(void)
+{
+    static const uint8_t divisions[] = {FXL_DIVIDE_16, FXL_DIVIDE_8};
+    for (size_t i = 0; i < sizeof divisions; i++) {
+        quad.surface.division = divisions[i];
+        TEST_ASSERT_EQUAL(FXL_OK, attach());
+        check_frame(1.0 / 256);
+    }
+}
+
 /* What is counted of a face does not depend on what is on it, nor on how many polygons a clipper
  * makes of it. */
 void test_surfaces_are_counted_as_flat_faces(void)

@@ -185,6 +185,39 @@ void test_rounded_instances_are_those_of_a_baked_model(void)
 }
 
 /* A tree is over an instance that stands still. */
+/* Close by, where a unit of rounding is a part of a pixel. Which faces are seen is not rounded. */
+/* SPEC 8.5j */
+void test_a_wireframe_has_rounded_points(void)
+{
+    static fxl_wire wire;
+    uint32_t equal = 0, drawn = 0;
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    for (int round = 0; round < UNIT_REPEAT / 100; round++) {
+        tiny_scene *tiny = make();
+        const fxl_pose pose = {{unit_between(-600, 600), unit_between(-600, 600), 0}, 0, 0, 0};
+        fxl_scene *const scenes[] = {&baked.scene, &tiny->scene};
+        const fxl_band band = {
+            .pixels = frames[0], .width = WIDTH, .stride = WIDTH, .rows = HEIGHT};
+        placement.scale = FXL_SCALE_MIN;
+        tiny->instances[TURNED].centre = (fxl_point){0, 0, 5000};
+        bake(tiny);
+        for (int i = 0; i < 2; i++) {
+            fxl_band of = band;
+            of.pixels = frames[i];
+            memset(frames[i], 0, sizeof frames[i]);
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(scenes[i], NULL));
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_init(&wire, scenes[i], &lens, fxl_line_by_planes));
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_draw(&wire, &of));
+        }
+        equal += memcmp(frames[0], frames[1], sizeof frames[0]) == 0;
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            drawn += frames[1][i] != 0;
+        }
+    }
+    TEST_ASSERT_TRUE(equal > UNIT_REPEAT * 95 / 10000 && drawn > UNIT_REPEAT / 10);
+}
+
 /* SPEC 8.5i, formats 1.9d */
 void test_the_instance_of_a_tree_is_not_turned(void)
 {
