@@ -135,13 +135,14 @@ void test_numbers_of_pieces_are_below_that_of_none(void)
     const fxl_instance instance = {.model = 0, .centre = {0, 0, Q16(20)}};
     const fxl_point eye = {0, 0, 0};
     for (uint32_t last = FXL_ITEM_NONE - 2; last <= FXL_ITEM_NONE; last++) {
-        for (int of_items = 0; of_items < 2; of_items++) {
+        for (int which = 0; which < 4; which++) {
+            const int of_items = which & 1, is_roomy = which >> 1; /* else the memory ends there */
             const fxl_bsp_parts parts = {.items = items,
                                          .vertices = memory + FXL_ITEM_NONE + 1,
                                          .movers = of_items ? last : 0};
             fxl_bsp_cutter cutter = {.scene = scene,
                                      .parts = &parts,
-                                     .capacity = sizeof memory,
+                                     .capacity = sizeof memory + (is_roomy ? sizeof items : 0),
                                      .vertex_count = of_items ? 0 : last - 3};
             TEST_ASSERT_EQUAL(last < FXL_ITEM_NONE, fxl_bsp_cut(&cutter, &instance, &eye, 0));
             TEST_ASSERT_EQUAL_UINT32(last < FXL_ITEM_NONE, cutter.item_count);

@@ -227,6 +227,38 @@ void test_the_near_plane_alone(void)
     }
 }
 
+/* The integers of a side plane are coarse where the screen is high and wide in angle: a vertex that is inside of the lower and the
+ * upper one may lie beside the screen, by 24 units of 1/65536 pixel. What is drawn of its face does not. */
+void test_triangles_of_a_vertex_rounded_off_the_screen_end_at_its_border(void)
+{
+    const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+    fxl_lens lens;
+    fxl_view view;
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_lens_from_fov(1, 845, FXL_FOV_MAX, Q16(0.125), Q16(100), 0, &lens));
+    lens.focal = 8923;
+    fxl_view_set_lens(&view, &lens);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
+    for (int side = 1; side >= -1; side -= 2) {
+        const fxl_q16_16 border = side * 260198256, depth = 83851;
+        const fxl_polygon polygon = {.colour = 3,
+                                     .count = 3,
+                                     .vertices = {{{0, border, depth}, 0, 0},
+                                                  {{side * Q16(0.25), 0, depth}, 0, 0},
+                                                  {{0, border / 2, depth}, 0, 0}}};
+        memset(&workspace, 0, sizeof workspace);
+        set_face(&polygon, &view, &workspace);
+        TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip_by(&fxl_clipper_triangles));
+        TEST_ASSERT_EQUAL_HEX8(0, face.seen[0].clip_flags);
+        TEST_ASSERT_EQUAL_INT32(side > 0 ? -24 : Q16(845) + 24, face.seen[0].screen.y);
+        do {
+            for (uint32_t i = 0; i < screen.count; i++) {
+                TEST_ASSERT_TRUE(screen.points[i].y >= 0 && screen.points[i].y <= Q16(845));
+            }
+        } while (fxl_clipper_triangles.next(&face.model_view, &work, &screen) == FXL_CLIP_INSIDE);
+    }
+}
+
 /* As the clipper of a renderer: the setting is the caller's and outlasts the frame. */
 void test_a_renderer_s_triangles_keep_the_rule_of_the_borders(void)
 {

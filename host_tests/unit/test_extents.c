@@ -186,6 +186,56 @@ void test_bands_of_any_height_give_the_same_frame_and_counts(void)
     }
 }
 
+/* With memory for more faces than a place counts, the one instance behind that is drawn as one without memory is. */
+void test_places_of_faces_are_below_that_of_none(void)
+{
+#ifndef UNIT_ON_TARGET
+    enum {
+        COPIES =
+            8500, /* those of 8 instances are too many, even without some that the display list has */
+        ROOM = INSTANCES * COPIES / 4
+    };
+    static fxl_face copies[COPIES];
+    static fxl_draw_entry roomy[ROOM];
+    static const fxl_point corners[] = {
+        {Q16(8), 0, 0}, {-Q16(4), -Q16(7), 0}, {-Q16(4), Q16(7), 0}};
+    static const uint16_t triangle[] = {0, 1, 2};
+    const fxl_memory memory = {roomy, ROOM, list, WORDS, NULL, 0};
+    const fxl_model model = {0, 3, 0, COPIES, FXL_MODEL_CONVEX, 0, 0, Q16(9), 0};
+    const setting plain = {&fxl_clipper_view, &choice_sorted, 0, 0};
+    const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+    fxl_counters expected;
+    uint32_t without = 0;
+    height = 254;
+    make_scene();
+    for (uint32_t i = 0; i < COPIES; i++) {
+        copies[i] = (fxl_face){
+            .normal = {0, 0, -FXL_Q2_30_ONE}, .count = 3, .material = (uint8_t)(i / 1000)};
+        fxl_face_take_indices(&copies[i], triangle, 0);
+    }
+    for (int32_t i = 0; i < INSTANCES; i++) {
+        instances[i] = (fxl_instance){{0, (i - INSTANCES / 2) * Q16(20), Q16(20 + i)}, 0, 0, 0};
+    }
+    scene.vertices = corners;
+    scene.indices = triangle;
+    scene.faces = copies;
+    scene.models = &model;
+    draw_whole(&plain, &pose, &expected);
+    TEST_ASSERT_EQUAL_UINT32(INSTANCES * COPIES, expected.drawn);
+    const fxl_lens lens = unit_lens(WIDTH, height);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    TEST_ASSERT_EQUAL(INSTANCES, renderer.frame.visible_count);
+    draw_bands(&renderer.workspace, other, 40);
+    for (uint32_t i = 0; i < INSTANCES; i++) {
+        without += (roomy[i].faces & UINT16_MAX) == UINT16_MAX;
+    }
+    TEST_ASSERT_EQUAL_UINT32(1, without);
+    TEST_ASSERT_EQUAL_MEMORY(whole, other, (size_t)WIDTH * height);
+    check_counters(&expected);
+#endif
+}
+
 /* A workspace beside the renderer's own knows no face order, and finds it. */
 void test_another_workspace_draws_the_same_bands(void)
 {

@@ -180,6 +180,22 @@ void test_both_answer_alike(void)
     TEST_ASSERT_EQUAL(0, unlike);
 }
 
+/* Past a corner by less than a unit: rounding leaves both ends outside of the plane that the first was moved to. */
+void test_two_moved_ends_outside_of_one_plane_are_nothing(void)
+{
+    fxl_volume volume;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_volume_from_window(Q16(-1), Q16(1), Q16(-1), Q16(0.875), Q16(1),
+                                                     Q16(100), &volume));
+    const fxl_view_point corner = {-V(10), V(10) / 8 * 7, V(10)};
+    fxl_clip_line line;
+    uint32_t intersections = 0;
+    memset(&line, 0, sizeof line);
+    line.from.position = (fxl_view_point){corner.x - 3, corner.y + 8, corner.z + 5};
+    line.to.position = (fxl_view_point){corner.x - 2, corner.y - 6, corner.z};
+    TEST_ASSERT_FALSE(fxl_line_by_codes(&line, &volume, &intersections));
+    TEST_ASSERT_EQUAL(2, intersections);
+}
+
 /* Lines and planes: the relation and the common point against exact numbers of 128 bits. */
 
 static const fxl_half_space wall = {{FXL_Q2_30_ONE, 0, 0}, -5 * ((int64_t)1 << 46)}; /* x = 5 */

@@ -78,6 +78,21 @@ static void start(uint32_t intervals)
     memset(twin_pixels, NOTHING, sizeof twin_pixels);
 }
 
+/* A number of an interval has 16 bits, one of which is that of none. Making a buffer writes its head alone, so so much memory
+ * need not be there. */
+void test_a_pool_has_no_more_intervals_than_numbers(void)
+{
+    const uint32_t intervals[][2] = {{FXL_COVERED_END - 1, FXL_COVERED_END - 1},
+                                     {FXL_COVERED_END, FXL_COVERED_END},
+                                     {FXL_COVERED_END + 1, FXL_COVERED_END},
+                                     {(1 << 20) + 7, FXL_COVERED_END}};
+    for (int i = 0; i < 4; i++) {
+        buffer =
+            fxl_span_buffer_make(workspace, FXL_SPAN_BUFFER_BYTES(HEIGHT, intervals[i][0]), HEIGHT);
+        TEST_ASSERT_EQUAL_UINT32(intervals[i][1], buffer->capacity);
+    }
+}
+
 static bool draw_span(int y, int x0, int x1, char colour, const fxl_band *band)
 {
     const fxl_span span = {(int16_t)y, (int16_t)x0, (int16_t)x1};
@@ -210,8 +225,8 @@ void test_an_odd_width(void)
     enum {
         ODD = 7
     };
-    const fxl_band band = {.pixels = &pixels[0][0], .width = ODD, .stride = WIDTH, .first_row = 0,
-                           .rows = 1};
+    const fxl_band band = {
+        .pixels = &pixels[0][0], .width = ODD, .stride = WIDTH, .first_row = 0, .rows = 1};
     make(FXL_SPAN_BUFFER_BYTES_LEAST(ODD, 1), 1);
     begin(&band);
     for (int16_t x = ODD - 1; x >= 0; x = (int16_t)(x - 2)) {
