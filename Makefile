@@ -21,7 +21,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 
 # The commands, and other targets of the command line that are no files.
 COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere test-campaigns boards benchmark bench clippers \
-    clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs trace prove coverage rules mutants breaks size size-of-tree \
+    clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs trace prove coverage coverage-builds rules mutants breaks size size-of-tree \
     predict costs one-file packages docs release api-check format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs bench-test-programs test-programs
 # The variables of the commands, as COMMAND/NAME: those in the brackets at the end of a command's line of help. Other settings.
@@ -133,12 +133,12 @@ ifeq ($(BOARD_CHOSEN),)
 $(error there is no board "$(BOARD)"; the boards are: $(ALL_BOARDS))
 endif
 # Boards whose tools make test does not install (BOARD_SETUP). A command has them if BOARD= names one, and make boards and
-# make equality, bench, costs and trace RELEASE=1 if their tools are there; they say to the make that they call which ones. make profile and make bench
+# make equality, coverage-builds, bench, costs and trace RELEASE=1 if their tools are there; they say to the make that they call which ones. make profile and make bench
 # have the one whose core CORE= names.
 EXTRA_BOARDS := $(patsubst boards/%/board.mk,%,$(shell grep -l '^BOARD_SETUP' boards/*/board.mk))
 SETUP_OF = $(shell sed -n 's/^BOARD_SETUP := //p' boards/$(1)/board.mk)
 SETUP_OF_BOARD := $(if $(filter $(EXTRA_BOARDS),$(BOARD_CHOSEN)),$(call SETUP_OF,$(BOARD_CHOSEN)))
-ifneq ($(and $(filter boards equality bench costs $(if $(value RELEASE),trace),$(MAKECMDGOALS)),$(EXTRA_BOARDS)),)
+ifneq ($(and $(filter boards equality coverage-builds bench costs $(if $(value RELEASE),trace),$(MAKECMDGOALS)),$(EXTRA_BOARDS)),)
 $(foreach board,$(EXTRA_BOARDS),$(eval LACKS.$(board) := $(shell tools/setup.sh --missing $(call SETUP_OF,$(board)))))
 FIXEL_EXTRA_BOARDS := $(foreach board,$(EXTRA_BOARDS),$(if $(LACKS.$(board)),,$(board)))
 export FIXEL_EXTRA_BOARDS
@@ -582,6 +582,21 @@ coverage: ## print which lines, branches and conditions of lib/ the unit tests a
 	@$(MAKE) $(COVERED_TESTS) $(COVERED_REPLAYS:%=$(COVERAGE_OUT)/replay_%)
 	@$(TOOL) coverage --library $(COVERED_LIBRARY) --tests $(COVERED_TESTS) --out $(BUILD)/coverage/coverage.json \
 	    $(foreach target,$(COVERED_REPLAYS),--replay $(COVERAGE_OUT)/replay_$(target) host_tests/fuzz/corpus/$(target).zip) $(if $(value ONLY),,--reasons host_tests/unit/uncovered.toml)
+
+# A build of the library: the board whose unit tests have it, and the program of make equality that does. ONLY here is the name of one.
+OTHER_UNITS.m0 := microbit
+OTHER_UNITS.m3 := mps2-an385
+OTHER_UNITS.m55 := mps3-an547
+OTHER_UNITS.m33-small := mps2-an505
+OTHER_UNITS.rv32 := rv32
+OTHER_BUILDS := m33-small $(EQUALITY_KINDS)
+OTHER_CHOSEN = $(if $(ONLY),$(or $(call ONE_OF,$(ONLY),$(OTHER_BUILDS)),$(error ONLY: there is no build "$(ONLY)"; the builds are: $(OTHER_BUILDS))),$(OTHER_BUILDS))
+OTHER_PROGRAMS = $(BOARD_UNITS.$(OTHER_UNITS.$(1))) $(filter $(EQUALITY_OUT)/$(1).elf,$(EQUALITY_PROGRAMS))
+coverage-builds: ## print which instructions of assembly, and lines of C in each other build of lib/, the unit tests of boards and make equality's programs execute [ONLY= of one build, such as m3-small]
+	@$(SET_UP) units
+	@$(MAKE) $(BENCH_COUNTER) $(foreach build,$(OTHER_CHOSEN),$(call OTHER_PROGRAMS,$(build)))
+	@$(TOOL) coverage-builds --plugin $(BENCH_COUNTER) --out $(BUILD)/coverage/builds.json \
+	    $(foreach build,$(OTHER_CHOSEN),--of $(build) $(call OTHER_PROGRAMS,$(build)))
 
 rules: ## check lib/ by the rules of MISRA C:2012 that cppcheck 2.10 knows: the lines of each rule may only become fewer [RENEW=1]
 	@$(SET_UP) rules

@@ -24,7 +24,8 @@ EQUALITY_OBJECTS := $(patsubst %.c,%.o,$(notdir $(filter-out %/sides.c,$(wildcar
 # not depend on the core, nor on whether the other side is small.
 EQUALITY_PORTABLE_CORES := m0 m3 $(filter rv32,$(BENCH_CORES_HERE))
 EQUALITY_PORTABLE = $(EQUALITY_OUT)/portable/$(or $(filter m0 rv32,$(EQUALITY_CORE)),m3).a
-EQUALITY_PORTABLE_CFLAGS := -O2 -UFXL_SMALL -DFXL_PORTABLE_KERNELS $(call LIB_TUNE)
+# make coverage-builds reads the table of their lines, in which their files have a folder of their own.
+EQUALITY_PORTABLE_CFLAGS := -O2 -UFXL_SMALL -DFXL_PORTABLE_KERNELS $(call LIB_TUNE) -g1 -fdebug-prefix-map=lib/=portable/lib/
 # An assertion has its number in the file in place of its line's, so that a comment above does not alter a kernel's hash.
 EQUALITY_CFLAGS := -Ifirmware/equality -ffreestanding -DFXL_ASSERT_HOOK -DFXL_ASSERT_LINE=__COUNTER__
 

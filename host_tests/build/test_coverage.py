@@ -2,12 +2,13 @@
 """What make coverage counts: of the views of llvm-cov, of programs that fail, and what has a reason for not being reached."""
 
 import sys
+import types
 
 import pytest
 
 from conftest import CHECKOUT
 from fixel.base.errors import ToolError
-from fixel.check import coverage
+from fixel.check import coverage, coverage_builds
 
 BUILT_PROGRAMS = ()
 SOURCE = """/* A file. */
@@ -182,3 +183,66 @@ def test_programs_that_fail_are_named_and_the_others_counted(tmp_path):
     counts, failed = coverage.run_programs(programs, tmp_path, 2)
     assert [each.name for each in counts] == ["0.profraw", "1.profraw"]
     assert failed == {"bad": "no pixel\n", "worse": ""}
+
+
+# --- make coverage-builds ---
+
+def line_table(kernel, function):
+    """The line program of a unit with C and assembly, of a portable one and of one that is not the library's, as a linker placed them."""
+    return [[(kernel, "lib/a_armv7m.S", 3, False), (kernel + 2, "lib/a_armv7m.S", 9, False), (kernel + 10, "lib/a_armv7m.S", 9, True)],
+            [(function, "lib/a.c", 5, False), (function + 4, "lib/a.h", 2, False), (function + 4, "lib/a.c", 6, False), (function + 6, "lib/a.c", 5, False),
+             (function + 8, "lib/a.c", 5, True), (0, "lib/a.c", 20, False), (6, "lib/a.c", 20, True)],
+            [(0x300, "portable/lib/a.c", 5, False), (0x304, "portable/lib/a.c", 5, True)], [(0x400, "boards/b.c", 1, False), (0x404, "boards/b.c", 1, True)]]
+
+
+CODE = [0x100, 0x102, 0x106, 0x108, 0x200, 0x204, 0x206, 0x300, 0x302, 0x400]
+
+
+def test_an_address_has_the_file_and_line_of_its_table():
+    found = coverage_builds.places(line_table(0x100, 0x200), CODE)
+    assert sorted(found.values(), key=str) == sorted([
+        ("lib/a_armv7m.S", 3, 0x100), ("lib/a_armv7m.S", 9, 0x102), ("lib/a_armv7m.S", 9, 0x106), ("lib/a_armv7m.S", 9, 0x108),
+        ("lib/a.c", 5, 0x200), ("lib/a.c", 6, 0x204), ("lib/a.c", 5, 0x206), ("lib/a.c", 20, None), ("portable/lib/a.c", 5, 0x300)], key=str)
+
+
+def test_a_place_is_the_same_wherever_a_program_has_it():
+    moved = coverage_builds.places(line_table(0x1100, 0x2200), [each + (0x1000 if each < 0x200 else 0x2000) for each in CODE])
+    assert moved.keys() == coverage_builds.places(line_table(0x100, 0x200), CODE).keys()
+
+
+def test_what_one_program_of_a_build_reaches_is_reached(monkeypatch, tmp_path):
+    executed = {"one": {0x100, 0x102, 0x200}, "two": {0x106, 0x300}}
+    monkeypatch.setattr(coverage_builds.machine_code, "MachineCode", lambda elf: elf)
+    monkeypatch.setattr(coverage_builds, "run", lambda elf, *_: executed[elf])
+    monkeypatch.setattr(coverage_builds, "line_programs", lambda elf: line_table(0x100, 0x200))
+    monkeypatch.setattr(coverage_builds, "instructions", lambda code: CODE)
+    files = coverage_builds.merged(coverage_builds.measure((build, elf, True), "p.so", tmp_path) for build, elf in (("m3", "one"), ("m3", "two"), ("m55", "one")))
+    assert {key: coverage_builds.count([some]) for key, some in files.items()} == {
+        ("m3", "lib/a_armv7m.S"): [3, 4], ("m3", "lib/a.c"): [1, 3], ("portable", "lib/a.c"): [1, 1],
+        ("m55", "lib/a_armv7m.S"): [2, 4], ("m55", "lib/a.c"): [1, 3]}
+    assert ["lib/a_armv7m.S", "m3", "3 of 4", " 75.0 %"] in coverage_builds.rows(files)
+    assert ["lib", "m55", "1 of 3", " 33.3 %"] in coverage_builds.rows(files)
+    assert coverage_builds.never(files) == []        # line 9 is reached
+
+
+def test_a_line_of_assembly_that_no_build_reaches_is_named():
+    reached, left = {("u", 0, 0, 3): True, ("u", 0, 2, 9): False}, {("u", 0, 0, 3): False, ("u", 0, 2, 9): False, ("u", 0, 4, 9): False}
+    assert coverage_builds.never({("m3", "lib/a.S"): reached, ("m55", "lib/a.S"): left}) == ["lib/a.S:9: 1 instructions of m3"]
+
+
+@pytest.mark.parametrize("endings, is_whole", [(["DONE"], True), (["STACK", "DONE"], True), (["TEST"], False), (["STACK", "TEST"], False)])
+def test_a_program_runs_on_behind_a_file_that_its_stack_has_no_room_for(endings, is_whole, monkeypatch, tmp_path):
+    left, asked = list(endings), []
+
+    def execute(elf, code, plugin, words, folder):
+        asked.append(words)
+        return types.SimpleNamespace(code=coverage_builds.endings.exit_code(left.pop(0)), output="unittest: test_a\n"), {len(asked)}
+    monkeypatch.setattr(coverage_builds, "execute", execute)
+    monkeypatch.setattr(coverage_builds.endings, "describe", str)
+    if is_whole:
+        assert coverage_builds.run("e", None, "p", True, tmp_path / "f") == set(range(1, len(endings) + 1))
+        assert asked == [["unittest"], ["unittest", "after=test_a"]][:len(endings)]
+    else:
+        with pytest.raises(ToolError) as failed:
+            coverage_builds.run("e", None, "p", True, tmp_path / "f")
+        assert failed.value.exit_code == 1

@@ -54,6 +54,7 @@ ROOMS = {
         "breaks": ("fixel.check.breaks", "break what the project claims, and see which commands notice"),
         "corpus": ("fixel.check.corpus", "list the fuzzer's corpus, or add an input"),
         "coverage": ("fixel.check.coverage", "print what the library's tests reach"),
+        "coverage-builds": ("fixel.check.coverage_builds", "print what of the library's other builds runs on emulated cores"),
         "equality": ("fixel.check.equality", "compare every kernel with the portable one"),
         "frame-hashes": ("fixel.check.frame_hashes", "add a scene's hashes to the record"),
         "fuzz": ("fixel.check.fuzz", "fuzz the library and the tools' input"),

@@ -19,7 +19,7 @@ from fixel.base.reading import shortened
 MAKEFILE = pathlib.Path(__file__).resolve().parents[3] / "Makefile"
 # By these make chooses what it builds. It compares them with the names that there are, and its recipes pass on what was chosen.
 OF_MAKE = {"BOARD", "PROGRAM", "VISIBILITY", "CLIPPER", "ROWS", "DRIVER", "SIZE", "LIB_FLAGS", "COSTS_CORES", "COSTS_BOARDS", "coverage ONLY",
-           "pictures ONLY"}
+           "coverage-builds ONLY", "pictures ONLY"}
 # Options without a value: set by 1, and by nothing else.
 FLAGS = {"OPEN", "DRY_RUN", "WHOLE", "FRESH", "ALLOW_OUTSIDE", "RENEW", "BREAK", "RELEASE", "BUGS", "ACCEPT", "compare JSON"}
 # Passed on even if empty, for the tool to refuse. Any other empty variable counts as not given.

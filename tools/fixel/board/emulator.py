@@ -153,13 +153,13 @@ def run(board, image, elf, dump, frames=None, timeout=60.0, progress=None, live=
     return RunResult(program.board, program.cpu, done, ending.seconds, ending.output)
 
 
-def run_text(elf, arguments=(), timeout=60.0, icount=True, scene=None):
-    """Runs a program without a flash image, for what it prints; an Ending. scene: a file for the scene partition."""
+def run_text(elf, arguments=(), timeout=60.0, icount=True, scene=None, extra=()):
+    """Runs a program without a flash image, for what it prints; an Ending. scene: a file for the scene partition. extra: options of QEMU."""
     program = firmware.load(elf)
     if program.emulator == rp2040.NAME:
         return run_pico_text(program, arguments, timeout, scene)
     options = [*(["-icount", "shift=0"] if icount else []), *qemu.semihosting(arguments),
-               *(qemu.scene_loader(program, scene) if scene else []), "-kernel", str(program.path.resolve())]
+               *(qemu.scene_loader(program, scene) if scene else []), *extra, "-kernel", str(program.path.resolve())]
     with scratch.folder("board") as directory:
         return emulate(program, options, directory, timeout)
 
