@@ -187,7 +187,7 @@ def walls(build, scene, clipper):
 @pytest.mark.parametrize("clipper", clipper_names(but=("triangles", "left")))
 @pytest.mark.parametrize("plane", ["near", "far"])
 def test_what_the_rounding_of_depths_decides_is_explained(build, tmp_path, plane, clipper):
-    """accuracy 4.3h-k."""
+    """accuracy 1.1p, 4.3h-k."""
     scene = wall(tmp_path, plane)
     found = judged(build, scene, walls(build, scene, clipper), "--clipper", clipper)
     assert found["pixels_near_far"] > 500
@@ -196,7 +196,7 @@ def test_what_the_rounding_of_depths_decides_is_explained(build, tmp_path, plane
 
 @pytest.mark.parametrize("plane", ["near", "far"])
 def test_a_wall_on_the_wrong_side_by_one_unit_is_not_explained(build, tmp_path, plane):
-    """One unit of 1/65536 is more than 20 times the bound for this wall. Frames turned further tilt it by more than the unit. accuracy 4.3c, 4.3f-g."""
+    """One unit of 1/65536 is more than 20 times the bound for this wall. Frames turned further tilt it by more than the unit. accuracy 1.1p, 4.3c, 4.3f-g."""
     inside, outside = wall(tmp_path, plane, 1), wall(tmp_path, plane, -1)
     for board, truth in ((inside, outside), (outside, inside)):
         dumped = walls(build, board, "view")

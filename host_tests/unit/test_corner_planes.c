@@ -314,7 +314,7 @@ void test_segments_are_within_a_third_where_the_least_weight_suffices(void)
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 500, refused);
 }
 
-/* SPEC 9.8, 9.1.1j */
+/* SPEC 9.8, 9.1.1j, accuracy 5.1.1l */
 void test_colours_take_longer_sides_and_thin_triangles(void)
 {
     const fxl_q18_46 depth = (fxl_q18_46)1 << 46;
