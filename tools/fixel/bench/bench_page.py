@@ -334,14 +334,19 @@ def rgb565_markdown(_, result):
 
 
 def faces_markdown(plan, result):
-    """What a face of a size costs, beside its floor, and beside itself without the way of tiny faces."""
+    """What a face of a size costs, beside its floor, and beside itself without the way of tiny faces on the cores that take that way."""
     if not result["faces"]:
         return "Not measured."
     first, *others = cores = list(dict.fromkeys(row["core"] for row in result["faces"]))
     header = ["a face", "radius", "pixels", NAMES[first], "floor", "times the floor",
               *[word for core in others for word in (NAMES[core], f"times {NAMES[first]}'s")],
-              *[f"without the way of tiny faces, {NAMES[core]}" for core in cores], *plan.faces["beside"]]
+              *[f"{NAMES[core]} without the tiny way" for core in _tiny_cores(result, cores)], *plan.faces["beside"]]
     return markdown_table(header, [_face_cells(plan, result, kind, radius, cores) for kind in plan.faces["kinds"] for radius in plan.faces["radii"]])
+
+
+def _tiny_cores(result, cores):
+    """The cores that draw tiny faces in a way of their own: without it a frame takes something else."""
+    return [core for core in cores if any(row["core"] == core and row["without"] not in (None, row["frame"]) for row in result["faces"])]
 
 
 def _face_cells(plan, result, kind, radius, cores):
@@ -350,11 +355,12 @@ def _face_cells(plan, result, kind, radius, cores):
         return frame / bench_faces.COUNT if frame else None
     rows = [bench_faces.of(result, kind["name"], radius, core) for core in cores]
     first, *others = [a_face(row["frame"]) for row in rows]
+    without = [a_face(row["without"]) for row in rows if row["core"] in _tiny_cores(result, cores)]
     floor, place = bench_faces.floor_of(kind, radius), plan.faces["radii"].index(radius)
     beside = [a_face(frames[place]) if kind.get("tiny") else None for frames in plan.faces["beside"].values()]
     return [kind["name"], f"{radius:g}", _number(bench_faces.pixels_of(radius), 1), *(_number(each, 0) for each in (first, floor)),
             f"{first / floor:.2f}", *[word for each in others for word in (_number(each, 0), f"{each / first:.2f}")],
-            *(_number(each, 0) for each in (*(a_face(row["without"]) for row in rows), *beside))]
+            *(_number(each, 0) for each in (*without, *beside))]
 
 
 def growth_markdown(_, result):
