@@ -94,7 +94,7 @@ void test_the_outlines_of_faces_are_those_on_record(void)
     };
     uint32_t wrong = 0;
     for (uint32_t i = 0; i < sizeof record / sizeof record[0]; i++) {
-        wrong += unit_tell_hash(hash_of_faces(record[i].clipper), record[i].hash);
+        wrong += unit_tell_hash(i, hash_of_faces(record[i].clipper), record[i].hash);
     }
     TEST_ASSERT_EQUAL_UINT32(0, wrong);
 }
@@ -226,7 +226,7 @@ void test_shapes_and_what_they_carry_are_those_on_record(void)
             record[i].mix(&shape);
         }
         mix_stats(record[i].stats);
-        wrong += unit_tell_hash(hash, record[i].hash);
+        wrong += unit_tell_hash(i, hash, record[i].hash);
     }
     TEST_ASSERT_EQUAL_UINT32(0, wrong);
 }

@@ -187,7 +187,7 @@ void test_answers_are_those_on_record(void)
             setUp();
             record[i].ask(k);
         }
-        wrong += unit_tell_hash(hash, record[i].hash);
+        wrong += unit_tell_hash(i, hash, record[i].hash);
     }
     TEST_ASSERT_EQUAL_UINT32(0, wrong);
 }

@@ -192,7 +192,7 @@ void test_records_are_those_on_record(void)
             record[i].make_view();
             record[i].mix(k);
         }
-        wrong += unit_tell_hash(hash, record[i].hash);
+        wrong += unit_tell_hash(i, hash, record[i].hash);
     }
     TEST_ASSERT_EQUAL_UINT32(0, wrong);
 }

@@ -160,16 +160,24 @@ uint32_t unit_mix(uint32_t hash, int64_t value)
     return hash ^ hash >> 15;
 }
 
-uint32_t unit_tell_hash(uint32_t hash, uint32_t on_record)
+static void write_hash(uint32_t hash, char *last)
 {
-    char text[] = "0x00000000";
+    for (uint32_t i = 0; i < 8; i++) {
+        last[-(int)i] = "0123456789ABCDEF"[hash >> 4 * i & 15];
+    }
+}
+
+uint32_t unit_tell_hash(size_t row, uint32_t hash, uint32_t on_record)
+{
+    char text[] = "row 00: 0x00000000, on record 0x00000000";
     if (hash == on_record) {
         return 0;
     }
-    for (uint32_t i = 0; i < 8; i++) {
-        text[9 - i] = "0123456789ABCDEF"[hash >> 4 * i & 15];
-    }
-    TEST_MESSAGE(text);
+    text[4] = (char)('0' + (row + 1) / 10 % 10);
+    text[5] = (char)('0' + (row + 1) % 10);
+    write_hash(hash, text + 17);
+    write_hash(on_record, text + sizeof text - 2);
+    UnityMessage(text, (UNITY_LINE_TYPE)Unity.CurrentTestLineNumber);
     return 1;
 }
 
@@ -178,9 +186,9 @@ void unit_expect_hashes(const unit_hash *record, size_t count,
 {
     uint32_t wrong = 0;
     for (size_t i = 0; i < count; i++) {
-        wrong += unit_tell_hash(hash_of(record[i].division, record[i].with), record[i].hash);
+        wrong += unit_tell_hash(i, hash_of(record[i].division, record[i].with), record[i].hash);
     }
-    TEST_ASSERT_EQUAL_UINT32(0, wrong);
+    UNITY_TEST_ASSERT_EQUAL_UINT32(0, wrong, Unity.CurrentTestLineNumber, "rows of another hash");
 }
 
 void unit_expect_fields(const unit_field *fields, size_t count,

@@ -79,8 +79,9 @@ uint32_t unit_crc32(const uint8_t *bytes, uint32_t size);
 /* A hash of what was hashed before and a number. */
 uint32_t unit_mix(uint32_t hash, int64_t value);
 
-/* 1, and a message with the hash, where it is not the one on record; else 0. */
-uint32_t unit_tell_hash(uint32_t hash, uint32_t on_record);
+/* 1, and a message with the row's number from 1 on and both hashes, where the hash is not the one on
+ * record; else 0. row: of the record, below 99. The message names the line of the test. */
+uint32_t unit_tell_hash(size_t row, uint32_t hash, uint32_t on_record);
 
 /* A hash on record of a kind of frames. */
 typedef struct {
