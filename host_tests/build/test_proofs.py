@@ -47,7 +47,7 @@ def test_every_row_and_what_is_measured_is_a_function():
     assert not (own | set(measured)) - set(known), "there is no such function any more"
 
 
-def test_documents_have_the_numbers_of_the_table(all_functions):
+def test_documents_have_the_numbers_of_the_table(all_functions, tmp_path, monkeypatch):
     """What neither a row proves nor a list names as measured is proved within a row: make prove fails otherwise."""
     every, measured = rows.read(CHECKOUT), set(rows.measured(CHECKOUT)[0])
     own = {row.function for row in every if row.is_whole}
@@ -59,10 +59,16 @@ def test_documents_have_the_numbers_of_the_table(all_functions):
                len(all_functions), len(own), len(set(all_functions) - own - measured), len(measured),
                len(external), len(external & own), len(external - own - measured), len(external & measured),
                len(entries), len({each["entry"].partition(":")[0] for each in entries}), len(kernels)]
-    said = re.search(r"it printed: (.*?) All rows take", (CHECKOUT / "SOUNDNESS.md").read_text(encoding="utf-8"), re.S)[1]
-    assert [int(number.replace(",", "")) for number in re.findall(r"\b[\d,]*\d\b", said)] == numbers
-    readme = (CHECKOUT / "README.md").read_text(encoding="utf-8")
-    assert f"{len(all_functions) - len(measured):,} of the {len(all_functions):,} functions of `lib/`" in " ".join(readme.split())
+    monkeypatch.setattr(functions, "find", lambda root: all_functions)
+    assert proving.numbers(CHECKOUT) == (numbers, len(all_functions), len(all_functions) - len(measured))
+    for name in ("SOUNDNESS.md", "README.md"):
+        (tmp_path / name).write_text(re.sub(r"\d", "0", (CHECKOUT / name).read_text(encoding="utf-8")), encoding="utf-8")
+    proving.renew_numbers(tmp_path, *proving.numbers(CHECKOUT))
+    for root in (CHECKOUT, tmp_path):
+        said = re.search(r"it printed: (.*?) All rows take", (root / "SOUNDNESS.md").read_text(encoding="utf-8"), re.S)[1]
+        assert [int(number.replace(",", "")) for number in re.findall(r"\b[\d,]*\d\b", said)] == numbers, "fixel prove --numbers writes them"
+        readme = (root / "README.md").read_text(encoding="utf-8")
+        assert f"{len(all_functions) - len(measured):,} of the {len(all_functions):,} functions of `lib/`" in " ".join(readme.split())
 
 
 def test_every_row_has_its_harness_and_its_checks_on_record():

@@ -89,6 +89,8 @@ def test_what_no_pattern_finds_is_there_and_is_found_by_none(tmp_path):
     beside = '[light.beside]\n"the sum" = ["lib/a.c", "lib/b.c", "lib/gone.c"]\n'
     *_, wrong = checkout(tmp_path, HEAD + beside, {"lib/a.c": "tint_of\n" + tag("light", "a"), "lib/b.c": "int b;\n"})
     assert [re.search(r"lib/\w+\.c", words)[0] for words in wrong()] == ["lib/gone.c", "lib/a.c"]
+    *_, wrong = checkout(tmp_path, HEAD.replace("host_tests/build", "lib") + beside, {"lib/gone.c": "int c;\n"})
+    assert [words for words in wrong() if "beside" in words] == [], "a file that no recipe must tag may stand beside"
 
 
 @pytest.mark.parametrize("text", [tag("lihgt", "the sum"), "/* place light: open\n"])

@@ -5,7 +5,7 @@
 
 #include "paint.h"
 
-/* place stipple: the numbers of the pattern */
+/* place stipple: the numbers of the pattern, and the comment that says how it looks */
 /* Whether an opacity draws a pixel: of a square of 4 x 4 those whose number is below it. Neighbours
  * in number are far apart, so the pattern is even at every opacity. */
 /* SPEC 9.6, surfaces 4.2 */

@@ -48,13 +48,15 @@ const fxl_pixel_format fxl_pixels_rgb444 = {12, 1, prepare, convert};
 @dataclasses.dataclass(frozen=True)
 class Change:
     """edits: {file: its text, or [(old, new)]}; new: files that are not there before; places: what the tags say of the places of this
-    example; only: what make test runs of the tests that the recipe names; commands: of make, that show the change."""
+    example; only: what make test runs of the tests that the recipe names; commands: of make, that show the change; renewed: the change adds
+    functions, so fixel prove --numbers renews the documents that count them."""
     word: str
     edits: dict
     new: frozenset
     places: str
     only: tuple
     commands: tuple = ()
+    renewed: bool = False
 
 
 CONVERTER = Change("converter", {
@@ -79,10 +81,15 @@ CONVERTER = Change("converter", {
     "docs/extras/pixels.md": [
         ("| `fxl_pixels_grey4` | 4 |", "| `fxl_pixels_rgb444` | 12 | 256 ⌊r/16⌋ + 16 ⌊g/16⌋ + ⌊b/16⌋ | two pixels in three bytes, the left one first |\n"
                                        "| `fxl_pixels_grey4` | 4 |")],
-}, frozenset({"lib/screen/rgb444.c"}), "^(?!a new file)", ("test_pixels", "test_pump"))
+    "host_tests/proofs/measured.toml": [
+        ('"lib/screen/rgb332.c" = "convert prepare"\n', '"lib/screen/rgb332.c" = "convert prepare"\n"lib/screen/rgb444.c" = "convert entry_of_rgb565 prepare"\n'),
+        ("screen = 115\n", "screen = 118\n")],
+}, frozenset({"lib/screen/rgb444.c"}), "^(?!a new file)", ("test_pixels", "test_pump"), renewed=True)
 
 STIPPLE = Change("stipple", {
-    "lib/paint/texel_place.h": [("{0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5}", "{0, 2, 1, 3, 8, 10, 9, 11, 4, 6, 5, 7, 12, 14, 13, 15}")],
+    "lib/paint/texel_place.h": [
+        ("Neighbours\n * in number are far apart, so the pattern is even at every opacity. */", "Rows are\n * filled one after the other, so the pattern is lines. */"),
+        ("{0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5}", "{0, 2, 1, 3, 8, 10, 9, 11, 4, 6, 5, 7, 12, 14, 13, 15}")],
     "SPEC.md": [("0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5", "0, 2, 1, 3, 8, 10, 9, 11, 4, 6, 5, 7, 12, 14, 13, 15")],
     "host_tests/unit/test_segments_texels.c": [("{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}}", "{0, 2, 1, 3}, {8, 10, 9, 11}, {4, 6, 5, 7}, {12, 14, 13, 15}}")],
     "host_tests/proofs/paint/constants.py": [

@@ -14,7 +14,7 @@ goes. A place has a tag, a comment alone on a line above what changes, in the fo
     in pages: <!-- place ... -->
 
 Each file that a recipe's patterns find has a tag of its word, or a line below "no_comment" where it cannot have one, or stands
-among its "not places" with a reason. The patterns do not look at tags. "beside" has places that no pattern finds.
+among its "not places" with a reason. The patterns do not look at tags. "beside" has places that no pattern finds, or in files of "never".
 """
 
 import argparse
@@ -153,7 +153,7 @@ def wrong(recipe, places, never, folder=ROOT):
     found = found_by(recipe, folder)
     tagged = {tag.file: tag for tag in places if tag.word == recipe.word}
     said = [_untagged(recipe, file, folder) for file in found if file not in tagged and not is_one_of(file, (*recipe.not_places, *never))]
-    return said + _needless(recipe, tagged, found) + _missing(recipe, found, folder)
+    return said + _needless(recipe, tagged, found) + _missing(recipe, [file for file in found if not is_one_of(file, never)], found, folder)
 
 
 def _untagged(recipe, file, folder):
@@ -175,14 +175,15 @@ def _needless(recipe, tagged, found):
     return said
 
 
-def _missing(recipe, found, folder):
+def _missing(recipe, taggable, found, folder):
+    """taggable: those that are found and are not named below [never]: the others may stand beside."""
     files = listed("ls-files", "--cached", "--others", "--exclude-standard", folder=folder)
     said = [f"{RECORD}: '{pattern}' of [{recipe.word}.not_places] is no file that the recipe finds: take it out"
             for pattern in recipe.not_places if not fnmatch.filter(found, pattern)]
     said += [f"{RECORD}: '{name}' of [{recipe.word}.beside] is no file: name the file that it is now, or take it out"
              for name in recipe.beside if not fnmatch.filter(files, name)]
     return said + [f"{RECORD}: '{name}' of [{recipe.word}.beside] is found by the recipe's patterns: write '{form(name, recipe.word)}' in it instead"
-                   for name in recipe.beside if name in found]
+                   for name in recipe.beside if name in taggable]
 
 
 def kind(file):

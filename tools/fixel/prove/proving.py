@@ -7,6 +7,7 @@ import functools
 import json
 import os
 import pathlib
+import re
 import sys
 
 from fixel.base import kept, output, scratch
@@ -191,6 +192,33 @@ def state_of_assembly(root):
     return [{"entry": key, "by": {kernel: least.get(kernel, 0) for kernel in listed.get(key.partition(":")[0], ())}} for key in sorted(entries)], wrong
 
 
+def numbers(root):
+    """(those of the sentence of SOUNDNESS.md that begins "it printed:", how many functions there are, how many of them a row proves). A
+    function that neither a row proves nor measured.toml names counts as proved within a row: where it is not, make prove says so."""
+    rows, measured, every = records.read(root), set(records.measured(root)[0]), functions.find(root)
+    own, external = {row.function for row in rows if row.is_whole}, {key for key, is_external in every.items() if is_external}
+    entries = state_of_assembly(root)[0]
+    counts = [count for some in (set(every), external) for count in (len(some), len(some & own), len(some - own - measured), len(some & measured))]
+    return [len(rows), len(rows), sum(row.tool == "cbmc" for row in rows), sum(row.checks for row in rows if row.tool == "cbmc"), *counts,
+            len(entries), len({each["entry"].partition(":")[0] for each in entries}),
+            len({kernel for each in entries for kernel in each["by"]})], len(every), len(set(every) - measured)
+
+
+def renew_numbers(root, said, every, proved):
+    """Writes what numbers gives into the sentence of SOUNDNESS.md and that of README.md, whose words stay."""
+    for name, pattern, new in (("SOUNDNESS.md", r"(?s)(?<=it printed: ).*?(?= All rows take)", said),
+                               ("README.md", r"[\d,]+ of the\s+[\d,]+(?= functions of `lib/`)", [proved, every])):
+        path, left = root / name, list(new)
+        text = path.read_text(encoding="utf-8")
+        sentence = re.search(pattern, text)
+        places = re.findall(r"\b[\d,]*\d\b", sentence[0]) if sentence else []
+        if len(places) != len(new):
+            raise ToolError(f"{path}: the sentence with the {len(new)} numbers of fixel prove is not there, or has other numbers: {pattern}")
+        written = re.sub(r"\b[\d,]*\d\b", lambda _: f"{left.pop(0):,}", sentence[0])
+        output.write_file(path, text[:sentence.start()] + written + text[sentence.end():])
+        print(f"{name}: {' '.join(written.split())}")
+
+
 def _print(results, shown, assembly, wrong):
     bad = [result for result in results if result["state"] != "proved"]
     for result in bad:
@@ -225,6 +253,12 @@ def command(options):
         records.accept(root, chosen, functions.text_of)
         options.accept = False
         return command(options)
+    if options.numbers:
+        wrong = records.measured(root)[1]
+        if wrong:
+            raise ToolError(wrong[0])
+        renew_numbers(root, *numbers(root))
+        return 0
     records.check_assumptions(root, rows)
     jobs = runner.jobs_of(options)
     from fixel.prove import bugs, mutants    # which use this module
