@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The depth test of a run of pixels, in a depth buffer of 16 bits front to back. Kernels: each
- * family of cores has its own. Internal. */
+/* The depth test of a pixel and of a run of pixels, by cells of 16 or 32 bits, near to far or far to
+ * near. Runs by cells of 16 bits near to far have kernels: each family of cores has its own.
+ * Internal. */
 #ifndef FXL_DEPTH_CELLS_H
 #define FXL_DEPTH_CELLS_H
 

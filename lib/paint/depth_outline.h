@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* An outline of one colour in a depth buffer of 16 bits, front to back: survey, edges, depth test
+/* An outline of one colour in a depth buffer of 16 bits, near to far: survey, edges, depth test
  * and pixels in one call. A library for size has none of this: the rows of depth_row.h do the same. Nor
  * has a core that divides 64 bits: it is a host, where make predict counts those rows. Internal. */
 #ifndef FXL_DEPTH_OUTLINE_H
@@ -171,7 +171,7 @@ static inline bool fxl_tiny_codes_find(const fxl_depth_plane *plane, const fxl_t
 
 /* Draws pixels of a triangle, of which there is one at least, in one colour: all in the band, which has
  * all columns. False: the codes of its box have several octaves, and nothing is drawn. It writes what
- * fxl_depth_paint_row writes, front to back. */
+ * fxl_depth_paint_row writes, near to far. */
 static inline __attribute__((always_inline)) bool
 fxl_depth_tiny_draw(const fxl_depth_plane *plane, const fxl_tiny *tiny, const fxl_depth_head *head,
                     const fxl_band *band, uint32_t filling, uint32_t bits)

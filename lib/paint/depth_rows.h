@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of a polygon in a depth buffer of 16 bits, front to back: the depth test of all rows of a
+/* Rows of a polygon in a depth buffer of 16 bits, near to far: the depth test of all rows of a
  * trapezoid in one call. It keeps the depths of visible pixels, and lists runs of such pixels,
  * which a kernel of rows paints: fxl_plain_runs. Only Armv7-M has this, where its code is not
  * compiled for size; elsewhere depth_row.h does the same run by run. Internal. */
@@ -57,7 +57,7 @@ bool fxl_find_depth_runs(fxl_depth_rows *rows);
 
 #endif
 
-/* Whether the kernel can test a polygon: front to back, and a value of its plane whose upper word
+/* Whether the kernel can test a polygon: near to far, and a value of its plane whose upper word
  * is not above 0 is beyond the last octave. */
 static inline bool fxl_depth_rows_take(const fxl_depth_painting *painting)
 {

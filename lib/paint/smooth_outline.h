@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* An outline whose depth codes are linear on the screen, in a depth buffer of 16 bits, front to
- * back: of one colour and with light that is linear too, or with such colours at its corners; and
+/* An outline whose depth codes are linear on the screen, in a depth buffer of 16 bits, near to
+ * far: of one colour and with light that is linear too, or with such colours at its corners; and
  * with texels and light that are linear, in any order.
  * Survey, edges, depth test and pixels are one call. Only Armv7-M has this, as depth_outline.h
  * says. Internal. */
@@ -330,7 +330,7 @@ static inline void fxl_texel_outline_set(const fxl_depth_head *head, const fxl_p
 
 #if FXL_DRAWS_SMOOTH_OUTLINES
 
-/* Draws an outline of count points, front to back. Requires what
+/* Draws an outline of count points, near to far. Requires what
  * fxl_draw_smooth_outline_16 does, and cleared cells. */
 fxl_depth_drawn fxl_draw_texel_outline(const fxl_screen_point *points, uint32_t count,
                                        const fxl_band *band, fxl_texel_outline *outline);
