@@ -49,9 +49,10 @@ fxl_q16_16 fxl_intersection_varying(fxl_q16_16 from, fxl_q16_16 to, uint64_t fra
 void fxl_intersection_vertex(const fxl_varying_vertex *inside, const fxl_varying_vertex *outside,
                              uint64_t fraction, uint32_t carried, fxl_varying_vertex *vertex)
     FXL_REQUIRES(FXL_OBJECT(inside) && FXL_OBJECT(outside) && FXL_OBJECT(vertex))
-    FXL_REQUIRES(carried <= FXL_CARRIED_MAX && FXL_POINT_BELOW(&inside->position, (int64_t)1 << 61))
-    FXL_REQUIRES(FXL_POINT_BELOW(&outside->position, (int64_t)1 << 61)) FXL_ASSIGNS(*vertex)
-    FXL_ENSURES(FXL_POINT_BELOW(&vertex->position, (int64_t)1 << 61));
+    FXL_REQUIRES(FXL_POINT_BELOW(&inside->position, ((int64_t)1 << 61) - 1))
+    FXL_REQUIRES(FXL_POINT_BELOW(&outside->position, ((int64_t)1 << 61) - 1))
+    FXL_REQUIRES(carried <= FXL_CARRIED_MAX) FXL_ASSIGNS(*vertex)
+    FXL_ENSURES(FXL_POINT_BELOW(&vertex->position, ((int64_t)1 << 61) - 1));
 
 /* Copies a vertex with only the varyings that are used. */
 void fxl_copy_vertex(const fxl_varying_vertex *from, uint32_t carried, fxl_varying_vertex *to)
@@ -68,9 +69,9 @@ void fxl_intersect_edge(const fxl_view_point *from, const fxl_view_point *to,
                         const fxl_q18_46 *inside, const fxl_q18_46 *outside, fxl_view_point *point)
     FXL_REQUIRES(FXL_OBJECT(from) && FXL_OBJECT(to) && FXL_OBJECT(point) && FXL_OBJECT(inside))
     FXL_REQUIRES(FXL_OBJECT(outside) && *inside > 0 && *inside < (int64_t)1 << 62 && *outside < 0)
-    FXL_REQUIRES(*outside >= -((int64_t)1 << 62) && FXL_POINT_BELOW(from, (int64_t)1 << 61))
-    FXL_REQUIRES(FXL_POINT_BELOW(to, (int64_t)1 << 61)) FXL_ASSIGNS(*point)
-    FXL_ENSURES(FXL_POINT_BELOW(point, (int64_t)1 << 61));
+    FXL_REQUIRES(*outside >= -((int64_t)1 << 62) && FXL_POINT_BELOW(from, ((int64_t)1 << 61) - 1))
+    FXL_REQUIRES(FXL_POINT_BELOW(to, ((int64_t)1 << 61) - 1)) FXL_ASSIGNS(*point)
+    FXL_ENSURES(FXL_POINT_BELOW(point, ((int64_t)1 << 61) - 1));
 
 #ifdef __cplusplus
 }

@@ -65,7 +65,7 @@ void prove_cut_edge(void)
     fxl_cut cut = {NULL, NULL, distances, before};
     written = 0;
     const bool whole = fxl_cut_edge(&cut, any_copy, any_cross, bits, current, count);
-    ASSERT("it counts what it writes", cut.count == before + written);
+    ASSERT("it counts what it writes", cut.count == before + written && cut.count >= before);
     ASSERT("never more than the capacity", cut.count <= FXL_POLYGON_CAPACITY);
     ASSERT("at most two an edge", cut.count <= 2 * (current + 1));
     ASSERT("refused only where it is full", whole || cut.count == FXL_POLYGON_CAPACITY);
@@ -103,7 +103,7 @@ void any_intersection(const fxl_view_point *from, const fxl_view_point *to, cons
     ASSERT("from the inside to the outside", *inside > 0 && *inside < (int64_t)1 << 62 && *outside < 0 && *outside >= -((int64_t)1 << 62));
     ASSERT("ends in the view", in_view(from) && in_view(to) && point != from && point != to);
     ANY_CONTENT(point);
-    ASSUME(in_view(point));
+    ASSUME(FXL_POINT_BELOW(point, ((int64_t)1 << 61) - 1));
 }
 
 /* [[row]]

@@ -44,7 +44,7 @@ void fxl_intersection_vertex(const fxl_varying_vertex *inside, const fxl_varying
     (void)fraction;
     ASSERT("ends in the view", in_view(&inside->position) && in_view(&outside->position) && carried <= FXL_CARRIED_MAX);
     ANY_CONTENT(vertex);
-    ASSUME(in_view(&vertex->position)); /* between the ends */
+    ASSUME(FXL_POINT_BELOW(&vertex->position, ((int64_t)1 << 61) - 1));
 }
 
 void fxl_copy_vertex(const fxl_varying_vertex *from, uint32_t carried, fxl_varying_vertex *to)
@@ -75,11 +75,11 @@ void prove_move_end(void)
 void any_move_end(const fxl_varying_vertex *inside, fxl_varying_vertex *outside, fxl_q18_46 in, fxl_q18_46 out, uint32_t carried,
                   uint32_t *intersections)
 {
-    fxl_view_point moved;
+    fxl_varying_vertex moved;
     ASSERT("ends in the view", in_view(&inside->position) && in_view(&outside->position) && carried <= FXL_CARRIED_MAX);
     ASSERT("inside to outside", in >= 0 && out < 0 && in <= INT64_MAX + out);
-    ASSUME(in_view(&moved));
-    outside->position = moved;
+    *outside = moved;
+    ASSUME(in_view(&outside->position));
     *intersections += 1;
 }
 

@@ -73,6 +73,7 @@ void prove_setup_divide(void)
     if (status == FXL_OK) {
         const uint64_t sum = (uint64_t)shares.motions + shares.beams + shares.tree + shares.depth;
         ASSERT("the sum of the shares, which does not wrap", shares.before_renderer == sum && sum + shares.renderer < UINT32_MAX);
+        ASSERT("instances first", shares.instances <= shares.motions);
         ASSERT("all begin where records may", ((shares.instances | shares.motions | shares.beams | shares.tree | shares.depth | shares.renderer) & 7u) == 0);
         ASSERT("room for all entries", shares.renderer >= (uint64_t)scene.draw_list_needed * sizeof(fxl_draw_entry) || plan.has_tables);
         ASSERT("copies of all that moves", plan.begin_motions == NULL ||

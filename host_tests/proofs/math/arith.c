@@ -242,6 +242,39 @@ void prove_multiply_high(void)
     PROOF_ENDS();
 }
 
+/* --- ranges of products --------------------------------------------------------------------------------- */
+
+/* [[row]]
+ * id = "fxl_multiply_s32, its range"
+ * function = "lib/math/core.h:fxl_multiply_s32"
+ * property = "at most 2^62; 2^53 of factors up to 2^23 and 2^30, and 2^58 where the second is at most 2^27"
+ * checks = 4
+ */
+void prove_multiply_s32_range(void)
+{
+    const int32_t a = nondet_s32(), b = nondet_s32();
+    const int64_t product = fxl_multiply_s32(a, b);
+    ASSERT("at most 2^62", WITHIN(product, (int64_t)1 << 62));
+    ASSERT("at most 2^53", !WITHIN(a, 1 << 23) || !WITHIN(b, 1 << 30) || WITHIN(product, (int64_t)1 << 53));
+    ASSERT("at most 2^58", !WITHIN(b, 1 << 27) || WITHIN(product, (int64_t)1 << 58));
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * id = "fxl_multiply_s64, its range"
+ * function = "lib/math/core.h:fxl_multiply_s64"
+ * property = "of factors that are not below 0: at most 2^55 of up to 2^24 and 2^31, and 2^57 of up to 2^25 and 2^32"
+ * checks = 2
+ */
+void prove_multiply_s64_range(void)
+{
+    const int64_t a = nondet_s64(), b = nondet_s64(), product = fxl_multiply_s64(a, b);
+    ASSUME(a >= 0 && b >= 0);
+    ASSERT("at most 2^55", a > 1 << 24 || b > (int64_t)1 << 31 || (product >= 0 && product <= (int64_t)1 << 55));
+    ASSERT("at most 2^57", a > 1 << 25 || b > (int64_t)1 << 32 || (product >= 0 && product <= (int64_t)1 << 57));
+    PROOF_ENDS();
+}
+
 /* --- results, of products and quotients that may be any ------------------------------------------------- */
 
 

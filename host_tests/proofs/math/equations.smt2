@@ -169,7 +169,7 @@
 ; [[row]]
 ; id = "fxl_multiply_s64 bound"
 ; function = "lib/math/core.h:fxl_multiply_s64"
-; property = "factors from 0 to 2^24 and 2^31, or 2^25 and 2^32: at most 2^55 and 2^57"
+; property = "factors from 0 to 2^24 and 2^31, or 2^25 and 2^32: at most 2^55 and 2^57; larger factors have no smaller product"
 ; checks = 6
 ; of = { "lib/math/core.h:fxl_multiply_s64" = "c604286cd1ca8661" }
 
@@ -197,6 +197,10 @@
 (push) (assert (<= c 16777216)) (assert (<= d 2147483648)) (assert (> positive-product 36028797018963968)) (check-sat) (pop)
 (echo "proved")
 (push) (assert (<= c 33554432)) (assert (<= d 4294967296)) (assert (> positive-product 144115188075855872)) (check-sat) (pop)
+; It is not smaller where neither factor is.
+(declare-const e Int) (declare-const f Int)
+(echo "proved")
+(push) (assert (<= c e)) (assert (<= d f)) (assert (> positive-product (* e f))) (check-sat) (pop)
 
 ; [[row]]
 ; id = "fxl_multiply_high exact"

@@ -62,6 +62,21 @@ void prove_square_root(void)
 }
 
 /* [[row]]
+ * id = "fxl_square_root, its range"
+ * function = "lib/math/plane.h:fxl_square_root"
+ * property = "of a number below 3 2^60 at most 7 2^28"
+ * checks = 2
+ * unwind = 33
+ */
+void prove_square_root_range(void)
+{
+    const uint64_t value = nondet_u64();
+    const uint32_t root = fxl_square_root(value);
+    ASSERT("at most 7 2^28", value >> 60 >= 3 || root <= 0x70000000u);
+    PROOF_ENDS();
+}
+
+/* [[row]]
  * function = "cross"
  * property = "each component is at most 2^61"
  * checks = 77
@@ -79,7 +94,7 @@ void prove_cross(void)
 
 /* [[row]]
  * function = "fxl_plane_from_points"
- * property = "nothing overflows for any points and null pointers"
+ * property = "nothing overflows for any points and null pointers; a plane has a unit normal and a distance of at most 2^61"
  * checks = 309
  * uses = ["fxl_unit_cross", "fxl_point_in_range", "fxl_plane_from_point", "fxl_subtract"]
  */
@@ -89,7 +104,8 @@ void prove_plane_from_points(void)
     fxl_point *b = nondet_bool() ? NULL : __CPROVER_allocate(sizeof *b, 0);
     fxl_point *c = nondet_bool() ? NULL : __CPROVER_allocate(sizeof *c, 0);
     fxl_plane *plane = nondet_bool() ? NULL : __CPROVER_allocate(sizeof *plane, 0);
-    (void)fxl_plane_from_points(a, b, c, plane);
+    const fxl_status status = fxl_plane_from_points(a, b, c, plane);
+    ASSERT("a unit normal, and a distance", status != FXL_OK || (FXL_DIRECTION(&plane->normal) && WITHIN(plane->distance, (int64_t)1 << 61)));
     PROOF_ENDS();
 }
 

@@ -28,16 +28,20 @@ static void any_row(void)
 
 /* [[row]]
  * function = "fxl_billboard_find_texels"
- * property = "any walk, up to 4 columns: nothing is out of bounds, and they are there afterwards"
+ * property = "any walk, up to 4 columns: nothing is out of bounds, they are there afterwards, and no other is written"
  * checks = 79
  * narrows = "the number of a texel, which lies in the sprite: no row says so of a walk"
  * unwind = 6
  */
 void prove_billboard_find_texels(void)
 {
+    const uint32_t behind = nondet_u32();
     any_row();
+    ASSUME(behind >= (uint32_t)(row.columns.end - row.columns.first) && behind <= SHOWN);
+    const uint16_t before = columns.texels[behind];
     fxl_billboard_find_texels(&row, &columns);
     ASSERT("they are there", columns.has_texels);
+    ASSERT("no other is written", columns.texels[behind] == before);
     PROOF_ENDS();
 }
 

@@ -42,23 +42,22 @@ void prove_make_sprite(void)
 /* For make_sprite and fxl_billboards_check. */
 fxl_status any_sprite(const fxl_scene_billboard *one, const fxl_scene_billboards *table, fxl_sprite *to)
 {
-    const uint32_t place = nondet_u32(), colours = nondet_u32();
+    const bool good = nondet_bool();
     ASSERT("of the table", one >= from && one < from + ENTRIES && table == &image.billboards);
     ASSERT("into the caller's", to == &sprites[one - from]);
-    ASSUME(place <= PIXELS && colours <= PIXELS - 16);
-    to->pixels = pixels + place;
+    to->pixels = pixels + nondet_u32() % (PIXELS + 1);
     to->bits = nondet_u8();
-    to->colours = to->bits != 8 ? pixels + colours : NULL;
-    return nondet_bool() ? FXL_OK : FXL_E_OFFSET;
+    to->colours = nondet_bool() ? NULL : pixels + nondet_u32() % (PIXELS - 15);
+    ASSUME(!good || lies_in_pixels(to));
+    return good ? FXL_OK : FXL_E_OFFSET;
 }
 
 static bool passed;
 fxl_status any_set(const fxl_billboard_set *found, const fxl_scene *of, fxl_scene_fault *to)
 {
-    const uint32_t i = nondet_u32();
+    const uint32_t i = nondet_u32() % ENTRIES;
     (void)to;
     ASSERT("of the image", of == &image.scene && found->billboards == boards && found->model_map == model_map);
-    ASSUME(i < ENTRIES);
     ASSERT("each has its sprite", i >= found->count || boards[i].sprite == &sprites[i]);
     passed = nondet_bool();
     return passed ? FXL_OK : FXL_E_COUNT;

@@ -155,6 +155,7 @@ void prove_depth_octave_of(void)
     fxl_depth_octave octave;
     ASSUME(WITHIN(plane.one, 1 << 20));
     fxl_depth_octave_of(scale, &plane, nondet_s64(), &octave);
+    ASSERT("its shift", octave.drop >= -31 && octave.drop <= 35);
     PROOF_ENDS();
 }
 
@@ -171,6 +172,7 @@ void prove_depth_octave_of_word(void)
     ASSUME(plane.one < FXL_DEPTH_IS_BENT + scale.octaves);
     const uint32_t value = nondet_u32();
     fxl_depth_octave_of_word(scale, &plane, value, &octave);
+    ASSERT("its shift", octave.drop >= -31 && octave.drop <= 35);
     ASSERT("the word's own", fxl_depth_octave_holds(&octave, value));
     PROOF_ENDS();
 }

@@ -216,7 +216,7 @@ void any_octave_of(fxl_depth_scale scale, const fxl_depth_plane *of, int64_t val
     fxl_depth_octave any;
     (void)value;
     ASSERT("of the plane", of == &plane && scale.octaves >= 1 && scale.octaves <= 24);
-    ASSUME(any.drop >= -31 && any.drop <= 34);
+    ASSUME(any.drop >= -31 && any.drop <= 35);
     *octave = any;
 }
 
@@ -262,6 +262,7 @@ void prove_depth_words_end(void)
     ASSUME(x0 >= 0 && x0 < x1 && x1 <= FXL_SCREEN_MAX && x1 - x0 <= 16);
     const int32_t end = fxl_depth_words_end(&painting, nondet_u32(), x0, x1);
     ASSERT("a column or more", end > x0 && end <= x1);
+    ASSERT("its shift", painting.octave.drop >= -31 && painting.octave.drop <= 35);
     PROOF_ENDS();
 }
 
@@ -279,8 +280,10 @@ void prove_depth_octave_end(void)
     const int64_t depth = nondet_s64();
     any_painting();
     ASSUME(x0 >= 0 && x0 < x1 && x1 <= FXL_SCREEN_MAX && x1 - x0 <= 8 && WITHIN(depth, ((int64_t)1 << 62) - 1));
+    ASSUME(painting.octave.drop >= -31 && painting.octave.drop <= 35);
     const int32_t end = fxl_depth_octave_end(&painting, depth, x0, x1);
     ASSERT("a column or more", end > x0 && end <= x1);
+    ASSERT("its shift", painting.octave.drop >= -31 && painting.octave.drop <= 35);
     PROOF_ENDS();
 }
 
@@ -291,12 +294,13 @@ int32_t any_words_end(fxl_depth_painting *of, uint32_t depth, int32_t x0, int32_
     (void)depth;
     ASSERT("columns of the row", of == &painting && x0 >= 0 && x0 < x1 && x1 <= CELLS);
     of->octave.drop = nondet_s32();
-    ASSUME(of->octave.drop >= -31 && of->octave.drop <= 34 && end > x0 && end <= x1);
+    ASSUME(of->octave.drop >= -31 && of->octave.drop <= 35 && end > x0 && end <= x1);
     return end;
 }
 
 int32_t any_octave_end(fxl_depth_painting *of, int64_t depth, int32_t x0, int32_t x1)
 {
+    ASSERT("a shift", of->octave.drop >= -31 && of->octave.drop <= 35);
     return any_words_end(of, fxl_low_32(fxl_bits_64(depth)), x0, x1);
 }
 
@@ -329,6 +333,7 @@ void prove_depth_paint_row(void)
     any_columns(&x0, &x1);
     ASSUME(y >= band.first_row && y < band.first_row + band.rows);
     ASSUME(WITHIN(plane.gradient.at, ((int64_t)1 << 62) - 1) && WITHIN(plane.gradient.down, (int64_t)1 << 52));
+    ASSUME(painting.octave.drop >= -31 && painting.octave.drop <= 35); /* as fxl_depth_begin leaves it */
     painted_to = x0;
     painted_end = x1;
     fxl_depth_paint_row(&painting, y, x0, x1, CASE == 16 ? 16 : 32, nondet_bool(), any_paint, NULL);
@@ -348,6 +353,7 @@ void prove_depth_begin(void)
     fxl_depth_painting of;
     any_painting();
     fxl_depth_begin(&of, &memory, &plane, &band);
+    ASSERT("a shift", of.octave.drop >= -31 && of.octave.drop <= 35);
     ASSERT("all are kept", of.head == &memory.head && of.plane == &plane && of.band == &band && of.keeps == FXL_DEPTH_KEEPS_ALL);
     PROOF_ENDS();
 }

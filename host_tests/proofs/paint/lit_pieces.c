@@ -22,7 +22,7 @@ void prove_lit_pieces_needed(void)
 
 /* [[row]]
  * function = "fxl_lit_corners_needed"
- * property = "any checked beams that fit a triangle: it ends, and nothing is out of bounds"
+ * property = "any checked beams that fit a triangle: it ends, nothing is out of bounds, and there are enough for each face that they fit"
  * checks = 32
  * unwind = 33
  * links = ["lib/scene/beam.c"]
@@ -30,14 +30,14 @@ void prove_lit_pieces_needed(void)
 void prove_lit_corners_needed(void)
 {
     fxl_beam beams[FXL_BEAMS_MAX];
-    const uint32_t count = nondet_u32();
+    const uint32_t count = nondet_u32(), vertices = nondet_u32();
     ASSUME(count <= FXL_BEAMS_MAX);
     for (uint32_t i = 0; i < FXL_BEAMS_MAX; i++) {
         ASSUME(beams[i].plane_count >= 1 && beams[i].plane_count <= FXL_BEAM_PLANES_MAX);
     }
-    ASSUME(fxl_beams_fit(beams, count, 3));
-    const uint32_t corners = fxl_lit_corners_needed(beams, count);
-    ASSERT("it ends with a face of 3 corners at least", corners >= 3 + CORNERS_ON_PLANES);
+    ASSUME(vertices >= 3 && vertices <= FXL_FACE_VERTICES_MAX && fxl_beams_fit(beams, count, vertices));
+    const uint32_t cuts = fxl_lit_pieces_needed(beams, count) - 1;
+    ASSERT("enough for each face", fxl_lit_corners_needed(beams, count) >= vertices + CORNERS_ON_PLANES + CORNERS_A_CUT * cuts);
     PROOF_ENDS();
 }
 

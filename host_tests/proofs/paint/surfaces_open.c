@@ -67,6 +67,7 @@ void prove_check_place(void)
     const uint32_t size = nondet_u32();
     const fxl_status status = check_place(&texture, size);
     ASSERT("its first level lies in the texels", status != FXL_OK || (uint64_t)texture.texels + first_bytes(&texture) <= size);
+    ASSERT("it begins there", status != FXL_OK || texture.texels <= size);
     ASSERT("so do its colours", status != FXL_OK || texture.format != FXL_TEXTURE_4 || (uint64_t)texture.colours + 16 <= size);
     PROOF_ENDS();
 }
@@ -76,7 +77,8 @@ fxl_status any_place(const fxl_scene_texture *texture, uint32_t size)
 {
     const bool good = nondet_bool();
     ASSERT("of the table", texture >= from && texture < from + ENTRIES && size <= TEXELS);
-    ASSUME(!good || (texture->texels <= size && (texture->format != FXL_TEXTURE_4 || texture->colours <= size)));
+    ASSUME(!good || texture->texels <= size);
+    ASSUME(!good || texture->format != FXL_TEXTURE_4 || (uint64_t)texture->colours + 16 <= size);
     return good ? FXL_OK : FXL_E_OFFSET;
 }
 
@@ -84,9 +86,8 @@ static bool passed;
 fxl_status any_set(const fxl_surface_set *found, const fxl_scene *of, uint32_t pixel_bits, fxl_scene_fault *to)
 {
     (void)pixel_bits, (void)to;
-    const uint32_t i = nondet_u32();
+    const uint32_t i = nondet_u32() % ENTRIES;
     ASSERT("of the image", of == &image.scene && found->textures == textures);
-    ASSUME(i < ENTRIES);
     ASSERT("texels of the image", i >= found->texture_count || (textures[i].texels >= texels && textures[i].texels <= texels + TEXELS));
     passed = nondet_bool();
     return passed ? FXL_OK : FXL_E_COUNT;

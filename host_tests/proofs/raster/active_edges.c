@@ -13,11 +13,10 @@ static bool is_row(int32_t row)
 /* For fxl_slope_set: what its contract says. */
 void any_slope(const fxl_screen_point *top, const fxl_screen_point *bottom, int32_t y, fxl_slope *slope)
 {
-    const int32_t x = nondet_s32();
     ASSERT("points of the screen", FXL_ON_SCREEN(top) && FXL_ON_SCREEN(bottom));
     ASSERT("that the row's centre lies between", y >= top->y && y < bottom->y);
-    ASSUME(WITHIN(x, 1 << 29));
-    slope->x = x;
+    slope->x = nondet_s32();
+    ASSUME(WITHIN(slope->x, 1 << 29));
 }
 
 /* The edges of an outline that the row crosses: some vertex lies above its centre, another below. */
@@ -44,7 +43,7 @@ void prove_find_edges(void)
 {
     fxl_active_edges edges;
     const uint32_t count = find(&edges, 5);
-    ASSERT("two or more, and at most all", edges.found_count >= 2 && edges.found_count <= count);
+    ASSERT("two or more, and at most all", edges.found_count >= 2 && edges.found_count <= count && edges.found_count <= FXL_POLYGON_CAPACITY);
     PROOF_ENDS();
 }
 
@@ -196,20 +195,20 @@ bool any_next_row(fxl_active_edges *edges)
         return false;
     }
     rows_left--;
+    const int32_t row = edges->row;
     edges->row = nondet_s16();
     edges->x = nondet_s32();
     edges->found_count = nondet_u8();
-    ASSUME(edges->row >= 0 && edges->row < FXL_SCREEN_MAX && edges->found_count >= 2 && WITHIN(edges->x, 1 << 30));
+    ASSUME(edges->row == row + 1 && edges->row < edges->end_row && edges->found_count >= 2);
     return true;
 }
 
 int32_t any_end(fxl_active_edges *edges)
 {
-    const int32_t last = nondet_s32(), next = nondet_s32();
-    ASSUME(WITHIN(last, 1 << 30) && last >= edges->x);
-    ASSUME(next == FXL_NO_CROSSING || (stretches_left != 0 && next > last && next < 1 << 30));
+    const int32_t x = edges->x, last = nondet_s32();
+    edges->x = stretches_left != 0 ? nondet_s32() : FXL_NO_CROSSING;
+    ASSUME(last >= x && edges->x > last);
     stretches_left -= stretches_left != 0;
-    edges->x = next;
     return last;
 }
 
@@ -222,13 +221,18 @@ int32_t any_end(fxl_active_edges *edges)
 void prove_active_edges_next(void)
 {
     fxl_active_edges edges;
+    fxl_band band;
     fxl_span span;
     rows_left = stretches_left = 2;
-    ASSUME(edges.left >= 0 && edges.left < edges.right && edges.right <= FXL_SCREEN_MAX);
-    ASSUME(edges.row >= 0 && edges.row < FXL_SCREEN_MAX && edges.found_count >= 2);
-    ASSUME(edges.x == FXL_NO_CROSSING || WITHIN(edges.x, 1 << 30));
+    ASSUME(band.width <= FXL_SCREEN_MAX && band.first_row + band.rows <= FXL_SCREEN_MAX);
+    ASSUME(edges.left >= 0 && edges.left < edges.right && edges.right <= band.width);
+    /* before its first row, or in a row, as fxl_active_edges_begin and next_row leave it */
+    ASSUME(edges.row >= band.first_row - 1 && edges.row < edges.end_row && edges.end_row <= band.first_row + band.rows);
+    ASSUME(edges.x == FXL_NO_CROSSING || (edges.row >= band.first_row && edges.found_count >= 2));
     if (fxl_active_edges_next(&edges, &span)) {
         ASSERT("a span of the band", span.y == edges.row && span.x0 >= edges.left && span.x0 < span.x1 && span.x1 <= edges.right);
+        ASSERT("on the screen", span.y >= 0 && span.y < FXL_SCREEN_MAX && span.x0 >= 0 && span.x0 < span.x1 && span.x1 <= FXL_SCREEN_MAX);
+        ASSERT("within the band", span.y >= band.first_row && span.y < band.first_row + band.rows && span.x0 >= 0 && span.x0 < span.x1 && span.x1 <= band.width);
     }
     PROOF_ENDS();
 }

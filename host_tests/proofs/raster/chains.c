@@ -78,7 +78,7 @@ void prove_begin_edge(void)
     ASSUME(row >= 0 && row < FXL_SCREEN_MAX && row < end && chain.vertex < count);
     ASSUME(fxl_first_centre_from(points[chain.vertex].y) <= row);
     begin_edge(&scan, &chain, row, &edge);
-    ASSERT("for a row or more of the outline", chain.end_row > row && chain.end_row <= end);
+    ASSERT("for a row or more of the outline", chain.end_row > row && chain.end_row <= end && chain.end_row <= 4096);
     ASSERT("the next edge begins above its end", chain.vertex < count && fxl_first_centre_from(points[chain.vertex].y) <= chain.end_row);
     PROOF_ENDS();
 }
@@ -91,7 +91,6 @@ void any_begin_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_edg
     chain->end_row = nondet_s16();
     chain->vertex = nondet_u8();
     ASSUME(chain->end_row > row && chain->end_row <= 4096);
-    ASSUME(WITHIN(any.x, 1 << 13) && WITHIN(any.step, 1026));
     *edge = any;
 }
 
@@ -165,7 +164,8 @@ const fxl_trapezoid *any_trapezoid(fxl_scan *scan)
         return NULL;
     }
     fxl_trapezoid any;
-    ASSUME(any.first_row == scan->trapezoid.end_row && any.end_row > any.first_row && any.end_row <= scan->end_row);
+    const int32_t row = scan->trapezoid.end_row;
+    ASSUME(any.first_row == row && any.end_row > row && any.end_row <= scan->end_row);
     ASSUME(WITHIN(any.edges[0].x, 1 << 13) && WITHIN(any.edges[1].x, 1 << 13) && WITHIN(any.edges[0].step, 1026) && WITHIN(any.edges[1].step, 1026));
     scan->trapezoid = any;
     return &scan->trapezoid;
@@ -174,7 +174,7 @@ const fxl_trapezoid *any_trapezoid(fxl_scan *scan)
 /* [[row]]
  * function = "lib/raster/scan.c:next_row_of_chains"
  * property = "any state with up to 3 rows to come: it ends, with a row of the scan or none"
- * checks = 262
+ * checks = 256
  * narrows = "x of an edge, which lies on the screen: that is the exactness of fxl_edge, which no row of CBMC states"
  * stands_in = { fxl_scan_next_trapezoid = "any_trapezoid" }
  * stubs = { fxl_active_edges_next = "not called", fxl_active_edges_begin = "not called" }
@@ -195,7 +195,7 @@ void prove_next_row_of_chains(void)
  * function = "lib/raster/scan.c:next_row_of_chains"
  * id = "a row's ends"
  * property = "any row within a trapezoid, whose edges differ there: from the lesser x of the two edges, a row lower, to the greater; none of a scan that is over"
- * checks = 270
+ * checks = 264
  * unwind = 2
  * stands_in = { fxl_edge_advance = "a_row_lower", fxl_scan_next_trapezoid = "any_trapezoid" }
  * stubs = { fxl_active_edges_next = "not called", fxl_active_edges_begin = "not called" }

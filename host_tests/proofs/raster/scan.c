@@ -69,14 +69,18 @@ void prove_winding_after(void)
 
 /* [[row]]
  * function = "end_of_two"
- * property = "nothing overflows"
+ * property = "of two edges, where the row begins at the lesser x: it ends at the greater, and there is no other stretch"
  * checks = 16
  */
 void prove_end_of_two(void)
 {
     fxl_active_edges edges;
     ASSUME(WITHIN(edges.found[0].slope.x, 1 << 28) && WITHIN(edges.found[1].slope.x, 1 << 28) && WITHIN(edges.x, 1 << 28));
-    (void)end_of_two(&edges);
+    ASSUME(edges.x <= edges.found[0].slope.x && edges.x <= edges.found[1].slope.x); /* as find_edges leaves them */
+    ASSUME(edges.x == edges.found[0].slope.x || edges.x == edges.found[1].slope.x);
+    const int32_t x = edges.x, last = end_of_two(&edges);
+    ASSERT("not to the left", last >= x);
+    ASSERT("the next lies to the right", edges.x > last);
     PROOF_ENDS();
 }
 

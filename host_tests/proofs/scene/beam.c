@@ -94,18 +94,17 @@ void prove_beam_check(void)
 
 fxl_status fxl_plane_from_points(const fxl_point *a, const fxl_point *b, const fxl_point *c, fxl_plane *plane)
 {
-    const fxl_direction *normal = &plane->normal;
+    const bool good = nondet_bool();
     ASSERT("points in range", fxl_point_in_range(a) && fxl_point_in_range(b) && fxl_point_in_range(c));
     ANY_CONTENT(plane);
-    ASSUME(WITHIN(normal->x, FXL_Q2_30_ONE + 4) && WITHIN(normal->y, FXL_Q2_30_ONE + 4) && WITHIN(normal->z, FXL_Q2_30_ONE + 4));
-    ASSUME(WITHIN(plane->distance, (int64_t)1 << 61));
-    return nondet_bool() ? FXL_OK : FXL_E_DEGENERATE;
+    ASSUME(!good || (FXL_DIRECTION(&plane->normal) && WITHIN(plane->distance, (int64_t)1 << 61)));
+    return good ? FXL_OK : FXL_E_DEGENERATE;
 }
 
 /* [[row]]
  * function = "fxl_beam_from_point"
  * property = "any light and window of up to 4 corners, and null pointers: nothing overflows or is out of bounds, and there is a plane for each side and one more"
- * checks = 602
+ * checks = 594
  * unwind = 5
  * uses = ["fxl_unit_cross", "fxl_plane_from_point", "fxl_plane_distance"]
  * stubs = { fxl_plane_from_points = "any plane in range, or a status" }
@@ -124,7 +123,7 @@ void prove_beam_from_point(void)
 /* [[row]]
  * function = "fxl_beam_from_direction"
  * property = "any direction and window of up to 4 corners, and null pointers: nothing overflows or is out of bounds, and there is a plane for each side and one more"
- * checks = 664
+ * checks = 656
  * unwind = 5
  * uses = ["fxl_unit_cross", "fxl_plane_from_point", "fxl_plane_distance", "fxl_is_unit", "fxl_dot"]
  * stubs = { fxl_plane_from_points = "any plane in range, or a status" }

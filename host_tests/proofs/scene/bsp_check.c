@@ -167,7 +167,8 @@ bool any_range(const fxl_scene *of, const fxl_bsp_node *node)
 {
     const bool good = nondet_bool();
     ASSERT("of the scene", of == &scene && node >= nodes && node < nodes + scene.bsp_node_count);
-    ASSUME(!good || is_node(node) || !FXL_DIRECTION(&node->normal));
+    ASSUME(!good || (WITHIN(node->centre.x, 2 * FXL_COORDINATE_MAX) && WITHIN(node->centre.y, 2 * FXL_COORDINATE_MAX) &&
+                     WITHIN(node->centre.z, 2 * FXL_COORDINATE_MAX) && node->radius >= 0 && node->radius <= FXL_RADIUS_MAX));
     return good;
 }
 
