@@ -349,7 +349,7 @@ void test_colours_take_longer_sides_and_thin_triangles(void)
 
 /* --- colours that are functions of the screen ---------------------------------------------- */
 
-static double level_of(uint64_t words, int upper)
+static double channel_at(uint64_t words, int upper)
 {
     return (int32_t)(uint32_t)(words >> (upper ? 32 : 0)) / 4194304.0;
 }
@@ -360,9 +360,9 @@ static double added_to(const fxl_gradients *found, int k, double value)
     const fxl_gradient *a = found->attributes;
     const fxl_screen_point *p = &triangle.corners.points[0];
     const double column = (int32_t)(uint32_t)((uint64_t)a[0].at >> 32);
-    const double at = k == 0 ? level_of((uint64_t)a[0].at, 0) : level_of((uint64_t)a[1].at, 1);
-    const double along = level_of((uint64_t)a[1].along, k != 0);
-    const double down = level_of((uint64_t)a[k / 2].down, 0);
+    const double at = k == 0 ? channel_at((uint64_t)a[0].at, 0) : channel_at((uint64_t)a[1].at, 1);
+    const double along = channel_at((uint64_t)a[1].along, k != 0);
+    const double down = channel_at((uint64_t)a[k / 2].down, 0);
     const double off = at - 1024 / 4194304.0 + along * (p->x / 65536.0 - 0.5 - column) +
                        down * (p->y / 65536.0 - 0.5) - value;
     return off - 1024 * floor(off / 1024 + 0.5); /* words are modulo 1024 levels */
