@@ -20,7 +20,7 @@ COMMANDS = make.variables()
 # make itself compares these with the names that there are, and refuses any other value.
 CHECKED = {"SIZE", "BOARD", "PROGRAM", "VISIBILITY", "CLIPPER", "ROWS", "DRIVER", "PIXELS", "ORDER", "DEPTH", "COSTS_CORES", "COSTS_BOARDS", "LIB_FLAGS"}
 # Read by make in the commands that are named here, and by a tool in the others.
-CHECKED_IN = {"CORE": ["lib", "bench", "size"], "ONLY": ["coverage", "pictures"], "RENDERER": ["profile"]}
+CHECKED_IN = {"CORE": ["lib", "bench", "size"], "ONLY": ["coverage", "coverage-builds", "pictures"], "RENDERER": ["profile"]}
 # For each variable the first command that has it.
 TAKEN_BY = {name: next(command for command in COMMANDS if name in COMMANDS[command]) for name in make.names()}
 # Commands that call none of the tools.
