@@ -128,7 +128,7 @@ void prove_copy(void)
  * id = "cross of a view"
  * function = "cross"
  * property = "any edge from the inside to the outside: what the intersection requires, and a point in the view"
- * checks = 99
+ * checks = 135
  * stands_in = { fxl_intersect_edge = "any_intersection" }
  */
 void prove_cross(void)

@@ -56,7 +56,7 @@ void fxl_copy_vertex(const fxl_varying_vertex *from, uint32_t carried, fxl_varyi
 /* [[row]]
  * function = "move_end"
  * property = "any two ends of the view on two sides of a plane: what the intersection requires, and an end in the view"
- * checks = 60
+ * checks = 88
  * stubs = { fxl_intersection_fraction = "any fraction", fxl_intersection_vertex = "any vertex of the view", fxl_copy_vertex = "copies the position" }
  */
 void prove_move_end(void)

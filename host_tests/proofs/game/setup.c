@@ -58,7 +58,7 @@ static void make_any(void)
 /* [[row]]
  * function = "fxl_setup_divide"
  * property = "any plan of a checked scene with up to 2^24 bytes for each of tree, pieces and beams, and null pointers: no size wraps, each share is aligned and holds its records; refused, none is written"
- * checks = 273
+ * checks = 274
  */
 void prove_setup_divide(void)
 {

@@ -156,21 +156,21 @@
 ; id = "fxl_multiply_su32 bound"
 ; function = "lib/math/core.h:fxl_multiply_su32"
 ; property = "at most 2^32 of the first factor"
-; checks = 6
+; checks = 7
 ; of = { "lib/math/core.h:fxl_multiply_su32" = "8ef8df0b42206770" }
 
 ; [[row]]
 ; id = "fxl_multiply_s32 bound"
 ; function = "lib/math/core.h:fxl_multiply_s32"
 ; property = "at most as many times the first factor as the second is large: 2^29 and 2^31"
-; checks = 6
+; checks = 7
 ; of = { "lib/math/core.h:fxl_multiply_s32" = "c1f2ac56909392c2" }
 
 ; [[row]]
 ; id = "fxl_multiply_s64 bound"
 ; function = "lib/math/core.h:fxl_multiply_s64"
 ; property = "factors from 0 to 2^24 and 2^31, or 2^25 and 2^32: at most 2^55 and 2^57; larger factors have no smaller product"
-; checks = 6
+; checks = 7
 ; of = { "lib/math/core.h:fxl_multiply_s64" = "c604286cd1ca8661" }
 
 ; Products of lib/math/core.h on integers: how large they are beside their first factor.

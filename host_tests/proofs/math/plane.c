@@ -95,7 +95,7 @@ void prove_cross(void)
 /* [[row]]
  * function = "fxl_plane_from_points"
  * property = "nothing overflows for any points and null pointers; a plane has a unit normal and a distance of at most 2^61"
- * checks = 309
+ * checks = 344
  * uses = ["fxl_unit_cross", "fxl_point_in_range", "fxl_plane_from_point", "fxl_subtract"]
  */
 void prove_plane_from_points(void)

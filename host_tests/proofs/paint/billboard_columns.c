@@ -29,7 +29,7 @@ static void any_row(void)
 /* [[row]]
  * function = "fxl_billboard_find_texels"
  * property = "any walk, up to 4 columns: nothing is out of bounds, they are there afterwards, and no other is written"
- * checks = 79
+ * checks = 83
  * narrows = "the number of a texel, which lies in the sprite: no row says so of a walk"
  * unwind = 6
  */

@@ -66,7 +66,7 @@ fxl_status any_set(const fxl_billboard_set *found, const fxl_scene *of, fxl_scen
 /* [[row]]
  * function = "fxl_billboards_open"
  * property = "any image of up to 2 billboards: each has its sprite, a set is opened after its check, and refused, it stays"
- * checks = 240
+ * checks = 330
  * stands_in = { make_sprite = "any_sprite", fxl_billboards_check = "any_set" }
  */
 void prove_billboards_open(void)

@@ -118,7 +118,7 @@ bool any_depth_words(const fxl_corner_planes *planes, fxl_depth_plane *depth)
 /* [[row]]
  * function = "lib/paint/corner_planes.c:fxl_find_texels"
  * property = "nothing is out of bounds; where it is true the gradients are words of u, v and perhaps light, and of a constant weight"
- * checks = 299
+ * checks = 292
  * unwind = 5
  * stands_in = { is_nearly_linear = "any_is_nearly_linear", find_value = "any_find_value", fxl_corner_planes_depth_words = "any_depth_words" }
  * stubs = { fxl_corner_planes_depth_words = "any depth: it is measured" }
@@ -126,7 +126,7 @@ bool any_depth_words(const fxl_corner_planes *planes, fxl_depth_plane *depth)
 /* [[row]]
  * function = "lib/paint/smooth_outline.h:fxl_has_texel_words"
  * property = "so it is of what fxl_find_texels finds, also where a level of the texture leaves up to 8 bits out"
- * checks = 299
+ * checks = 292
  * unwind = 5
  * stands_in = { is_nearly_linear = "any_is_nearly_linear", find_value = "any_find_value", fxl_corner_planes_depth_words = "any_depth_words" }
  * stubs = { fxl_corner_planes_depth_words = "any depth: it is measured" }

@@ -146,7 +146,7 @@ void prove_depth_scale_of(void)
 /* [[row]]
  * function = "lib/paint/depth_code.h:fxl_depth_octave_of"
  * property = "nothing overflows, and every shift is in its range"
- * checks = 138
+ * checks = 139
  */
 void prove_depth_octave_of(void)
 {
@@ -162,7 +162,7 @@ void prove_depth_octave_of(void)
 /* [[row]]
  * function = "lib/paint/depth_code.h:fxl_depth_octave_of_word"
  * property = "every shift is in its range, and the octave holds the word"
- * checks = 69
+ * checks = 70
  */
 void prove_depth_octave_of_word(void)
 {

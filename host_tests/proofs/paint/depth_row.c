@@ -250,7 +250,7 @@ void prove_depth_octave_holds(void)
 /* [[row]]
  * function = "fxl_depth_words_end"
  * property = "any 16 columns of the screen: it ends, after one column or more"
- * checks = 48
+ * checks = 49
  * unwind = 6
  * stands_in = { fxl_depth_octave_of_word = "any_octave_of_word", fxl_depth_octave_holds = "any_holds" }
  * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
@@ -269,7 +269,7 @@ void prove_depth_words_end(void)
 /* [[row]]
  * function = "fxl_depth_octave_end"
  * property = "any 8 columns of the screen, and a plane that changes by up to 2^52 a pixel: nothing overflows, and it ends, after one column or more"
- * checks = 51
+ * checks = 52
  * unwind = 5
  * stands_in = { fxl_depth_octave_of = "any_octave_of", fxl_depth_octave_holds = "any_holds" }
  * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
@@ -319,7 +319,7 @@ void any_line(const fxl_depth_painting *of, void *cells, int32_t x0, int32_t x1,
 /* [[row]]
  * function = "fxl_depth_paint_row"
  * property = "rows of up to 4 cells of 16 and 32 bits, any plane that changes by up to 2^52 a pixel: nothing overflows, and each column is tested once, in cells of the band"
- * checks = 408
+ * checks = 434
  * cases = [16, 32]
  * unwind = 6
  * stands_in = { fxl_depth_words_end = "any_words_end", fxl_depth_octave_end = "any_octave_end", fxl_depth_paint_line = "any_line" }
@@ -344,7 +344,7 @@ void prove_depth_paint_row(void)
 /* [[row]]
  * function = "fxl_depth_begin"
  * property = "any plane and band: nothing overflows"
- * checks = 63
+ * checks = 64
  * stands_in = { fxl_depth_octave_of = "any_octave_of", fxl_depth_octave_of_word = "any_octave_of_word" }
  * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
  */

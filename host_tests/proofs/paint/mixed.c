@@ -118,30 +118,30 @@ void prove_mixture_of_565(void)
  * function = "has_plain_lines"
  * id = "mixed: has_plain_lines"
  * property = "any paint"
- * checks = 63
+ * checks = 65
  */
 /* [[row]]
  * function = "has_plain_texels"
  * id = "mixed: has_plain_texels"
  * property = "any paint"
- * checks = 63
+ * checks = 65
  */
 /* [[row]]
  * function = "is_keyed"
  * id = "mixed: is_keyed"
  * property = "any paint"
- * checks = 63
+ * checks = 65
  */
 /* [[row]]
  * function = "has_holes"
  * id = "mixed: has_holes"
  * property = "any paint"
- * checks = 63
+ * checks = 65
  */
 /* [[row]]
  * function = "has_lines"
  * property = "any paint"
- * checks = 63
+ * checks = 65
  */
 void prove_has_lines(void)
 {
@@ -290,19 +290,19 @@ void prove_show_any(void)
 /* [[row]]
  * function = "drawn_of_four"
  * property = "any opacity from 1 on and any row: four bits, all of them where it is 16"
- * checks = 99
+ * checks = 100
  * unwind = 5
  */
 /* [[row]]
  * function = "leave_out"
  * property = "any pattern and any 4 pixels: what is drawn stays, and a hole is as beneath, or 0"
- * checks = 99
+ * checks = 100
  * unwind = 5
  */
 /* [[row]]
  * function = "mix_evenly"
  * property = "any 2 pixels in any light: nothing is out of bounds"
- * checks = 99
+ * checks = 100
  * unwind = 5
  */
 void prove_leave_out(void)

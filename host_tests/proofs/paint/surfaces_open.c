@@ -58,7 +58,7 @@ uint32_t any_bytes(const fxl_scene_texture *texture)
  * id = "check_place of a texture"
  * function = "check_place"
  * property = "any texture: one that passes lies in the texels, and so do its colours"
- * checks = 102
+ * checks = 103
  * stands_in = { texel_bytes = "any_bytes" }
  */
 void prove_check_place(void)

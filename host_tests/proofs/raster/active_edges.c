@@ -34,7 +34,7 @@ static uint32_t find(fxl_active_edges *edges, uint32_t most)
 /* [[row]]
  * function = "find_edges"
  * property = "any outline of up to 5 points that a row crosses: two edges or more, each with what its set-up requires"
- * checks = 217
+ * checks = 229
  * unwind = 7
  * unwindset = { "any_outline.0" = 33 }
  * stands_in = { fxl_slope_set = "any_slope" }
@@ -51,7 +51,7 @@ void prove_find_edges(void)
  * id = "find_edges, windings"
  * function = "find_edges"
  * property = "any outline of up to 4 points: as many edges go down as up"
- * checks = 219
+ * checks = 231
  * unwind = 6
  * unwindset = { "any_outline.0" = 33 }
  * stands_in = { fxl_slope_set = "any_slope" }
@@ -215,7 +215,7 @@ int32_t any_end(fxl_active_edges *edges)
 /* [[row]]
  * function = "fxl_active_edges_next"
  * property = "any state with up to 2 rows and 2 stretches to come: a span of the band, or none"
- * checks = 130
+ * checks = 137
  * stands_in = { next_row = "any_next_row", end_of_two = "any_end", end_of_stretch = "any_end" }
  */
 void prove_active_edges_next(void)

@@ -253,13 +253,13 @@ void enumerate_above(void)
  * id = "first pixels of an edge on its rows"
  * function = "lib/raster/edge.h:fxl_edge_set"
  * property = "on each row for which the edge holds, up to 16 of them, x is the first pixel whose centre is not left of the edge, of a million edges"
- * checks = 5184743
+ * checks = 5184747
  */
 /* [[row]]
  * id = "first pixels of an edge of two rows or more"
  * function = "lib/raster/edge.h:fxl_edge_set_near"
  * property = "the same"
- * checks = 5184743
+ * checks = 5184747
  */
 void enumerate_edge_set(void)
 {

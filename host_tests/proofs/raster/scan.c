@@ -70,7 +70,7 @@ void prove_winding_after(void)
 /* [[row]]
  * function = "end_of_two"
  * property = "of two edges, where the row begins at the lesser x: it ends at the greater, and there is no other stretch"
- * checks = 16
+ * checks = 18
  */
 void prove_end_of_two(void)
 {

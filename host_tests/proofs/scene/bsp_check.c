@@ -190,7 +190,7 @@ bool any_holds(const fxl_scene *of, const fxl_model *model, uint32_t number)
 /* [[row]]
  * function = "check_nodes"
  * property = "any tree of up to 2 nodes: each test gets what it requires"
- * checks = 625
+ * checks = 645
  * unwind = 8
  * stands_in = { check_plane = "any_plane", sphere_in_range = "any_range", lies_on = "any_lies_on", sphere_holds = "any_holds" }
  */

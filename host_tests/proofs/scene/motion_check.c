@@ -96,7 +96,7 @@ void prove_chain_of(void)
 /* [[row]]
  * function = "reach_of"
  * property = "any scale and length in range: nothing overflows"
- * checks = 3
+ * checks = 4
  * unwind = 11
  * stands_in = { fxl_multiply_s64 = "any_product" }
  */
@@ -135,7 +135,7 @@ uint32_t any_root(uint64_t value)
 /* [[row]]
  * function = "length_of"
  * property = "any place below 2^30: nothing overflows"
- * checks = 43
+ * checks = 45
  * unwind = 11
  * stands_in = { fxl_square_root = "any_root" }
  */
