@@ -402,3 +402,26 @@ void test_mixed_texels_are_opaque_ones_that_are_mixed(void)
     }
     TEST_ASSERT_TRUE(holes > 1000 && drawn > 10000);
 }
+
+/* Each texel of each side from 1 to 16, and as far beyond the border. */
+/* SPEC 9.5a */
+void test_a_texel_is_within_its_level_however_wide_and_high(void)
+{
+    for (int sides = 0; sides < 25; sides++) {
+        const int width = 1 << sides % 5, height = 1 << sides / 5;
+        fxl_texture_level level = {.columns_less_1 = (uint32_t)width - 1,
+                                   .rows_less_1 = (uint32_t)height - 1,
+                                   .log_width = (uint8_t)(sides % 5)};
+        for (int i = -2 * width; i < 3 * width; i++) {
+            for (int j = -2 * height; j < 3 * height; j++) {
+                const int column = i < 0 ? 0 : i < width ? i : width - 1;
+                const int row = j < 0 ? 0 : j < height ? j : height - 1;
+                level.flags = FXL_TEXTURE_CLAMP;
+                TEST_ASSERT_EQUAL(row * width + column, (int)fxl_texel_place(&level, i, j));
+                level.flags = 0;
+                TEST_ASSERT_EQUAL((j + 2 * height) % height * width + (i + 2 * width) % width,
+                                  (int)fxl_texel_place(&level, i, j));
+            }
+        }
+    }
+}
