@@ -46,17 +46,25 @@ static void paint_run(const void *with, int32_t x0, int32_t x1, void *cells, fxl
     }
 }
 
+/* Far to near no depth is kept, as of what is blended. */
+static void begin(fxl_depth_painting *painting, const void *head, const fxl_depth_plane *plane,
+                  const fxl_band *band)
+{
+    fxl_depth_begin(painting, head, plane, band);
+    painting->keeps = painting->head->or_equal ? FXL_DEPTH_KEEPS_NONE : FXL_DEPTH_KEEPS_ALL;
+}
+
 static void draw_by_rows(const polygon *of, const fxl_band *band)
 {
     static fxl_scan scan;
     fxl_depth_painting painting;
     const fxl_trapezoid *trapezoid;
     if (of->has_texels) {
-        (void)portable_draw_texels(&of->paint, &of->plane, &by_portable, of->points, of->count, band,
-                                   &scan);
+        (void)portable_draw_texels(&of->paint, &of->plane, &by_portable, of->points, of->count,
+                                   band, &scan);
         return;
     }
-    fxl_depth_begin(&painting, &by_portable, &of->plane, band);
+    begin(&painting, &by_portable, &of->plane, band);
     portable_scan_outline(of->points, of->count, band, &scan);
     while ((trapezoid = portable_scan_next_trapezoid(&scan)) != NULL) {
         fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
@@ -66,7 +74,7 @@ static void draw_by_rows(const polygon *of, const fxl_band *band)
                                        band->pixels + (uint32_t)(y - band->first_row) *
                                                           band->stride * of->pixel_bits / 8,
                                        y};
-            fxl_depth_paint_row(&painting, y, x0, x1, 16, false, paint_run, &row);
+            fxl_depth_paint_row(&painting, y, x0, x1, 16, paint_run, &row);
             fxl_edge_advance(&a, 1);
             fxl_edge_advance(&b, 1);
         }
@@ -191,7 +199,9 @@ static bool draw_by_runs(const polygon *of, const fxl_band *band)
     const fxl_trapezoid *trapezoid;
     row_of_pixels row = {of, band->pixels, 0};
     int32_t y = -1;
-    fxl_depth_begin(&painting, &by_core, &of->plane, band);
+    bool (*const find_runs)(fxl_depth_rows * rows) =
+        by_core.head.or_equal ? fxl_find_visible_runs : fxl_find_depth_runs;
+    begin(&painting, &by_core, &of->plane, band);
     if (!fxl_depth_rows_take(&painting)) {
         return false;
     }
@@ -212,7 +222,7 @@ static bool draw_by_runs(const polygon *of, const fxl_band *band)
         y = trapezoid->end_row;
         rows.edges[0] = trapezoid->edges[0];
         rows.edges[1] = trapezoid->edges[1];
-        while (fxl_find_depth_runs(&rows)) {
+        while (find_runs(&rows)) {
             paint_list(of, band, list, &rows, &row);
         }
         if (rows.runs == rows.runs_end) {
@@ -235,7 +245,13 @@ static bool is_same(void)
     return same;
 }
 
-enum { PLAIN, SMOOTH, COLOURED, TEXTURED };
+enum {
+    PLAIN,
+    SMOOTH,
+    COLOURED,
+    TEXTURED,
+    BLENDED
+};
 
 static void compare(bool (*draw)(const polygon *of, const fxl_band *band), uint32_t kind)
 {
@@ -268,6 +284,7 @@ static void compare(bool (*draw)(const polygon *of, const fxl_band *band), uint3
         mantissa--;
     }
     by_core.head.scale = by_portable.head.scale = (fxl_depth_scale){octaves, mantissa};
+    by_core.head.or_equal = by_portable.head.or_equal = kind == BLENDED;
     any_plane(&band, &of.plane);
     if (of.is_smooth || of.has_colours || of.has_texels) {
         any_linear_plane(&band, &of.plane);
@@ -330,7 +347,7 @@ void test_texel_outlines(uint32_t rounds)
 void test_depth_runs(uint32_t rounds)
 {
     for (uint32_t i = 0; i < rounds; i++) {
-        compare(draw_by_runs, PLAIN);
+        compare(draw_by_runs, (i & 1u) != 0 ? BLENDED : PLAIN);
     }
 }
 

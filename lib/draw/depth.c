@@ -8,6 +8,16 @@
 #include "submit.h"
 #include "../paint/depth_outline.h"
 
+#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+
+void fxl_depth_paint_row_16(fxl_depth_painting *of, int32_t y, int32_t x0, int32_t x1,
+                            fxl_run_painter *paint, const void *with)
+{
+    fxl_depth_paint_row(of, y, x0, x1, 16, paint, with);
+}
+
+#endif
+
 /* Products of a row whose components are at most 2^30 and a normal: a sum is below 2^62. */
 static int64_t row_times(const fxl_direction *row, const fxl_direction *normal)
 {
@@ -185,8 +195,8 @@ void fxl_depth_draw_parts(const fxl_renderer *renderer, fxl_workspace *workspace
         if (part.rows < CLEARED_BY_FACES) {
             fxl_depth_clear_all(workspace, &part, cell_bytes);
         }
-        workspace->draws_outlines = FXL_DRAWS_DEPTH_OUTLINES &&
-                                    fxl_depth_outline_can_draw(head, &part, pixel_bytes);
+        workspace->draws_outlines =
+            FXL_DRAWS_DEPTH_OUTLINES && fxl_depth_outline_can_draw(head, &part, pixel_bytes);
         draw_part(renderer, workspace, &part);
         left -= part.rows;
         if (left == 0) {

@@ -77,10 +77,9 @@ static inline bool has_hole_kernel(const fxl_paint *paint, const fxl_segment_fac
 }
 
 /* All pixels of a run by that kernel. Returns false if the face has none, or it does not take their
- * weights. Not inline: its record would be on the stack of others. */
-static __attribute__((noinline)) bool paint_holes_at_once(const surface_row *of, int32_t x0,
-                                                          int32_t x1, void *cells,
-                                                          const fxl_depth_line *line)
+ * weights. */
+static inline bool paint_holes_at_once(const surface_row *of, int32_t x0, int32_t x1, void *cells,
+                                       const fxl_depth_line *line)
 {
     const fxl_segment_face *segments = of->row->segments;
     if (of->depth->keeps != FXL_DEPTH_TESTED) {
@@ -150,7 +149,7 @@ paint_row(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t 
 {
     fxl_depth_painting *depth = (fxl_depth_painting *)with;
     const surface_row of = {depth, paint, row};
-    fxl_depth_paint_row(depth, row->y, x0, x1, FXL_TARGET_DEPTH_BITS, false, paint_run, &of);
+    fxl_depth_paint_target_row(depth, row->y, x0, x1, FXL_TARGET_DEPTH_BITS, paint_run, &of);
 }
 
 #if HAS_RUNS
@@ -218,7 +217,7 @@ paint_runs(const fxl_paint *paint, run_kernel *kernel, run_memory *memory, fxl_p
     }
 }
 
-/* The trapezoids of a polygon whose depths are all kept. Returns whether it has one, so reaches a
+/* The trapezoids of a polygon whose depths are all kept, or none is. Returns whether it has one, so reaches a
  * row of the band. A trapezoid right below the one before goes on with the same list. Requires a
  * scan by chains. Not inline: its rows would be on the stack of others. */
 static __attribute__((noinline)) bool paint_plain(const fxl_paint *paint,
@@ -229,7 +228,8 @@ static __attribute__((noinline)) bool paint_plain(const fxl_paint *paint,
     const fxl_gradients *gradients = paint->gradients;
     const fxl_trapezoid *trapezoid;
     run_memory *memory = run_memory_of(scan);
-    run_kernel *const kernel = run_kernel_of(paint, segments);
+    const bool keeps = depth->keeps == FXL_DEPTH_KEEPS_ALL;
+    run_kernel *const kernel = keeps ? run_kernel_of(paint, segments) : NULL;
     fxl_depth_rows *rows = &memory->rows;
     fxl_plain_runs runs;
     int32_t y = -1; /* of the row that comes next */
@@ -256,7 +256,7 @@ static __attribute__((noinline)) bool paint_plain(const fxl_paint *paint,
         y = trapezoid->end_row;
         rows->edges[0] = trapezoid->edges[0];
         rows->edges[1] = trapezoid->edges[1];
-        while (fxl_find_depth_runs(rows)) {
+        while (keeps ? fxl_find_depth_runs(rows) : fxl_find_visible_runs(rows)) {
             paint_runs(paint, kernel, memory, &runs);
         }
         if (rows->runs == rows->runs_end) {
@@ -299,10 +299,11 @@ static inline void paint_texels_of(const fxl_surfaces *surfaces, const fxl_surfa
     }
 }
 
-static __attribute__((noinline)) bool
-draw_texels(const fxl_surfaces *surfaces, fxl_workspace *workspace,
-            const fxl_surface_polygon *polygon, const fxl_screen_point *points, uint32_t count,
-            const fxl_band *band)
+static __attribute__((noinline)) bool draw_texels(const fxl_surfaces *surfaces,
+                                                  fxl_workspace *workspace,
+                                                  const fxl_surface_polygon *polygon,
+                                                  const fxl_screen_point *points, uint32_t count,
+                                                  const fxl_band *band)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
     fxl_paint paint;
@@ -345,8 +346,8 @@ static ROWS_APART void paint_each_row(fxl_depth_painting *depth, const fxl_paint
                                       const fxl_screen_point *points, uint32_t count,
                                       const fxl_band *band, fxl_scan *scan)
 {
-    fxl_paint_polygon(paint, segments, points, count, band, FXL_PIXEL_BITS / 8, scan,
-                      paint_row, depth);
+    fxl_paint_polygon(paint, segments, points, count, band, FXL_PIXEL_BITS / 8, scan, paint_row,
+                      depth);
 }
 
 /* The rows of a polygon, whose cells are cleared. */
@@ -371,7 +372,7 @@ static ROWS_APART bool paint_by_rows(const fxl_surfaces *surfaces, fxl_workspace
         depth.keeps = FXL_DEPTH_TESTED;
     }
 #if HAS_RUNS
-    if (depth.keeps == FXL_DEPTH_KEEPS_ALL && fxl_depth_rows_take(&depth)) {
+    if (fxl_depth_rows_take(&depth)) {
         fxl_scan_outline(points, count, band, &workspace->work.scan);
         if (workspace->work.scan.by_chains) {
             return paint_plain(&paint, segments, &depth, band, &workspace->work.scan);

@@ -64,7 +64,7 @@ static inline __attribute__((always_inline)) void paint_row(void *with, fxl_pixe
 {
     flat_painting *of = (flat_painting *)with;
     const flat_row row = {pixels, of->filling};
-    fxl_depth_paint_row(&of->depth, y, x0, x1, FXL_TARGET_DEPTH_BITS, false, paint_run, &row);
+    fxl_depth_paint_target_row(&of->depth, y, x0, x1, FXL_TARGET_DEPTH_BITS, paint_run, &row);
 }
 
 /* A plane, where the kernel of outlines takes it, if there is one. */

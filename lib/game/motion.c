@@ -153,7 +153,7 @@ static void play_one(const fxl_motion_player *player, uint32_t number, uint32_t 
 }
 
 /* motion 1.2 */
-void fxl_motion_play(const fxl_motion_player *player, uint32_t frame)
+FXL_COLD void fxl_motion_play(const fxl_motion_player *player, uint32_t frame)
 {
     for (uint32_t i = 0; i < player->set.motion_count; i++) {
         play_one(player, i, frame);

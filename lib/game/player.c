@@ -86,14 +86,14 @@ static fxl_status step(fxl_player *viewer, uint32_t keys, const fxl_motion_limit
     return FXL_OK;
 }
 
-fxl_status fxl_player_step(fxl_player *viewer, uint32_t keys, const fxl_motion_limits *limits,
-                           bool *clamped)
+FXL_COLD fxl_status fxl_player_step(fxl_player *viewer, uint32_t keys,
+                                    const fxl_motion_limits *limits, bool *clamped)
 {
     return step(viewer, keys, limits, clamped, false);
 }
 
-fxl_status fxl_player_fly(fxl_player *viewer, uint32_t keys, const fxl_motion_limits *limits,
-                          bool *clamped)
+FXL_COLD fxl_status fxl_player_fly(fxl_player *viewer, uint32_t keys,
+                                   const fxl_motion_limits *limits, bool *clamped)
 {
     return step(viewer, keys, limits, clamped, true);
 }
@@ -105,8 +105,8 @@ static fxl_q16_16 product(fxl_q16_16 limit, fxl_q16_16 factor)
     return exact > FXL_MOTION_MAX ? -1 : (fxl_q16_16)exact; /* -1: out of range */
 }
 
-fxl_status fxl_scale_motion_limits(const fxl_motion_limits *limits, fxl_q16_16 factor,
-                                   fxl_motion_limits *scaled)
+FXL_COLD fxl_status fxl_scale_motion_limits(const fxl_motion_limits *limits, fxl_q16_16 factor,
+                                            fxl_motion_limits *scaled)
 {
     if (limits == NULL || scaled == NULL) {
         return FXL_E_ARGUMENT;
@@ -165,7 +165,7 @@ static fxl_angle direction_of(int64_t across, int64_t along)
     return (fxl_angle)fxl_round_shift(angle, 12) + (turned_round ? 2 * FXL_ANGLE_QUARTER : 0u);
 }
 
-fxl_status fxl_pose_look_at(fxl_pose *pose, const fxl_point *target)
+FXL_COLD fxl_status fxl_pose_look_at(fxl_pose *pose, const fxl_point *target)
 {
     if (pose == NULL || target == NULL) {
         return FXL_E_ARGUMENT;

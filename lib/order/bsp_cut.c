@@ -290,8 +290,8 @@ static bool cut_all(fxl_bsp_cutter *cutter)
     return true;
 }
 
-bool fxl_bsp_cut(fxl_bsp_cutter *cutter, const fxl_instance *instance, const fxl_point *eye,
-                 uint32_t entry)
+FXL_COLD bool fxl_bsp_cut(fxl_bsp_cutter *cutter, const fxl_instance *instance,
+                          const fxl_point *eye, uint32_t entry)
 {
     const uint32_t items = cutter->item_count, vertices = cutter->vertex_count;
     cutter->first_item = items;

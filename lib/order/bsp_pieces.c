@@ -197,7 +197,7 @@ static void put_whole(const fxl_scene *scene, const fxl_bsp_parts *parts, uint32
 }
 
 /* bsp 3.1, 3.2 */
-void fxl_bsp_cut_movers(const fxl_traversal *traversal, fxl_bsp_workspace *workspace)
+FXL_COLD void fxl_bsp_cut_movers(const fxl_traversal *traversal, fxl_bsp_workspace *workspace)
 {
     const fxl_renderer *renderer = traversal->renderer;
     const fxl_scene *scene = renderer->scene;

@@ -9,6 +9,10 @@
 #include "depth_cells.h"
 #include "depth_code.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define FXL_INLINED static inline __attribute__((always_inline))
 
 /* Which polygons are painted. */
@@ -113,17 +117,19 @@ static inline int32_t fxl_depth_octave_end(fxl_depth_painting *of, int64_t depth
                                            int32_t x1)
 {
     const int64_t along = of->plane->gradient.along;
-    const int64_t value = depth + along * x0;
+    const int64_t value = depth + fxl_multiply_s64_u16(along, (uint32_t)x0);
     if (!fxl_depth_octave_holds(&of->octave, value)) {
         fxl_depth_octave_of(of->head->scale, of->plane, value, &of->octave);
     }
     int32_t inside = x0, outside = x1;
-    if (fxl_depth_octave_holds(&of->octave, depth + along * (x1 - 1))) {
+    const int64_t last = depth + fxl_multiply_s64_u16(along, (uint32_t)(x1 - 1));
+    if (fxl_depth_octave_holds(&of->octave, last)) {
         return x1;
     }
     while (outside - inside > 1) {
         const int32_t middle = (inside + outside) / 2;
-        if (fxl_depth_octave_holds(&of->octave, depth + along * middle)) {
+        const int64_t between = depth + fxl_multiply_s64_u16(along, (uint32_t)middle);
+        if (fxl_depth_octave_holds(&of->octave, between)) {
             inside = middle;
         } else {
             outside = middle;
@@ -132,16 +138,15 @@ static inline int32_t fxl_depth_octave_end(fxl_depth_painting *of, int64_t depth
     return outside;
 }
 
-/* The pixels x0 <= x < x1 of row y. never_equal: the head is not or_equal. */
+/* The pixels x0 <= x < x1 of row y. */
 FXL_INLINED void fxl_depth_paint_row(fxl_depth_painting *of, int32_t y, int32_t x0, int32_t x1,
-                                     uint32_t bits, bool never_equal, fxl_run_painter *paint,
-                                     const void *with)
+                                     uint32_t bits, fxl_run_painter *paint, const void *with)
 {
     const fxl_gradient *gradient = &of->plane->gradient;
     const size_t row_bytes = (size_t)of->band->width * (bits / 8u);
     void *cells =
         (uint8_t *)(uintptr_t)(of->head + 1) + (size_t)(y - of->band->first_row) * row_bytes;
-    const int64_t depth = gradient->at + gradient->down * y;
+    const int64_t depth = gradient->at + fxl_multiply_s64_u16(gradient->down, (uint32_t)y);
     while (x0 < x1) {
         const int32_t end = fxl_depth_is_in_words(of->plane)
                                 ? fxl_depth_words_end(of, (uint32_t)(depth & UINT32_MAX), x0, x1)
@@ -151,7 +156,7 @@ FXL_INLINED void fxl_depth_paint_row(fxl_depth_painting *of, int32_t y, int32_t 
         if (!octave->is_constant) {
             line.code += fxl_depth_shifted(depth, octave->drop) + line.step * (uint32_t)x0;
         }
-        if (!never_equal && of->head->or_equal) {
+        if (of->head->or_equal) {
             const fxl_depth_rule rule = {bits == 32, true};
             fxl_depth_paint_line(of, cells, x0, end, line, rule, paint, with);
         } else {
@@ -160,6 +165,28 @@ FXL_INLINED void fxl_depth_paint_row(fxl_depth_painting *of, int32_t y, int32_t 
         }
         x0 = end;
     }
+}
+
+#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+
+/* fxl_depth_paint_row of 16 bits: one copy for all targets, as kernels draw most rows. */
+void fxl_depth_paint_row_16(fxl_depth_painting *of, int32_t y, int32_t x0, int32_t x1,
+                            fxl_run_painter *paint, const void *with);
+
+#endif
+
+/* fxl_depth_paint_row of a target's bits. */
+FXL_INLINED void fxl_depth_paint_target_row(fxl_depth_painting *of, int32_t y, int32_t x0,
+                                            int32_t x1, uint32_t bits, fxl_run_painter *paint,
+                                            const void *with)
+{
+#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+    if (bits == 16) {
+        fxl_depth_paint_row_16(of, y, x0, x1, paint, with);
+        return;
+    }
+#endif
+    fxl_depth_paint_row(of, y, x0, x1, bits, paint, with);
 }
 
 /* memory: the target's. */
@@ -176,5 +203,9 @@ static inline void fxl_depth_begin(fxl_depth_painting *of, const void *memory,
         fxl_depth_octave_of(of->head->scale, plane, 0, &of->octave);
     }
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

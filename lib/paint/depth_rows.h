@@ -55,13 +55,18 @@ typedef struct {
  * the band's columns, rows from 1 on, and room for a run. */
 bool fxl_find_depth_runs(fxl_depth_rows *rows);
 
+/* The same far to near, for what is blended: no depth is kept. */
+bool fxl_find_visible_runs(fxl_depth_rows *rows);
+
 #endif
 
-/* Whether the kernel can test a polygon: near to far, and a value of its plane whose upper word
- * is not above 0 is beyond the last octave. */
+/* Whether the kernels can test a polygon: its depths are all kept near to far, or not at all far to
+ * near, and a value of its plane whose upper word is not above 0 is beyond the last octave. */
 static inline bool fxl_depth_rows_take(const fxl_depth_painting *painting)
 {
-    return !painting->head->or_equal && painting->plane->one >= 32 + painting->head->scale.octaves;
+    return painting->keeps ==
+               (painting->head->or_equal ? FXL_DEPTH_KEEPS_NONE : FXL_DEPTH_KEEPS_ALL) &&
+           painting->plane->one >= 32 + painting->head->scale.octaves;
 }
 
 /* Prepares a polygon that the kernel can test. Sets neither value and cells nor edges and rows. */

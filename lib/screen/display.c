@@ -115,8 +115,8 @@ static uint8_t turned_access(const fxl_display_driver *driver, uint32_t access,
 
 /* Of pages, one axis is mirrored as the glass is scanned: the row of the memory, or the column of
  * an SH1107, that the glass begins with stays the first one. */
-fxl_display_config fxl_display_config_turned(const fxl_display_module *module,
-                                             uint32_t quarter_turns)
+FXL_COLD fxl_display_config fxl_display_config_turned(const fxl_display_module *module,
+                                                      uint32_t quarter_turns)
 {
     fxl_display_config config = no_config;
     if (module == NULL || !can_turn(module->driver, quarter_turns) || !is_sound(module)) {
@@ -150,8 +150,8 @@ fxl_display_config fxl_display_config_turned(const fxl_display_module *module,
 
 /* The glass takes all rows. Of colours it lies in the middle of the columns that its module is wired
  * for, so a program that names no module does not link the function above. */
-fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
-                                              uint32_t quarter_turns)
+FXL_COLD fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
+                                                       uint32_t quarter_turns)
 {
     if (!can_turn(driver, quarter_turns)) {
         return no_config;

@@ -336,7 +336,7 @@ void prove_depth_paint_row(void)
     ASSUME(painting.octave.drop >= -31 && painting.octave.drop <= 35); /* as fxl_depth_begin leaves it */
     painted_to = x0;
     painted_end = x1;
-    fxl_depth_paint_row(&painting, y, x0, x1, CASE == 16 ? 16 : 32, nondet_bool(), any_paint, NULL);
+    fxl_depth_paint_row(&painting, y, x0, x1, CASE == 16 ? 16 : 32, any_paint, NULL);
     ASSERT("all of the row", painted_to == x1);
     PROOF_ENDS();
 }

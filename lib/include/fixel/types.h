@@ -54,8 +54,8 @@ FXL_STATIC_ASSERT(sizeof(int) >= 4, "needs an int of at least 32 bits");
 #endif
 
 /* Stands before the definition of a function that no frame calls, such as a check of a scene, or
- * calls once for an object that moves: the compiler makes it, and what it alone calls, for few
- * bytes. */
+ * calls once, such as a player's step, or once for an object that moves: the compiler makes it, and
+ * what it alone calls, for few bytes. */
 #if defined __GNUC__ && !defined __OPTIMIZE_SIZE__
 #define FXL_COLD __attribute__((cold))
 #else
