@@ -439,6 +439,7 @@ endif
 
 include firmware/unittest/unittest.mk
 include firmware/benchmark/benchmark.mk
+include firmware/web/web.mk
 
 .PHONY: all-boards
 all-boards: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board)) $(BOARD_UNITS.$(board)))

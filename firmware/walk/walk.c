@@ -306,7 +306,7 @@ static int draw_bands(uint32_t frame, uint32_t border, stopwatch *watch)
     return SYSTEM_EXIT_DONE;
 }
 
-static int draw_frame(walk_path *path, uint32_t frame)
+int walk_frame(walk_path *path, uint32_t frame)
 {
     const uint32_t held = walk_path_wants_keys(path) ? input_keys() : 0;
     const uint32_t border = border_of(frame, setup.config.width);
@@ -349,7 +349,7 @@ static int draw_frames(walk_path *path, uint32_t frames)
     uint32_t frame;
 
     for (frame = 0; frame < frames; frame++) {
-        const int code = draw_frame(path, frame);
+        const int code = walk_frame(path, frame);
 
         if (code != SYSTEM_EXIT_DONE) {
             return code;
@@ -358,8 +358,7 @@ static int draw_frames(walk_path *path, uint32_t frames)
     return SYSTEM_EXIT_DONE;
 }
 
-/* Sets all up. */
-static int open_walk(walk_path *path)
+int walk_open(walk_path *path)
 {
     fxl_scene_image *const image = &band_pixels.opening.image;
     int code = open_scene(image);
@@ -379,7 +378,7 @@ static int draw_path(walk_path *path, uint32_t frames)
     int code = draw_frames(path, frames);
 
     while (REPEATS && code == SYSTEM_EXIT_DONE) {
-        code = open_walk(path);
+        code = walk_open(path);
         if (code == SYSTEM_EXIT_DONE) {
             code = draw_frames(path, frames);
         }
@@ -387,18 +386,9 @@ static int draw_path(walk_path *path, uint32_t frames)
     return code;
 }
 
-int walk(void)
+int walk_show(uint32_t frames)
 {
-    walk_path path;
-    uint32_t frames;
-    bool closed;
-    int code = open_walk(&path);
-
-    if (code != SYSTEM_EXIT_DONE) {
-        return code;
-    }
-    frames = system_frames() != 0 ? system_frames() : path.frame_count;
-    if (!journal_open(REPEATS ? UINT32_MAX : frames)) {
+    if (!journal_open(frames)) {
         system_text("walk: the journal could not be opened\n");
         return SYSTEM_EXIT_JOURNAL;
     }
@@ -406,6 +396,24 @@ int walk(void)
                       plan.palette)) {
         system_text("walk: the display could not be opened\n");
         return SYSTEM_EXIT_DISPLAY;
+    }
+    return SYSTEM_EXIT_DONE;
+}
+
+int walk(void)
+{
+    walk_path path;
+    uint32_t frames;
+    bool closed;
+    int code = walk_open(&path);
+
+    if (code != SYSTEM_EXIT_DONE) {
+        return code;
+    }
+    frames = system_frames() != 0 ? system_frames() : path.frame_count;
+    code = walk_show(REPEATS ? UINT32_MAX : frames);
+    if (code != SYSTEM_EXIT_DONE) {
+        return code;
     }
     code = draw_path(&path, frames);
     closed = display_close();

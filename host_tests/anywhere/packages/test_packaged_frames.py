@@ -3,6 +3,7 @@
 on emulated cores, and as WebAssembly in Node."""
 
 import functools
+import json
 import re
 import shlex
 import shutil
@@ -23,8 +24,9 @@ CORES = {"m0plus": ("mps2-an385", ["-mcpu=cortex-m0plus", "-mthumb"]), "m3": ("m
 COMPILERS = {"mps2-an385": "arm-none-eabi-gcc", "rv32": "riscv64-unknown-elf-gcc"}
 
 
-# A board of WebAssembly: webassembly.c and these parts, with rv32's room.
-BOARD = [FOLDER / "packages" / "webassembly.c", *(ROOT / "boards" / "parts" / f"{part}.c" for part in ("display", "dump", "memory_functions"))]
+# The walk and a board of WebAssembly, with rv32's room.
+WEB = [*sorted(file for file in (ROOT / "firmware" / "walk").glob("*.c") if file.name != "main.c"), ROOT / "firmware" / "web" / "web.c",
+       ROOT / "boards" / "parts" / "memory_functions.c"]
 ROOM = ["-DWALK_BAND_BYTES=1048576", "-DWALK_ORDER_ENTRIES=65536", "-DWALK_LIST_BYTES=262144", "-DWALK_CACHE_ENTRIES=1024"]
 
 
@@ -44,9 +46,10 @@ def of_an_emulated_core(core, source, folder):
     run(*[f"-Wl,-Map,{folder}/walk.map" if word.startswith("-Wl,-Map") else word for word in words], *objects, "-lgcc", "-o", elf, folder=ROOT)
     shutil.rmtree(folder / "objects")
 
-    def draw(image, out):
-        flash_memory.flash(board, elf, image, out.with_name("flash.bin"))
-        emulator.run(board, out.with_name("flash.bin"), elf, out, timeout=TIMEOUT)
+    def draw(image, folder):
+        flash_memory.flash(board, elf, image, folder / "flash.bin")
+        emulator.run(board, folder / "flash.bin", elf, folder / "frames.fxld", timeout=TIMEOUT)
+        return frame_hashes.record_of(dump.read_dump(folder / "frames.fxld"))
     return draw
 
 
@@ -56,16 +59,17 @@ def of_webassembly(source, folder):
     how = ["--target=wasm32", "-O2", "-std=c11", "-ffreestanding", "-fno-builtin", "-Wall", "-Wextra", "-Werror"]
     objects = compiled(source, folder / "library", how, compiler="clang")
     (folder / "walk").mkdir()
-    includes = [f"-I{path}" for path in (source, ROOT / "boards", ROOT / "lib")]    # of lib/ only study/, which no package has
-    run("clang", *how, *ROOM, *includes, "-c", *sorted((ROOT / "firmware" / "walk").glob("*.c")), *BOARD, folder=folder / "walk")
+    # Of lib/ only study/, which no package has.
+    includes = [f"-I{path}" for path in (source, ROOT / "boards", ROOT / "lib", ROOT / "firmware" / "walk")]
+    run("clang", *how, *ROOM, *includes, "-c", *WEB, folder=folder / "walk")
     run("wasm-ld", "--no-entry", "--gc-sections", "--fatal-warnings", "--stack-first", "-z", "stack-size=65536", *objects,
         *sorted((folder / "walk").glob("*.o")), "-o", folder / "walk.wasm")
-    return lambda image, out: run("node", FOLDER / "packages" / "webassembly.mjs", folder / "walk.wasm", image, out)
+    return lambda image, _: json.loads(run("node", FOLDER / "packages" / "webassembly.mjs", folder / "walk.wasm", image))
 
 
 @pytest.fixture(scope="module", name="walks")
 def fixture_walks(packages, tmp_path_factory):
-    """By a core: what draws an image into a frame dump."""
+    """By a core: what draws an image, and gives the record of its frames."""
     @functools.cache
     def walk(core):
         source, folder = packages / "esp-idf" / "src", tmp_path_factory.mktemp(core)
@@ -77,5 +81,4 @@ def fixture_walks(packages, tmp_path_factory):
 @pytest.mark.parametrize("core", [*CORES, "wasm32"])
 def test_a_package_draws_what_is_on_record(walks, core, scene, tmp_path):
     name, image = scene
-    walks(core)(image, tmp_path / "frames.fxld")
-    assert frame_hashes.difference(frame_hashes.load()[name], dump.read_dump(tmp_path / "frames.fxld")) == ""
+    assert walks(core)(image, tmp_path) == frame_hashes.load()[name]

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// node webassembly.mjs MODULE SCENE.fxls OUT.fxld: the host of webassembly.c. Exit code: 0, or one of boards/contract/system.h.
-import { readFileSync, writeFileSync } from 'node:fs';
+// node webassembly.mjs MODULE SCENE.fxls: draws the scene's path by the walk as WebAssembly, and prints the frames' record as hashes.json has it.
+import { createHash } from 'node:crypto';
+import { readFileSync } from 'node:fs';
+import { Walk } from '../../../tools/templates/walk.mjs';
 
-const DONE = 93; // boards/contract/system.h
-const [file, image, out] = process.argv.slice(2);
-const { exports: board } = new WebAssembly.Instance(new WebAssembly.Module(readFileSync(file))); // throws if the module imports anything
-const bytes = (at, size) => new Uint8Array(board.memory.buffer, at, size);
-const scene = readFileSync(image);
-bytes(board.scene(scene.length), scene.length).set(scene);
-let trap;
-try { board.run(); } catch (fault) { trap = fault; }
-const [status, dump, dumpBytes, text, textBytes] = new Uint32Array(board.memory.buffer, board.outcome(), 5);
-process.stderr.write(bytes(text, textBytes));
-if (status === 0) throw trap; // not the one of system_exit
-if (status === DONE) writeFileSync(out, bytes(dump, dumpBytes));
-else process.exitCode = status;
+const DIGITS = 16; // tools/fixel/check/frame_hashes.py
+const [file, image] = process.argv.slice(2);
+const walk = new Walk(new WebAssembly.Module(readFileSync(file)));
+const record = { counters: {}, frames: [] };
+walk.open(readFileSync(image));
+for (let frame = walk.draw(null); ; frame = walk.draw(null)) {
+  const { buffer, byteOffset, byteLength } = frame.pixels;
+  record.frames.push(createHash('sha256').update(new Uint8Array(buffer, byteOffset, byteLength)).digest('hex').slice(0, DIGITS));
+  for (const [name, count] of Object.entries(frame.counters)) record.counters[name] = (record.counters[name] ?? 0) + count;
+  if (walk.number === frame.pathFrames) break;
+}
+console.log(JSON.stringify(record));
