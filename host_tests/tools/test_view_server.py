@@ -27,7 +27,8 @@ async def test_the_page_and_its_files(bench):
     for path, kind, word in (("/", "text/html", "Fixel live"), ("/view.js", "text/javascript", "WebSocket"),
                              ("/view_picture.js", "text/javascript", "putDifference"),
                              ("/view_pixel.js", "text/javascript", "pixelAt"), ("/view_zoom.js", "text/javascript", "FACTORS"),
-                             ("/view.css", "text/css", "--paper")):
+                             ("/view_keys.js", "text/javascript", "Held"), ("/view.css", "text/css", "page.css"),
+                             ("/page.css", "text/css", "--paper")):
         async with bench.session.get(bench.base + path) as answer:
             text = await answer.text()
             assert answer.status == 200 and answer.content_type == kind and word in text

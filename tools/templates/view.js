@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The live window: a websocket's frames on the page, the page's keys to the websocket.
-import { Picture, Plot, dimmed, paletteWords } from "./view_picture.js";
+import { Held, press } from "./view_keys.js";
+import { Picture, Plot, dimmed, paletteWords, savePicture } from "./view_picture.js";
 import { lookAt, pixelAt, pixelWords } from "./view_pixel.js";
 import { FIGURES_WIDTH, Zoom, scaleBelow, scaleOf } from "./view_zoom.js";
 
-const KEYS = {  // by the key's place, whatever the layout: bits of fixel/viewer.h
-  ArrowUp: 1, KeyW: 1, ArrowDown: 2, KeyS: 2, ArrowLeft: 4, KeyA: 4, ArrowRight: 8, KeyD: 8,
-  KeyR: 16, PageUp: 16, KeyF: 32, PageDown: 32, KeyQ: 64, KeyE: 128,
-};
 const COMMANDS = {
   Digit0: () => show(""), Digit1: () => show("double"), Digit2: () => show("difference"), Digit3: () => show("wireframe"),
   KeyP: () => say({ type: "pause", paused: !paused }), Period: () => say({ type: "step" }),
@@ -34,7 +31,7 @@ let pointed = null, picked = null;      // the pixel under the pointer, and what
 const zoom = new Zoom([at("fixed").parentElement, at("other").parentElement], zoomed);
 const plot = new Plot(at("plot"), PLOTTED);
 const shown = [];           // {time, number} of the frames of the last second
-const held = new Map();     // what is held: a key or a button -> bit
+const held = new Held((bits) => say({ type: "keys", held: bits }));
 let compared = { number: -1, frames: 0, pixels: 0 };
 
 // --- the wire ------------------------------------------------------------------
@@ -278,12 +275,6 @@ function layOut() {
   at("stage").style.flexDirection = isStacked ? "column" : "row";
 }
 
-function press(selector, isPressed) {
-  document.querySelectorAll(selector).forEach((button) => {
-    button.setAttribute("aria-pressed", String(isPressed(button)));
-  });
-}
-
 function show(what) {
   if (what && !hello.judged) {
     return;     // a game: no reference renderer knows it
@@ -342,58 +333,13 @@ function fileName(path) {
 /** Hands the board's frame to the browser as a file. */
 function save() {
   const scene = fileName(hello.scene).replace(/[.][^.]*$/, "");
-  const link = document.createElement("a");
-  link.download = `${hello.board}-${scene}-${newest.number}.png`;
-  at("fixed").toBlob((blob) => {
-    link.href = URL.createObjectURL(blob);
-    link.click();
-    URL.revokeObjectURL(link.href);
-  });
+  savePicture(at("fixed"), `${hello.board}-${scene}-${newest.number}.png`);
 }
 
 // --- keys ------------------------------------------------------------------------
 
-function hold(what, bit) {
-  if (bit ? held.get(what) === bit : !held.has(what)) {
-    return;
-  }
-  if (bit) {
-    held.set(what, bit);
-  } else {
-    held.delete(what);
-  }
-  tellKeys();
-}
-
-function tellKeys() {
-  const bits = [...held.values()].reduce((sum, bit) => sum | bit, 0);
-  press("[data-bit]", (button) => Boolean(Number(button.dataset.bit) & bits));
-  say({ type: "keys", held: bits });
-}
-
-function letGo() {
-  if (held.size) {
-    held.clear();
-    tellKeys();
-  }
-}
-
 function listen() {
-  addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.altKey || event.metaKey) {
-      return; // the browser's own
-    }
-    if (event.code in KEYS) {
-      event.preventDefault();
-      hold(event.code, KEYS[event.code]);
-    } else if (event.code in COMMANDS && (event.code === "Period" || !event.repeat)) {
-      event.preventDefault();
-      COMMANDS[event.code]();
-    }
-  });
-  addEventListener("keyup", (event) => hold(event.code, 0));
-  addEventListener("blur", letGo);
-  document.addEventListener("visibilitychange", letGo);
+  held.listen(COMMANDS);
   addEventListener("resize", layOut);
   document.querySelectorAll("[data-beside]").forEach((button) => {
     button.addEventListener("click", () => show(button.dataset.beside));
@@ -401,7 +347,6 @@ function listen() {
   document.querySelectorAll("[data-rate]").forEach((button) => {
     button.addEventListener("click", () => say({ type: "rate", rate: Number(button.dataset.rate) }));
   });
-  document.querySelectorAll("[data-bit]").forEach(listenToKey);
   for (const [name, code] of Object.entries({ pause: "KeyP", step: "Period", restart: "Home", larger: "Equal",
     smaller: "Minus" })) {
     at(name).addEventListener("click", COMMANDS[code]);
@@ -426,33 +371,8 @@ function listenToPointer(canvas) {
   });
 }
 
-/** A key on the page: held by pointer, or by Space and Enter where it has the focus. */
-function listenToKey(button) {
-  const what = `button ${button.dataset.bit}`, bit = Number(button.dataset.bit);
-  const release = () => hold(what, 0);
-  button.addEventListener("pointerdown", (event) => {
-    button.setPointerCapture(event.pointerId);
-    hold(what, bit);
-  });
-  button.addEventListener("keydown", (event) => {
-    if (event.code === "Space" || event.code === "Enter") {
-      event.preventDefault();
-      hold(what, bit);
-    }
-  });
-  button.addEventListener("keyup", (event) => {
-    if (event.code === "Space" || event.code === "Enter") {     // any other key leaves alone what the pointer holds
-      release();
-    }
-  });
-  for (const name of ["pointerup", "pointercancel", "lostpointercapture", "blur"]) {
-    button.addEventListener(name, release);
-  }
-}
-
 press("[data-beside]", (button) => button.dataset.beside === "");
 press("[data-rate]", () => false);
-press("[data-bit]", () => false);
 press("#pause", () => false);
 zoomed();
 listen();

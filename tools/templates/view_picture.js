@@ -125,6 +125,17 @@ function strokeOutlines(context, outlines, scale) {
   return count;
 }
 
+/** Hands a picture to the browser as a file of PNG. */
+export function savePicture(canvas, name) {
+  const link = document.createElement("a");
+  link.download = name;
+  canvas.toBlob((blob) => {
+    link.href = URL.createObjectURL(blob);
+    link.click();
+    URL.revokeObjectURL(link.href);
+  });
+}
+
 /** A line of the last values, from 0 to a round number above them. */
 export class Plot {
   constructor(canvas, most) {

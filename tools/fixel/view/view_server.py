@@ -40,8 +40,8 @@ HEARTBEAT = 20.0        # seconds
 FAREWELL = 1.0          # seconds for the last words to a tab
 TOKEN_BYTES = 16        # 128 random bits
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "templates"
-FILES = {"/": ("view.html", "text/html"), "/view.css": ("view.css", "text/css"),
-         **{f"/{name}": (name, "text/javascript") for name in ("view.js", "view_picture.js", "view_pixel.js", "view_zoom.js")}}
+FILES = {"/": ("view.html", "text/html"), **{f"/{name}": (name, "text/css") for name in ("page.css", "view.css")},
+         **{f"/{file.name}": (file.name, "text/javascript") for file in sorted(PAGE.glob("view*.js"))}}
 HEADERS = {"Content-Security-Policy": "default-src 'self'; img-src 'self' data:", "Cache-Control": "no-store",
            "X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer"}
 
