@@ -20,9 +20,9 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 # --- the user's variables ----------------------------------------------------
 
 # The commands, and other targets of the command line that are no files.
-COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere test-campaigns boards benchmark bench clippers \
+COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere test-site test-campaigns boards benchmark bench clippers \
     clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs trace prove coverage coverage-builds rules mutants breaks size size-of-tree \
-    predict costs one-file packages docs release api-check format clean
+    predict costs one-file packages site docs release api-check format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs bench-test-programs test-programs
 # The variables of the commands, as COMMAND/NAME: those in the brackets at the end of a command's line of help. Other settings.
 TAKEN := $(shell awk '/^[a-z-]*:.* \[[A-Z].*\]$$/ {command = $$0; sub(/:.*/, "", command); sub(/.* \[/, ""); gsub(/[^A-Z_=]+/, " "); \
@@ -381,7 +381,12 @@ packages: ## write packages for Arduino, PlatformIO, ESP-IDF, Zephyr, Conan and 
 	@$(SET_UP) tools
 	@$(TOOL) packages
 
-docs: ## write the reference of all public functions and types into build/docs, by Doxygen [OUT=]
+site: ## write the site: a page that draws, and all documents, into build/site [OUT=]
+	@$(SET_UP) site
+	@$(MAKE) $(WEB_MODULE) $(BUILD)/host/predict
+	@$(TOOL) site --module $(WEB_MODULE) --build $(BUILD)
+
+docs: ## write all documents, and the reference of all public functions and types, as pages into build/docs [OUT=]
 	@$(SET_UP) docs
 	@$(TOOL) docs
 
@@ -473,6 +478,11 @@ test-anywhere: ## run the tests of packages and of what make test has no tools f
 	@$(SET_UP) test
 	@$(MAKE) $(HOST_WALK) $(HOST_TOOLS) $(BUILD)/host/libfixel.a
 	@$(TOOL) test-anywhere --json $(BUILD)/anywhere.json
+
+test-site: ## open the site of make site in Chromium: its frames, links, documents
+	@$(SET_UP) test site
+	@$(MAKE) $(BUILD)/host/frames
+	@$(TOOL) test-anywhere --only site --json $(BUILD)/site.json
 
 test-campaigns: ## run a campaign on a cluster of three workers of which one is killed: the bytes must be those of one process and of eight; and fuzz by one and by eight
 	@$(SET_UP) cluster

@@ -26,7 +26,8 @@
 #   pico    the same as run, and node with rp2040js, which emulates the board pico
 #   riscv   compiler, C library and QEMU for the board rv32 (70 MB to fetch)
 #   api     compiler for the host, and abidiff of libabigail
-#   docs    Doxygen (50 MB on disk); Python packages as for run
+#   docs    Doxygen (50 MB on disk); Python packages as for run, and for documents
+#   site    compiler for the host, Clang and the linker of LLVM for WebAssembly, node with esbuild; the same as docs
 #   oracle  compiler for the host, GMP, Python packages as for run: what the samples of a report take
 #   cluster the same as oracle, and Python packages for plots, tests, and campaigns on a cluster
 #   anywhere the same as run, pico, riscv, api and docs, a C++ compiler, CMake, pkg-config, GCC for AVR, which must refuse the library,
@@ -34,7 +35,7 @@
 #           libclang, by which a crate reads the headers of LVGL
 #
 # Debian packages come from this machine's own apt sources. Python packages are those of
-# requirements/*.txt and go into .venv; meshoptimizer and rp2040js are those of requirements/package-lock.json and go into .node. Where nothing is missing, set-up says nothing and
+# requirements/*.txt and go into .venv; esbuild, meshoptimizer and rp2040js are those of requirements/package-lock.json and go into .node. Where nothing is missing, set-up says nothing and
 # takes less than a second. --missing installs nothing: it prints the packages that are missing. Exit: 0 all there, 1 something is missing.
 set -eu
 cd "$(dirname "$0")/.."
@@ -183,13 +184,14 @@ find_missing() {
         api) need_host_compiler; has abidiff || need abigail-tools ;;
         oracle) need_host_compiler; need_gmp; need_python run ;;
         cluster) need_host_compiler; need_gmp; need_python run report test cluster ;;
-        docs) has doxygen || need doxygen; need_python run ;;
+        docs) has doxygen || need doxygen; need_python run site ;;
+        site) need_host_compiler; has doxygen || need doxygen; need_webassembly; need_node; need_python run site ;;
         anywhere)
             need_board; need_riscv; need_node; need_compilers; has pkg-config || need pkg-config; has abidiff || need abigail-tools
             has doxygen || need doxygen; has avr-gcc || need gcc-avr
             has arduino-builder || need arduino-builder; [ -d /usr/share/arduino/hardware/arduino/avr ] || need arduino-core-avr
             need_webassembly; need_cargo ;;
-        *) die "unknown set-up '$what': run, view, report, units, test, lib, lib-riscv, format, fuzz, coverage, rules, tools, simplify, completion, predict, gdb, probe, pico, riscv, api, docs, oracle, cluster or anywhere" ;;
+        *) die "unknown set-up '$what': run, view, report, units, test, lib, lib-riscv, format, fuzz, coverage, rules, tools, simplify, completion, predict, gdb, probe, pico, riscv, api, docs, site, oracle, cluster or anywhere" ;;
         esac
     done
     has python3 || need python3
@@ -320,7 +322,7 @@ install_group() {
 # --- packages of node --------------------------------------------------------
 
 install_node() {
-    say "fetching meshoptimizer and rp2040js of requirements/package-lock.json into $node_home"
+    say "fetching esbuild, meshoptimizer and rp2040js of requirements/package-lock.json into $node_home"
     mkdir -p "$node_home"
     rm -f "$node_home/.ready"
     cp requirements/package.json requirements/package-lock.json "$node_home/"

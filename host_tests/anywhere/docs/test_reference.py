@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""make docs: the reference has each public function, and a type or a function without a comment is an error."""
-
-import re
+"""make docs: of the reference, a type or a function without a comment is an error."""
 
 import pytest
 
-from conftest import CHECKOUT
-from fixel.package import docs
-from outside import need, run
+from fixel.site import reference
+from outside import need
 
 HEADER = """/* SPDX-License-Identifier: MIT */
 /* A header. It is short. */
@@ -29,39 +26,27 @@ int fxl_add_again(const fxl_pair *pair);
 """
 
 
-@pytest.fixture(scope="module", name="pages")
-def fixture_pages(tmp_path_factory):
-    need("doxygen")
-    folder = tmp_path_factory.mktemp("docs") / "pages"
-    run("make", "docs", f"OUT={folder}", folder=CHECKOUT)
-    return {file.name: file.read_text(encoding="utf-8") for file in folder.glob("*.html")}
-
-
 def made(folder, text):
     need("doxygen")
-    wrong, *counts = docs.written({"fixel/short.h": text}, folder)
-    return wrong, counts, (folder / "html" / "short_8h.html").read_text(encoding="utf-8")
+    wrong, *counts = reference.written({"fixel/short.h": text}, folder)
+    return wrong, counts, (folder / "xml" / "short_8h.xml").read_text(encoding="utf-8")
 
 
-def test_every_public_function_is_in_it(pages):
-    texts = docs.headers(docs.HEADERS)
-    named = {name for text in texts.values() for name in re.findall(r"^\w[\w ]*[ *](fxl_\w+)\(", text, re.MULTILINE)}
-    listed = "".join(text for name, text in pages.items() if name.startswith("globals_func"))
-    assert len(named) > 110 and not [name for name in named if not re.search(rf"<li>{name}\(\)", listed)]
-
-
-def test_its_first_page_names_every_header(pages):
-    for header in docs.headers(docs.HEADERS):
-        assert f">{header}</a>: " in pages["index.html"]
+def test_a_page_for_each_header_and_one_that_lists_them():
+    texts = reference.headers(reference.HEADERS)
+    pages = reference.pages(texts)
+    assert len(pages) == len(texts) + 1 > 30
+    for header in texts:
+        assert f"[{header}](" in pages["index.md"] and f".. doxygenfile:: {header.rsplit('/', maxsplit=1)[-1]}\n" in "".join(pages.values())
 
 
 def test_statuses_and_shared_comments_are_laid_out(tmp_path):
     wrong, counts, page = made(tmp_path, HEADER)
     assert not wrong and counts == [2, 1]
-    assert page.count("<dt>Return values</dt>") == 2 and page.count("it is too large.") == 2 and page.count("nothing is changed.") == 2
-    assert "structfxl__pair.html" in page
-    members = (tmp_path / "html" / "structfxl__pair.html").read_text(encoding="utf-8")
-    assert members.count("in pixels") == 2 and "<code>x</code> and &lt;y&gt;." in members
+    assert page.count('kind="retval"') == 2 and page.count("it is too large.") == 2 and page.count("nothing is changed.") == 2
+    assert "structfxl__pair" in page
+    members = (tmp_path / "xml" / "structfxl__pair.xml").read_text(encoding="utf-8")
+    assert members.count("in pixels") == 2 and "<computeroutput>x</computeroutput> and &lt;y&gt;." in members
 
 
 @pytest.mark.parametrize("before, after, said", [

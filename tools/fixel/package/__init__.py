@@ -8,9 +8,6 @@
 `build/packages`, by `layouts.toml`, the one table of what each has. `rust_bindings.py` makes
 declarations of Rust of the public headers.
 
-`fixel docs`, of `docs.py`, writes the reference of the public functions and types into `build/docs`, pages of HTML. Doxygen
-makes them.
-
 `fixel api-check`, of `api_check.py`, compares the one file with that of the last tag, by abidiff. `fixel release`, of
 `release.py`, writes every artefact into `dist`, with the SPDX list of what is in them. `repository.py` asks git.
 """

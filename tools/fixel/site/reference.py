@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Writes the reference of all public functions and types, pages of HTML that Doxygen makes of the headers.
+"""The reference of all public functions and types: what Doxygen reads of the headers, as pages for Sphinx, by Breathe.
 
 The headers have ordinary comments; Doxygen takes only comments with marks of its own, so it reads a text that is made of each
 header. Each line stays where it is, so that Doxygen's line numbers are those of the header:
@@ -11,17 +11,14 @@ header. Each line stays where it is, so that Doxygen's line numbers are those of
     declarations without an empty line between them     share the comment above them
     lines that are indented further, "- " excepted      laid out as they are
     the name of a type, a function, a constant          a link, which must lead somewhere
-
-Exit: 0 written; 1 a function or a type has no comment, or a comment names what is not there; 2 Doxygen is missing.
 """
 
-import argparse
 import pathlib
 import re
 import shutil
 import xml.etree.ElementTree
 
-from fixel.base import children, output, scratch, version
+from fixel.base import children, version
 from fixel.base.errors import ToolError
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
@@ -29,7 +26,7 @@ HEADERS = ROOT / "lib" / "include"
 SETTINGS = """
 PROJECT_NAME = Fixel
 PROJECT_NUMBER = {version}
-INPUT = headers main.dox
+INPUT = headers
 RECURSIVE = YES
 STRIP_FROM_PATH = headers
 STRIP_FROM_INC_PATH = headers
@@ -43,10 +40,12 @@ MARKDOWN_SUPPORT = NO
 SORT_MEMBER_DOCS = NO
 MACRO_EXPANSION = YES
 EXPAND_ONLY_PREDEF = YES
-PREDEFINED = "FXL_STATIC_ASSERT(condition,text)="
+PREDEFINED = "FXL_STATIC_ASSERT(condition,text)=" FXL_ALIGN_8=
 GENERATE_TAGFILE = names.xml
+GENERATE_HTML = NO
 GENERATE_LATEX = NO
-HTML_TIMESTAMP = NO
+GENERATE_XML = YES
+XML_PROGRAMLISTING = NO
 VERBATIM_HEADERS = NO
 HAVE_DOT = NO
 QUIET = YES
@@ -66,29 +65,9 @@ STATUSES_END = re.compile(r"^ With (?:each|both|either)\b")
 MEMBERS = re.compile(r"^(\s+(?:const )?(?:struct )?\w+(?: \w+)* )(\**\w+(?:\[\w+\])?(?:, \**\w+(?:\[\w+\])?)+);[ ]*(/\*.*)?$")
 
 
-def parser():
-    """The options of the command."""
-    made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    made.add_argument("--out", type=pathlib.Path, default=pathlib.Path("build/docs"), metavar="FOLDER", help="where to (build/docs)")
-    return made
-
-
 def headers(folder):
     """{name as a program includes it: text}."""
     return {str(file.relative_to(folder)): file.read_text(encoding="utf-8") for file in sorted(folder.rglob("*.h"))}
-
-
-def main_page(texts):
-    """The first page: what fixel.h says, and a line for each header."""
-    lines = [f"- @ref {name} \"{name}\": {first_sentence(text)}" for name, text in texts.items()]
-    return "\n".join(["/** @mainpage", "Fixel is a fixed-point 3-D renderer for microcontrollers. A first program includes fixel.h alone.", "",
-                      "The headers:", "", *lines, "*/", ""])
-
-
-def first_sentence(text):
-    """What the first comment of a header says first."""
-    words = " ".join(line.strip(" *") for line in first_comment(text).split("\n"))
-    return escaped(re.match(r"\s*(.*?\.)(?:\s|$)", words)[1], ())
 
 
 def faults(said):
@@ -113,13 +92,12 @@ def counted(tags):
 
 
 def written(texts, folder):
-    """Runs Doxygen in a folder: (what is wrong, functions, types). The pages are in html."""
+    """Runs Doxygen in a folder: (what is wrong, functions, types). What it read is in folder/xml."""
     names = set().union(*(re.findall(r"\b(?:fxl|FXL)_\w+", CONDITION.sub("", COMMENT.sub("", text))) for text in texts.values()))
     for name, text in texts.items():
         file = folder / "headers" / name
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(for_doxygen(text, name, names), encoding="utf-8")
-    (folder / "main.dox").write_text(main_page(texts), encoding="utf-8")
     (folder / "Doxyfile").write_text(SETTINGS.format(version=version.version()), encoding="utf-8")
     done = children.run(["doxygen"], cwd=folder, text=True)
     if done.returncode:
@@ -127,26 +105,31 @@ def written(texts, folder):
     return faults((folder / "said.txt").read_text(encoding="utf-8")), *counted(folder / "names.xml")
 
 
-def main(argv):
-    """The command; its exit code."""
-    options = parser().parse_args(argv)
+def pages(texts):
+    """{file of a page: its text}: one for each header, by Breathe, and the index, which lists them. No other page's list of contents has them."""
+    made = {"index.md": "# Functions and types\n\nA first program includes `fixel.h` alone.\n\n"}
+    for name, text in texts.items():
+        page = name.removesuffix(".h").replace("/", "-") + ".rst"
+        made["index.md"] += f"* [{name}]({page}): {first_sentence(text)}\n"
+        made[page] = f":orphan:\n\n{name}\n{'=' * len(name)}\n\n.. doxygenfile:: {pathlib.Path(name).name}\n"
+    return made
+
+
+def first_sentence(text):
+    """What the first comment of a header says first."""
+    words = " ".join(line.strip(" *") for line in first_comment(text).split("\n"))
+    return re.match(r"\s*(.*?\.)(?:\s|$)", words)[1]
+
+
+def read(folder):
+    """Has Doxygen read the headers of the library into folder/xml: (pages, functions, types). What is wrong with a comment is refused."""
     if shutil.which("doxygen") is None:
         raise ToolError("not run: needs doxygen: run 'sudo apt-get install doxygen'")
     texts = headers(HEADERS)
-    with scratch.folder("docs") as folder:
-        folder = pathlib.Path(folder)
-        wrong, functions, types = written(texts, folder)
-        if wrong:
-            print("\n".join(wrong))
-            print(f"docs: {len(wrong)} places to mend; nothing was written")
-            return 1
-        pages = sorted((file for file in (folder / "html").rglob("*") if file.is_file()), key=lambda file: file.name == "index.html")
-        for page in pages:      # the one that a reader opens comes last
-            place = options.out / page.relative_to(folder / "html")
-            output.make_folder(place.parent)
-            output.write_file(place, page.read_bytes())
-    print(f"docs: {functions} functions and {types} types of {len(texts)} headers: {options.out / 'index.html'}")
-    return 0
+    wrong, functions, types = written(texts, folder)
+    if wrong:
+        raise ToolError(f"the reference: {len(wrong)} places to mend", exit_code=1, words="\n".join(wrong))
+    return pages(texts), functions, types
 
 
 def escaped(text, names):

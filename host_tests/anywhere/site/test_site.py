@@ -1,0 +1,312 @@
+# SPDX-License-Identifier: MIT
+"""make site: the first page in Chromium, served below a prefix and opened as a file; its frames, its links, its documents."""
+
+import contextlib
+import functools
+import html.parser
+import http.server
+import json
+import pathlib
+import re
+import threading
+import urllib.parse
+import zlib
+
+import playwright.sync_api
+import pytest
+
+from conftest import CHECKOUT
+from fixel.board import dump, programs
+from fixel.view import browser
+from outside import need, run
+
+PREFIX = "/some/place/"
+DESKTOP, NARROW = (1366, 768), (390, 844)
+FIRST_REQUESTS = 8
+FIRST_BYTES, ALL_BYTES = 1 << 20, 12 << 20
+PATIENCE = 60_000   # milliseconds for what comes by itself: it ends a test that hangs
+STEPS = """async (count) => {
+    const found = [];
+    for (let i = 0; i < count; i++) {
+        found.push(document.getElementById("crc").textContent);
+        document.getElementById("step").click();
+    }
+    return found;
+}"""
+
+
+@pytest.fixture(scope="module", name="site")
+def fixture_site(tmp_path_factory):
+    need("clang", "wasm-ld", "node", "doxygen", "chromium")
+    folder = tmp_path_factory.mktemp("site") / "site"
+    run("make", "site", f"OUT={folder}", folder=CHECKOUT)
+    return folder
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    """Serves a folder below a prefix."""
+
+    def translate_path(self, path):
+        return super().translate_path(path.removeprefix(PREFIX.rstrip("/"))) if path.startswith(PREFIX) else "/nowhere"
+
+    def log_message(self, *_):
+        pass
+
+
+@pytest.fixture(scope="module", name="address")
+def fixture_address(site):
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site))) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}{PREFIX}"
+        server.shutdown()
+
+
+@pytest.fixture(scope="module", name="chromium")
+def fixture_chromium():
+    with browser.chromium() as opened:
+        yield opened
+
+
+@contextlib.contextmanager
+def opened(chromium, address, size=DESKTOP, waits=True, **how):
+    """A page; .complaints has what its console says, .asked the addresses of its requests. At the end nothing was said, and nobody else asked."""
+    with contextlib.closing(chromium.new_context(viewport=dict(zip(("width", "height"), size)), **how)) as context:
+        page = context.new_page()
+        page.set_default_timeout(PATIENCE)
+        page.complaints, page.asked = [], []
+        page.on("console", lambda message: page.complaints.append(message.text))
+        page.on("pageerror", lambda error: page.complaints.append(str(error)))
+        page.on("request", lambda request: page.asked.append(request.url))
+        page.goto(address)
+        if waits:
+            page.wait_for_selector("#unserved", state="hidden")
+        yield page
+        assert page.complaints == []
+        assert not [url for url in page.asked if not url.startswith((address.split(PREFIX)[0], "file:", "data:", "blob:"))]
+
+
+def shows(page, selector, pattern):
+    """Waits until an element's text is as the pattern says."""
+    playwright.sync_api.expect(page.locator(selector)).to_have_text(re.compile(pattern), timeout=PATIENCE)
+
+
+def crc(page):
+    return page.inner_text("#crc")
+
+
+def paused(page):
+    if page.get_attribute("#pause", "aria-pressed") == "false":
+        page.click("#pause")
+    return crc(page)
+
+
+# --- the first page -----------------------------------------------------------------
+
+def test_the_first_frame_needs_few_requests_and_bytes(chromium, address, site, record_property):
+    with opened(chromium, address) as page:
+        first = [url for url in page.asked if not url.startswith("data:")]
+        assert len(first) <= FIRST_REQUESTS, first
+        names = {urllib.parse.urlparse(url).path.removeprefix(PREFIX) or "index.html" for url in first}
+        taken = sum((site / name).stat().st_size for name in names)
+        assert taken <= FIRST_BYTES
+        total = sum(file.stat().st_size for file in site.rglob("*") if file.is_file())
+        assert total <= ALL_BYTES
+        record_property("figure", f"{len(first)} requests, {taken:,} bytes before the first frame; {total:,} bytes in all")
+
+
+@pytest.mark.parametrize("size", [DESKTOP, NARROW])
+def test_it_fits_and_draws(chromium, address, size, tmp_path):
+    with opened(chromium, address, size) as page:
+        shows(page, "#number", r"^([3-9]|\d\d+) of")
+        assert page.evaluate("document.documentElement.scrollWidth") <= size[0]
+        page.screenshot(path=str(tmp_path / "page.png"))
+        if size == DESKTOP:
+            bottom = page.evaluate("Math.max(...[...document.querySelectorAll('main *')].map(each => each.getBoundingClientRect().bottom))")
+            assert bottom <= size[1], "it fits a laptop's screen"
+
+
+def scenes_of(site):
+    text = (site / "index.html").read_text(encoding="utf-8")
+    return json.loads(re.search(r'id="data">(.*?)</script>', text)[1])["scenes"]
+
+
+def crcs_of_host(image, folder):
+    """The frames' CRC as build/host/frames draws them on this machine: what fxl_band_crc gives."""
+    out = folder / "frames.fxld"
+    programs.run_program([CHECKOUT / "build" / "host" / "frames", image, out])
+    return [f"{zlib.crc32(frame.pixels.astype('>u2' if frame.pixels.dtype.itemsize == 2 else 'u1').tobytes()):08x}" for frame in dump.read_dump(out).frames]
+
+
+def test_every_frame_of_every_scene_is_that_of_a_board(chromium, address, site, tmp_path, record_property):
+    count = 0
+    for scene in scenes_of(site):
+        expected = crcs_of_host(site / "scenes" / f"{scene['name']}.fxls", tmp_path)
+        with opened(chromium, f"{address}#scene={scene['name']}&frame=0") as page:
+            assert page.evaluate(STEPS, len(expected)) == expected, scene["name"]
+            count += len(expected)
+    record_property("figure", f"{count} frames of {len(scenes_of(site))} scenes")
+
+
+def test_keys_alone_walk_pause_and_go_back(chromium, address):
+    with opened(chromium, f"{address}#frame=5") as page:
+        start = crc(page)
+        page.keyboard.press("p")
+        page.keyboard.down("w")
+        shows(page, "#number", "^of your walk$")
+        page.keyboard.up("w")
+        page.keyboard.press("p")
+        assert page.get_attribute("#pause", "aria-pressed") == "true" and crc(page) != start
+        page.keyboard.press("Home")
+        assert page.inner_text("#number").startswith("0 of ")
+        for _ in range(5):
+            page.keyboard.press(".")
+        assert crc(page) == start
+
+
+def test_a_link_is_the_frame_and_the_pose(chromium, address):
+    with opened(chromium, f"{address}#scene=gallery&frame=7") as page:
+        frame = crc(page)
+        page.keyboard.down("ArrowUp")
+        shows(page, "#number", "^of your walk$")
+        page.keyboard.up("ArrowUp")
+        walked = paused(page)
+        page.click("#link")
+        link = page.url
+    with opened(chromium, link) as page:
+        assert crc(page) == walked and "pose=" in link
+    with opened(chromium, f"{address}#scene=gallery&frame=7") as page:
+        assert crc(page) == frame
+
+
+@pytest.mark.parametrize("link, said", [
+    ("scene=<img src=x onerror=alert(1)>", "<img src=x onerror=alert(1)>"), ("scene=plaza&frame=120", "120"), ("scene=plaza&frame=-1", "-1"),
+    ("scene=plaza&pose=1,2,3", "six numbers"), ("scene=plaza&pose=2147483647,0,0,0,0,0", "range")])
+def test_a_wrong_link_opens_the_first_scene_with_a_sentence(chromium, address, link, said):
+    with opened(chromium, f"{address}#{urllib.parse.quote(link, safe='=&')}") as page:
+        assert said in page.inner_text("#banner") and page.input_value("#scene") == "plaza" and not page.query_selector("#banner *")
+        assert re.fullmatch("[0-9a-f]{8}", crc(page))
+
+
+def drop(page, name, data):
+    """A file dropped on the picture."""
+    page.evaluate("""([name, bytes]) => {
+        const transfer = new DataTransfer();
+        transfer.items.add(new File([new Uint8Array(bytes)], name));
+        document.getElementById("stage").dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, cancelable: true }));
+    }""", [name, list(data)])
+
+
+def test_an_image_that_is_dropped_is_checked_by_the_library_and_drawn(chromium, address, site):
+    image = (site / "scenes" / "w3.fxls").read_bytes()
+    with opened(chromium, f"{address}#frame=3") as page:
+        paused(page)
+        before = crc(page)
+        drop(page, "broken<b>.fxls", image[:-5] + bytes(5))
+        shows(page, "#banner", ".")
+        assert "scene refused" in page.inner_text("#banner") and not page.query_selector("#banner *")
+        drop(page, "my<b>.glb", b"glTF")
+        shows(page, "#banner", "make view")
+        assert "my<b>.glb" in page.inner_text("#banner") and not page.query_selector("#banner *")
+        drop(page, "mine.fxls", image)
+        shows(page, "#scene-name", "mine.fxls")
+        mine = crc(page)
+    with opened(chromium, f"{address}#scene=w3&frame=0") as page:
+        assert crc(page) == mine != before
+
+
+@pytest.mark.parametrize("board", ["mps2-an385", "rv32"])
+def test_what_a_frame_costs_is_what_predict_says(chromium, address, board, tmp_path):
+    run("make", "predict", f"BOARD={board}", "SCENE=scenes/spin.toml", f"JSON={tmp_path}/cost.json", folder=CHECKOUT)
+    cost = json.loads((tmp_path / "cost.json").read_text(encoding="utf-8"))["instructions_per_frame"]
+    with opened(chromium, f"{address}#scene=spin&frame=0") as page:
+        page.select_option("#board", board)
+        taken = []
+        for _ in range(int(page.inner_text("#number").split(" of ")[1])):
+            taken.append(int(re.sub(r"\D", "", page.inner_text("#cost"))))
+            page.click("#step")
+    assert (min(taken), max(taken)) == (cost["min"], cost["max"])
+
+
+def test_a_board_without_room_says_so(chromium, address):
+    with opened(chromium, f"{address}#scene=gallery&frame=0") as page:
+        page.select_option("#board", "microbit")
+        assert page.inner_text("#cost") == "no room" and page.inner_text("#cost-words").endswith(".")
+
+
+def test_it_stands_still_for_who_asks_for_less_motion(chromium, address):
+    with opened(chromium, address, reduced_motion="reduce") as page:
+        assert page.get_attribute("#pause", "aria-pressed") == "true" and page.inner_text("#number").startswith("0 of ")
+
+
+def test_without_script_there_are_a_picture_and_the_words(chromium, address):
+    with opened(chromium, address, waits=False, java_script_enabled=False) as page:
+        assert page.is_visible("noscript img") and page.is_visible("#unserved") and "http.server" in page.inner_text("#unserved")
+
+
+def test_opened_as_a_file_it_says_which_command_serves_it(chromium, site):
+    with contextlib.closing(chromium.new_page()) as page:
+        page.goto((site / "index.html").as_uri())
+        assert page.is_visible("#unserved") and "http.server" in page.inner_text("#unserved")
+
+
+# --- the documents ------------------------------------------------------------------
+
+def test_the_documents_and_their_search_work_as_files(chromium, site):
+    with opened(chromium, (site / "documents" / "index.html").as_uri(), waits=False) as page:
+        page.fill("input[name=q]", "fxl_band_crc")
+        page.press("input[name=q]", "Enter")
+        page.wait_for_selector("#search-results li a")
+        assert "crc" in " ".join(page.locator("#search-results li").all_inner_texts()).lower()
+
+
+@pytest.mark.parametrize("document", ["index", "README", "SPEC", "docs/scenes", "docs/performance", "reference/fixel-scene", "docs/safety/rules"])
+def test_no_document_scrolls_sideways(chromium, address, document):
+    with opened(chromium, f"{address}documents/{document}.html", NARROW, waits=False) as page:
+        assert page.evaluate("document.documentElement.scrollWidth") <= NARROW[0]
+
+
+class Links(html.parser.HTMLParser):
+    """The links of a page, and the places in it that links may lead to."""
+
+    def __init__(self):
+        super().__init__()
+        self.links, self.places = set(), set()
+
+    def handle_starttag(self, tag, attrs):
+        for name, value in attrs:
+            if name in ("href", "src") and value is not None:
+                self.links.add(value)
+            elif name in ("id", "name") and value:
+                self.places.add(value)
+
+
+def test_every_link_leads_somewhere(site, record_property):
+    pages = {}
+    for file in site.rglob("*.html"):
+        pages[file] = Links()
+        pages[file].feed(file.read_text(encoding="utf-8"))
+    count, dead = 0, []
+    for file, found in pages.items():
+        for link in found.links:
+            address = urllib.parse.urlparse(link)
+            if address.scheme or link.startswith("//"):
+                continue
+            count += 1
+            target = pathlib.Path(file.parent / urllib.parse.unquote(address.path)).resolve() if address.path else file
+            place = urllib.parse.unquote(address.fragment)
+            if not target.exists() or (place and target in pages and place not in pages[target].places):
+                dead.append(f"{file.relative_to(site)}: {link}")
+    assert not dead, dead[:20]
+    record_property("figure", f"{count} links of {len(pages)} pages")
+
+
+def test_every_public_function_and_document_is_in_what_docs_writes(site, tmp_path):
+    run("make", "docs", f"OUT={tmp_path}/docs", folder=CHECKOUT)
+    assert sorted(file.relative_to(tmp_path / "docs") for file in (tmp_path / "docs").rglob("*.html")) == \
+        sorted(file.relative_to(site / "documents") for file in (site / "documents").rglob("*.html"))
+    texts = {name: (CHECKOUT / "lib" / "include" / name).read_text(encoding="utf-8")
+             for name in (str(file.relative_to(CHECKOUT / "lib" / "include")) for file in (CHECKOUT / "lib" / "include").rglob("*.h"))}
+    named = {name for text in texts.values() for name in re.findall(r"^\w[\w ]*[ *](fxl_\w+)\(", text, re.MULTILINE)}
+    pages = "".join(file.read_text(encoding="utf-8") for file in (site / "documents" / "reference").glob("*.html"))
+    assert len(named) > 110 and not [name for name in named if f">{name}</span>" not in pages]
+    assert (site / "documents" / "SPEC.html").exists() and (site / "documents" / "docs" / "tutorials" / "model.html").exists()

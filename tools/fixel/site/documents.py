@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: MIT
+"""Writes all documents: the Markdown of the tree as pages, by Sphinx with MyST and Furo, and the reference of all public functions.
+
+The Markdown stays as it stands in the tree. Sphinx reads a copy, in which a link to a file that is no document leads to a copy of that
+file, as text; the link of a folder leads to its README, or to a list of what is in it. Warnings of Sphinx are errors: a link that leads
+nowhere is one.
+
+Exit: 0 written; 1 a comment of a header is missing, or names what is not there; 2 a document that Sphinx warns of, or something is missing.
+"""
+
+import argparse
+import fnmatch
+import html
+import os
+import pathlib
+import re
+import shutil
+import sys
+
+from fixel.base import children, output, progress, scratch, version
+from fixel.base.errors import ToolError
+from fixel.package import repository
+from fixel.site import reference
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+# {what a reader wants: its documents, in this order}: a pattern takes those that no line above it has named.
+GROUPS = {
+    "Begin": ["README.md", "docs/hello.md", "docs/tutorials/README.md", "docs/tutorials/*.md", "docs/examples.md", "docs/looks.md"],
+    "Do": ["docs/scenes.md", "docs/view.md", "docs/site.md", "docs/displays.md", "docs/flashing.md", "docs/setup.md", "docs/packages.md", "docs/rust.md",
+           "docs/lvgl.md", "docs/opengl.md", "docs/crc.md", "docs/results.md", "docs/campaigns.md", "ports/*.md", "boards/*.md", "examples/*.md"],
+    "Look up": ["SPEC.md", "docs/accuracy.md", "docs/formats.md", "docs/extras/*.md", "docs/performance.md", "docs/faces.md", "docs/clipping.md",
+                "docs/seeds.md"],
+    "Understand": ["DESIGN.md", "SOUNDNESS.md", "docs/safety/*.md", "CONTRIBUTING.md", "lib/*.md", "host_tests/*.md", "SECURITY.md", "CHANGELOG.md"],
+}
+REFERENCE, REFERENCE_IN = "reference/index", "Look up"  # the reference's page, and its group
+NO_DOCUMENTS = (".github/*", "tools/*")     # forms, and what programs are made of
+LINK = re.compile(r"(!?\[[^\]]*\]\()([^)\s#:]+)((?:#[^)\s]*)?\))")
+FENCE = re.compile(r"^(?:```.*?^```$|    .*?$)", re.MULTILINE | re.DOTALL)
+PICTURES = (".png", ".gif", ".svg")
+UNNAMED = re.compile(r'<p class="breathe-sectiondef-title[^>]*>Unnamed Group</p>')     # functions that share a comment
+FILES = "files"     # the folder of the copies of files
+SETTINGS = """
+project = "Fixel"
+html_title = "Fixel {version}"
+copyright = "the authors of Fixel"
+extensions = ["myst_parser", "breathe"]
+breathe_projects = {{"fixel": "{read}"}}
+breathe_default_project = "fixel"
+breathe_domain_by_extension = {{"h": "c"}}
+breathe_show_include = False
+suppress_warnings = ["duplicate_declaration.c"]     # a function whose symbol a macro renames
+myst_heading_anchors = 6
+myst_url_schemes = {{"http": None, "https": None, "tree": "{{{{path}}}}"}}
+root_doc = "index"
+exclude_patterns = ["{files}"]
+html_theme = "furo"
+html_favicon = "docs/cube.png"
+html_copy_source = False
+html_show_sourcelink = False
+html_show_search_summary = False    # it would fetch pages, which a browser refuses where these are files
+html_theme_options = {{"navigation_with_keys": True}}
+html_extra_path = ["{extra}"]
+
+
+def setup(app):
+    from pygments.lexers.special import TextLexer
+    for name in ("ld", "obj", "mtl"):   # of fences, which have no colours
+        app.add_lexer(name, TextLexer)
+"""
+
+
+def of_the_tree():
+    """All files of the tree, from its root."""
+    names = repository.git(ROOT, "ls-files", "-z", "--cached", "--others", "--exclude-standard").decode().split("\0")
+    return [name for name in names if name and (ROOT / name).is_file()]
+
+
+def grouped(names):
+    """{group: documents}; a document that no group takes is refused."""
+    left = [name for name in names if name.endswith(".md") and not any(fnmatch.fnmatch(name, pattern) for pattern in NO_DOCUMENTS)]
+    found = {}
+    for group, patterns in GROUPS.items():
+        found[group] = []
+        for pattern in patterns:
+            taken = sorted(name for name in left if fnmatch.fnmatch(name, pattern))
+            found[group] += taken
+            left = [name for name in left if name not in taken]
+    if left:
+        raise ToolError(f"{left[0]}: no group of the site's documents takes it; tools/fixel/site/documents.py lists them")
+    return found
+
+
+class Tree:
+    """The tree's files, and the copies of those that documents name."""
+
+    def __init__(self, names, folder):
+        self.names = set(names)
+        self.folder = folder / FILES    # below html_extra_path: the site's documents have it as FILES
+        self.folders = {str(parent) for name in names for parent in pathlib.PurePosixPath(name).parents}
+
+    def leads_to(self, document, link):
+        """Where the link of a document leads in the copy; the link itself where it is a document, or nothing of the tree."""
+        place = os.path.normpath(os.path.join(os.path.dirname(document), link))
+        up = "../" * document.count("/")
+        if place in self.names:
+            return link if place.endswith((".md", *PICTURES)) else f"tree:{up}{self.copy(place)}"
+        if place in self.folders:
+            readme = os.path.join(place, "README.md")
+            return os.path.join(link, "README.md") if readme in self.names else f"tree:{up}{self.listed(place)}"
+        return link
+
+    def copy(self, name):
+        """A copy of a file as text. Its place in the site's documents."""
+        made = self.folder / FILES / (name + ".txt")
+        if not made.exists():
+            made.parent.mkdir(parents=True, exist_ok=True)
+            made.write_bytes((ROOT / name).read_bytes())
+        return f"{FILES}/{name}.txt"
+
+    def listed(self, place):
+        """A page that lists the files of a folder, with their copies. Its place in the site's documents."""
+        page = self.folder / FILES / place / "list.html"
+        if not page.exists():
+            page.parent.mkdir(parents=True, exist_ok=True)
+            names = sorted(name for name in self.names if name.startswith(place + "/"))
+            up = "../" * (place.count("/") + 2)
+            rows = "".join(f'<li><a href="{html.escape(self.of_list(name, up))}">{html.escape(name)}</a></li>' for name in names)
+            page.write_text(f'<!DOCTYPE html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
+                            f"<title>{html.escape(place)}</title><h1>{html.escape(place)}</h1><ul>{rows}</ul></html>\n", encoding="utf-8")
+        return f"{FILES}/{place}/list.html"
+
+    def of_list(self, name, up):
+        """Where a file's line of a list leads: a document to its page."""
+        return up + (name.removesuffix(".md") + ".html" if name.endswith(".md") else self.copy(name))
+
+
+def copied(text, document, tree):
+    """The text of a document as Sphinx reads it. What is code stays."""
+    made, end = [], 0
+
+    def led(part):
+        return LINK.sub(lambda found: found[1] + tree.leads_to(document, found[2]) + found[3], part)
+    for code in FENCE.finditer(text):
+        made += [led(text[end:code.start()]), code[0]]
+        end = code.end()
+    return "".join(made) + led(text[end:])
+
+
+def contents(groups):
+    """The page of all documents."""
+    parts = ["# Documents\n"]
+    for group, names in groups.items():
+        lines = "\n".join(name.removesuffix(".md") for name in names) + (f"\n{REFERENCE}" if group == REFERENCE_IN else "")
+        parts.append(f"```{{toctree}}\n:maxdepth: 1\n:caption: {group}\n\n{lines}\n```\n")
+    return "\n".join(parts)
+
+
+def _stage(folder):
+    """What Sphinx reads, in folder/source: how many documents, functions and types."""
+    names = of_the_tree()
+    groups = grouped(names)
+    source, tree = folder / "source", Tree(names, folder)
+    for name in [name for group in groups.values() for name in group]:
+        place = source / name
+        place.parent.mkdir(parents=True, exist_ok=True)
+        place.write_text(copied((ROOT / name).read_text(encoding="utf-8"), name, tree), encoding="utf-8")
+    for name in names:
+        if name.startswith("docs/") and name.endswith(PICTURES):
+            (source / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(ROOT / name, source / name)
+    pages, functions, types = reference.read(folder)
+    (source / "reference").mkdir()
+    for name, text in pages.items():
+        (source / "reference" / name).write_text(text, encoding="utf-8")
+    (source / "index.md").write_text(contents(groups), encoding="utf-8")
+    (source / "conf.py").write_text(SETTINGS.format(version=version.version(), files=FILES, extra=tree.folder, read=folder / "xml"), encoding="utf-8")
+    return sum(map(len, groups.values())), functions, types
+
+
+def write(out, folder):
+    """Makes the documents in out. folder: one for what Sphinx reads. How many documents, functions and types there are."""
+    counts = _stage(folder)
+    done = children.run([sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-d", folder / "kept", folder / "source", out], text=True)
+    if done.returncode:
+        raise ToolError("the documents: Sphinx warns", words=(done.stdout or "") + (done.stderr or ""))
+    for file in [*out.rglob("*.map"), out / ".buildinfo", out / "objects.inv"]:
+        file.unlink()
+    for page in out.rglob("*.html"):
+        page.write_text(lean(page.read_text(encoding="utf-8")), encoding="utf-8")
+    return counts
+
+
+def lean(text):
+    """A page without the blanks at the beginning of its lines, but in what is laid out."""
+    parts = re.split(r"(<pre\b.*?</pre>)", UNNAMED.sub("", text), flags=re.DOTALL)
+    return "".join(part if number % 2 else re.sub(r"\n\s+", "\n", part) for number, part in enumerate(parts))
+
+
+def parser():
+    """The options of the command."""
+    made = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    made.add_argument("--out", type=pathlib.Path, default=pathlib.Path("build/docs"), metavar="FOLDER", help="where to (build/docs)")
+    return made
+
+
+def main(argv):
+    """The command; its exit code."""
+    options = parser().parse_args(argv)
+    output.make_folder(options.out.parent)
+    with scratch.folder("docs", options.out.parent) as made, progress.Progress("documents"):
+        folder = pathlib.Path(made)
+        documents, functions, types = write(folder / "out", folder)
+        put(folder / "out", options.out)
+    print(f"docs: {documents} documents, {functions} functions and {types} types: {options.out / 'index.html'}")
+    return 0
+
+
+def put(made, out):
+    """A finished folder takes the place of an earlier one of the same kind; any other is refused."""
+    if out.exists() and any(out.iterdir()) and not (out / "index.html").is_file():
+        raise ToolError(f"{out}: has files that are no site; name another folder")
+    if out.exists():
+        shutil.rmtree(out)
+    made.rename(out)

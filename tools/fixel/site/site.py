@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: MIT
+"""Writes the site: a page that draws scenes as the library does on a board, what their frames cost, and all documents.
+
+Exit: 0 written; 2 it could not be.
+"""
+
+import argparse
+import html
+import json
+import pathlib
+import shutil
+
+from fixel.base import children, output, progress, scratch, version
+from fixel.base.errors import ToolError
+from fixel.commands import late
+
+costs, documents = late("fixel.site", "costs documents")
+making = late("fixel.scene", "making")
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+TEMPLATES = ROOT / "tools" / "templates"
+ESBUILD = ROOT / ".node" / "node_modules" / ".bin" / "esbuild"
+FIRST = "plaza"         # the scene of the first page
+LEFT_OUT = ("adversarial", "tiny", "knot-moving")   # scenes for tests, which no person looks at
+MOST = 12 << 20         # bytes of the site
+
+
+def parser():
+    """The options of the command."""
+    made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    made.add_argument("--module", type=pathlib.Path, default=pathlib.Path("build/web/walk.wasm"), metavar="FILE", help="the walk as WebAssembly (build/web/walk.wasm)")
+    made.add_argument("--out", type=pathlib.Path, default=pathlib.Path("build/site"), metavar="FOLDER", help="where to (build/site)")
+    made.add_argument("--build", default="build", help="folder that make builds in")
+    return made
+
+
+def title_of(scene):
+    """What a scene file says first of itself, as a sentence, or nothing."""
+    lines = scene.read_text(encoding="utf-8").splitlines()
+    words = []
+    for line in lines[1:]:
+        if not line.startswith("# "):
+            break
+        words.append(line[2:])
+    said = " ".join(words)
+    return said[:said.index(". ") + 1] if ". " in said else said
+
+
+def write_scenes(folder, build, say):
+    """Compiles each scene into folder/scenes, with what it costs beside it; [{name, said, bytes}] of the first page's list."""
+    scenes = [file for file in sorted((ROOT / "scenes").glob("*.toml")) if file.stem not in LEFT_OUT]
+    place = folder / "scenes"
+    place.mkdir()
+    found = []
+    for number, file in enumerate(scenes):
+        say(number, len(scenes))
+        image = place / f"{file.stem}.fxls"
+        making.build(str(file), str(image))
+        cost = {board: costs.of_scene(file, image, board, build) for board in costs.BOARDS}
+        (place / f"{file.stem}.json").write_text(json.dumps(cost, separators=(",", ":")), encoding="utf-8")
+        found.append({"name": file.stem, "said": title_of(file), "bytes": image.stat().st_size})
+    return found
+
+
+def bundle(folder, *files):
+    """Each file of tools/templates, and what it imports, as one file of the folder."""
+    done = children.run([ESBUILD, *(TEMPLATES / file for file in files), "--bundle", "--minify", "--format=esm", "--charset=utf8",
+                         "--legal-comments=none", "--log-level=warning", f"--outdir={folder}"], text=True)
+    if done.returncode or done.stderr:
+        raise ToolError("esbuild: failed", words=(done.stdout or "") + (done.stderr or ""))
+
+
+def page(scenes):
+    """The first page."""
+    data = json.dumps({"first": FIRST, "scenes": scenes, "boards": costs.BOARDS}, separators=(",", ":")).replace("<", "\\u003c")
+    text = (TEMPLATES / "site.html").read_text(encoding="utf-8")
+    options = "".join(f'<option value="{html.escape(board)}">{html.escape(core)} ({html.escape(board)})</option>' for board, core in costs.BOARDS.items())
+    for name, value in {"data": data, "version": html.escape(version.version()), "boards": options}.items():
+        text = text.replace("{{" + name + "}}", value)
+    return text
+
+
+def sizes(folder):
+    """(bytes of all files, bytes of what the first page loads)."""
+    files = [file for file in folder.rglob("*") if file.is_file()]
+    first = [folder / name for name in ("index.html", "site.css", "site.js", "walk.wasm", f"scenes/{FIRST}.fxls", f"scenes/{FIRST}.json")]
+    return sum(file.stat().st_size for file in files), sum(file.stat().st_size for file in first)
+
+
+def main(argv):
+    """The command; its exit code."""
+    options = parser().parse_args(argv)
+    if not ESBUILD.exists():
+        raise ToolError("not run: needs esbuild: run 'tools/setup.sh site'")
+    output.make_folder(options.out.parent)
+    with scratch.folder("site", options.out.parent) as made:
+        folder = pathlib.Path(made) / "site"
+        folder.mkdir()
+        with progress.Progress("scenes") as say:
+            scenes = write_scenes(folder, options.build, say)
+        with progress.Progress("documents"):
+            count, functions, _ = documents.write(folder / "documents", pathlib.Path(made))
+        bundle(folder, "site.js", "site.css")
+        shutil.copyfile(options.module, folder / "walk.wasm")
+        shutil.copyfile(ROOT / "docs" / "plaza.png", folder / "plaza.png")
+        (folder / "index.html").write_text(page(scenes), encoding="utf-8")
+        total, first = sizes(folder)
+        if total > MOST:
+            raise ToolError(f"the site has {total:,} bytes, of at most {MOST:,}")
+        documents.put(folder, options.out)
+    print(f"site: {count} documents, {functions} functions, {len(scenes)} scenes, {total:,} bytes, of which the first page loads {first:,}\n"
+          f"  {options.out / 'index.html'}; to see it draw: python3 -m http.server --directory {options.out} 8066")
+    return 0
