@@ -97,8 +97,8 @@ static void demand_refused(const fxl_band *band)
 {
     const uint8_t pixel = 1;
     const fxl_sprite sprite = {&pixel, NULL, 1, 1, 8, 0};
-    const fxl_band none = {.pixels = NULL, .width = WIDTH, .stride = STRIDE, .first_row = 0,
-                           .rows = 1};
+    const fxl_band none = {
+        .pixels = NULL, .width = WIDTH, .stride = STRIDE, .first_row = 0, .rows = 1};
     fxl_font font = fxl_font_5x7;
     fxl_text_style style = {&font, 1, 0};
     DEMAND(fxl_draw_rectangle(NULL, 0, 0, 1, 1, 1) == FXL_E_ARGUMENT);
@@ -140,9 +140,13 @@ static void draw_565(const fuzz_input *in, overlay_565 *wide)
     for (uint32_t i = 0; i < 2; i++) {
         fuzz_input again = *in;
         const uint16_t first = i == 0 ? 0 : columns[0];
-        const fxl_band band = {.pixels = (uint8_t *)(wide->pixels + first), .width = WIDTH,
-                               .stride = STRIDE, .first_row = 0, .rows = ROWS,
-                               .palette = wide->colours, .first_column = first,
+        const fxl_band band = {.pixels = (uint8_t *)(wide->pixels + first),
+                               .width = WIDTH,
+                               .stride = STRIDE,
+                               .first_row = 0,
+                               .rows = ROWS,
+                               .palette = wide->colours,
+                               .first_column = first,
                                .columns = columns[i]};
         draw_any(&again, &band);
     }
@@ -150,8 +154,12 @@ static void draw_565(const fuzz_input *in, overlay_565 *wide)
 
 static void demand_565(const overlay_565 *wide, const uint8_t *whole)
 {
-    fxl_band odd = {.pixels = (uint8_t *)(uintptr_t)wide->pixels + 1, .width = WIDTH,
-                    .stride = STRIDE, .first_row = 0, .rows = ROWS, .palette = wide->colours};
+    fxl_band odd = {.pixels = (uint8_t *)(uintptr_t)wide->pixels + 1,
+                    .width = WIDTH,
+                    .stride = STRIDE,
+                    .first_row = 0,
+                    .rows = ROWS,
+                    .palette = wide->colours};
     DEMAND(fxl_draw_rectangle(&odd, 0, 0, 1, 1, 1) == FXL_E_ALIGNMENT);
     for (uint32_t i = 0; i < ROWS * STRIDE; i++) {
         DEMAND(wide->pixels[i] == wide->colours[whole[i]]);
@@ -164,8 +172,8 @@ void fuzz_overlay(fuzz_input *in)
     uint8_t whole[ROWS * STRIDE], bands[ROWS * STRIDE];
     overlay_565 wide;
     const uint16_t step = (uint16_t)(1 + fuzz_below(in, ROWS));
-    const fxl_band all = {.pixels = whole, .width = WIDTH, .stride = STRIDE, .first_row = 0,
-                          .rows = ROWS};
+    const fxl_band all = {
+        .pixels = whole, .width = WIDTH, .stride = STRIDE, .first_row = 0, .rows = ROWS};
     fxl_band wrong = {.pixels = whole, .width = 0, .stride = 0, .first_row = 0, .rows = 0};
     wrong.width = (uint16_t)fuzz_any(in);
     wrong.stride = (uint16_t)fuzz_any(in);
@@ -181,8 +189,11 @@ void fuzz_overlay(fuzz_input *in)
         draw_565(&before, &wide);
         for (uint16_t row = 0; row < ROWS; row = (uint16_t)(row + step)) {
             const uint16_t rows = row + step <= ROWS ? step : (uint16_t)(ROWS - row);
-            const fxl_band band = {.pixels = bands + row * STRIDE, .width = WIDTH,
-                                   .stride = STRIDE, .first_row = row, .rows = rows};
+            const fxl_band band = {.pixels = bands + row * STRIDE,
+                                   .width = WIDTH,
+                                   .stride = STRIDE,
+                                   .first_row = row,
+                                   .rows = rows};
             fuzz_input again = before;
             draw_any(&again, &band);
         }
@@ -346,6 +357,28 @@ static fxl_orientation any_orientation(fuzz_input *in)
     return o;
 }
 
+/* There from any numbers, and back: w is not below 0, and the turn is nearly the same. */
+static void fuzz_quaternion(const fxl_quaternion *given)
+{
+    const fxl_orientation none = FXL_ORIENTATION_NONE;
+    const fxl_quaternion untouched = {1, 2, 3, 4};
+    fxl_quaternion back = untouched;
+    fxl_orientation o = none, again;
+    const fxl_status status = fxl_orientation_from_quaternion(given, &o);
+    demand_made(status, &o, &none);
+    DEMAND(fxl_orientation_to_quaternion(&o, &back) == FXL_OK && back.w >= 0);
+    DEMAND(fxl_orientation_from_quaternion(&back, &again) == FXL_OK);
+    for (int i = 0; i < 9; i++) { /* numbers within 2 units move an entry by at most 4 sqrt(4) 2 */
+        DEMAND(llabs((int64_t)(&o.x.x)[i] - (&again.x.x)[i]) <= 17);
+    }
+    record_bytes(&back, sizeof back);
+    o.x.x = o.y.y = 0;
+    o.z.z = given->w;
+    back = untouched;
+    DEMAND(fxl_orientation_to_quaternion(&o, &back) == FXL_OK ||
+           memcmp(&back, &untouched, sizeof back) == 0);
+}
+
 void fuzz_orientations(fuzz_input *in)
 {
     fxl_placement parent, child, placement, before = FXL_PLACEMENT_NONE;
@@ -370,6 +403,7 @@ void fuzz_orientations(fuzz_input *in)
         DEMAND(memcmp(&placement, &before, sizeof placement) == 0);
         DEMAND(memcmp(&centre, &origin, sizeof centre) == 0);
     }
+    fuzz_quaternion(&(fxl_quaternion){at.x, at.y, local.x, local.y});
     DEMAND(fxl_placement_attach(&at, NULL, &local, &child, &centre, &placement) == FXL_E_ARGUMENT);
     DEMAND(fxl_orientation_look_at(&at, &local, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_orientation_multiply(NULL, &child.orientation, &placement.orientation) ==

@@ -56,6 +56,10 @@ def test_least_scene_uses_the_defaults(tmp_path):
     (BOX.replace("[0, 0, 5]", "[0, 8191, 5]") + PATH, ["object 0", "vertex", "at y", "8191.5"]),
     (BOX + "scale = nan\n" + PATH, ["scale", "out of every range"]),
     (BOX + "rotation = ['x', 0, 0]\n" + PATH, ["rotation[0]", '"x"']),
+    (BOX + "quaternion = [1, 2, 3]\n" + PATH, ["quaternion", "[w, x, y, z]"]),
+    (BOX + "quaternion = [0, 0, 0, 0]\n" + PATH, ["quaternion", "[1, 0, 0, 0]"]),
+    (BOX + "quaternion = [1, 0, 0, 1073741825]\n" + PATH, ["quaternion[3]", "1073741824"]),
+    (BOX + "quaternion = [1, 0, 0, 1]\nrotation = 5\n" + PATH, ["rotation", "quaternion"]),
     (BOX + "colour = 'crimsn'\n" + PATH, ["crimsn", "crimson"]),
     (BOX + "colour = 'red'\ncolour_index = 3\n" + PATH, ["exclude"]),
     (BOX + "colour_step = 2\n" + PATH, ["needs colour_index"]),
@@ -172,6 +176,18 @@ def test_an_object_turned_like_a_camera_looks_where_the_camera_looks():
     assert axes(0, 0, 90)[0] == (0, 1, 0)
 
 
+def test_a_quaternion_turns_as_rotation_does(tmp_path):
+    """orientation 1.5, 1.7: of any norm and either sign, exactly; and copies on a ring turn after it."""
+    def vertices(turn):
+        scene, _ = build(tmp_path, f'[[objects]]\nsolid = "box"\nscale = [1, 2, 3]\n{turn}\nring = {{ count = 4, radius = 5 }}\n' + PATH)
+        return [scene.models[each.model].vertices for each in scene.objects]
+    for one, other in (("[90, 0, 0]", "[1, 0, 1, 0]"), ("[0, 90, 0]", "[5, -5, 0, 0]"), ("[0, 0, 90]", "[-0.5, 0, 0, -0.5]"),
+                       ("[180, 0, 0]", "[0, 0, 16384, 0]"), ("[0, 0, 0]", "[-7, 0, 0, 0]")):
+        assert vertices(f"rotation = {one}") == vertices(f"quaternion = {other}")
+    rows = toml_object.matrix((1, 1, 1), [Fraction(0)] * 3, tuple(map(Fraction, (1, 2, 3, 4))))
+    assert rows == [[Fraction(n, 15) for n in row] for row in ((-10, 2, 11), (10, -5, 10), (5, 14, 2))]
+
+
 def test_anchor_base_stands_on_the_ground_with_its_centre_in_the_middle(tmp_path):
     text = ('[[objects]]\nsolid = "pyramid"\nscale = 2\nposition = [0, 3, 0]\nanchor = "base"\n'
             + PATH)
@@ -271,7 +287,7 @@ TRIED = [
     (keys.POINT, "[light]\nlevels = 8\n[[light.points]]\n", {"position": [0, 0, 0], "range": 5}, BOX + PATH, None),
     (keys.FOG, "[light]\nlevels = 8\n[light.fog]\n", {"near": 1, "far": 2}, BOX + PATH, None),
     (keys.OBJECT, BOX.replace("position = [0, 0, 5]\n", ""), {}, PATH, {*keys.PLACES, *keys.TURNED, "sides", "seed", *(
-        "name layer moves scale rotation anchor colour colours shade colour_index kind two_sided inside clusters parts opacity blend smooth".split())}),
+        "name layer moves scale rotation quaternion anchor colour colours shade colour_index kind two_sided inside clusters parts opacity blend smooth".split())}),
     (keys.OBJECT, '[[objects]]\nsolid = "sphere"\n', {}, PATH, {"rings"}), (keys.OBJECT, '[[objects]]\nsolid = "prism"\n', {}, PATH, {"taper"}),
     (keys.OBJECT, '[[objects]]\nsolid = "island"\n', {}, PATH, {"cells", "sea"}), (keys.OBJECT, "[[objects]]\n", {}, PATH, {"solid", "obj", "model"}),
     (keys.OBJECT, BOX, {"colour_index": 3}, PATH, {"colour_step", "colour_next"}),

@@ -162,3 +162,57 @@ exact_bounds exact_bounds_of_child(const exact_bounds *of_parent, const exact_pl
             reach * (parent->scale * of_parent->turn / EXACT_ONE + of_parent->scale / 65536),
         of_parent->scale * child->scale + 0.5L, of_parent->turn + 4.5L};
 }
+
+exact_quaternion exact_hamilton(const exact_quaternion *a, const exact_quaternion *b)
+{
+    const long double *p = a->at, *q = b->at;
+    return (exact_quaternion){{p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3],
+                               p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2],
+                               p[0] * q[2] - p[1] * q[3] + p[2] * q[0] + p[3] * q[1],
+                               p[0] * q[3] + p[1] * q[2] - p[2] * q[1] + p[3] * q[0]}};
+}
+
+static long double norm_of(const exact_quaternion *q)
+{
+    return q->at[0] * q->at[0] + q->at[1] * q->at[1] + q->at[2] * q->at[2] + q->at[3] * q->at[3];
+}
+
+/* Its columns are where the axes go. */
+exact_placement exact_turn_of(const exact_quaternion *q)
+{
+    const exact_quaternion back = {{q->at[0], -q->at[1], -q->at[2], -q->at[3]}};
+    const long double norm = norm_of(q);
+    exact_placement turn;
+    for (int axis = 0; axis < 3; axis++) {
+        exact_quaternion v = {{0, axis == 0, axis == 1, axis == 2}};
+        v = exact_hamilton(q, &v);
+        v = exact_hamilton(&v, &back);
+        for (int row = 0; row < 3; row++) {
+            turn.at[row][axis] = v.at[1 + row] / norm;
+        }
+    }
+    return turn;
+}
+
+/* What is left to turn, R Q', is nearly I + [d], and its quaternion nearly 1 + d / 2. */
+exact_quaternion exact_quaternion_of(const exact_placement *turn, const exact_quaternion *about)
+{
+    exact_quaternion q = *about;
+    for (int round = 0; round < 6; round++) {
+        const exact_placement now = exact_turn_of(&q);
+        exact_placement back;
+        for (int i = 0; i < 9; i++) {
+            back.at[i % 3][i / 3] = now.at[i / 3][i % 3];
+        }
+        const exact_placement rest = exact_product(turn, &back);
+        const exact_quaternion step = {{1, (rest.at[2][1] - rest.at[1][2]) / 4,
+                                        (rest.at[0][2] - rest.at[2][0]) / 4,
+                                        (rest.at[1][0] - rest.at[0][1]) / 4}};
+        q = exact_hamilton(&step, &q);
+        const long double length = sqrtl(norm_of(&q));
+        for (int i = 0; i < 4; i++) {
+            q.at[i] /= length;
+        }
+    }
+    return q;
+}

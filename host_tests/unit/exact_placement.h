@@ -29,6 +29,20 @@ exact_placement exact_look(fxl_point direction, fxl_point up);
 /* The rotation that is nearest to a product of two stated orientations: b and then a. */
 exact_placement exact_nearest_to_product(const fxl_orientation *a, const fxl_orientation *b);
 
+/* A quaternion: w, x, y, z. */
+typedef struct {
+    long double at[4];
+} exact_quaternion;
+
+/* Hamilton's product: i j = k. */
+exact_quaternion exact_hamilton(const exact_quaternion *a, const exact_quaternion *b);
+
+/* The rotation that takes v to q v q*, divided by the norm. */
+exact_placement exact_turn_of(const exact_quaternion *q);
+
+/* The quaternion of unit length of a rotation that is within 0.1 of exact_turn_of(about). */
+exact_quaternion exact_quaternion_of(const exact_placement *turn, const exact_quaternion *about);
+
 /* A place in a chain of parents, without rounding. */
 typedef struct {
     long double centre[3], scale; /* in units of 2^-16, and of 1 */

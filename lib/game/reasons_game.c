@@ -32,7 +32,8 @@ const char fxl_motion_reasons[] =
 const char fxl_orientation_reasons[] =
     ON_ARGUMENT "a pointer must not be null\0"
     ON_RANGE "coordinates of a vector must be below 2^30 and its length above 0, "
-    "direction not parallel to up; centres must be within "
+    "direction not parallel to up; numbers of a quaternion must be at most 2^30 in magnitude, "
+    "and one of them not 0; centres must be within "
     "FXL_UNITS(-8191)..FXL_UNITS(8191), scales 1/256..256\0"
     ON_PLACEMENT "the rows of each orientation must be those of a rotation, to within "
     "2^-28\0";

@@ -24,6 +24,8 @@ static const oracle_claim *const claims[] = {
     &oracle_orientation_axis,
     &oracle_orientation_look_at,
     &oracle_orientation_product,
+    &oracle_orientation_quaternion,
+    &oracle_quaternion,
     &oracle_orientation_parents,
     &oracle_sine_cosine,
     &oracle_vertex_unclipped,

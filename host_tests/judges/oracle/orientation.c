@@ -219,6 +219,109 @@ const oracle_claim oracle_orientation_product = {
     .judge = judge_product,
 };
 
+/* --- orientation_quaternion and quaternion ------------------------------------ */
+
+static const char *const number_names[4] = {"w", "x", "y", "z"};
+
+/* Of any norm, with zeros and the ends of the range among the numbers. */
+static void generate_quaternion(oracle_random *random, oracle_input *input)
+{
+    const int64_t *n = input->numbers;
+    do {
+        input->count = 0;
+        for (int i = 0; i < 4; i++) {
+            oracle_put(input,
+                       oracle_below(random, 16) == 0 ? FXL_Q2_30_ONE : any_coordinate(random));
+        }
+    } while (n[0] == 0 && n[1] == 0 && n[2] == 0 && n[3] == 0);
+}
+
+static oracle_outcome judge_quaternion(const oracle_input *input, FILE *words,
+                                       oracle_verdict *verdict)
+{
+    const int64_t *n = input->numbers;
+    fxl_orientation got;
+    if (input->count != 4 || !oracle_are_words(n, 4)) {
+        return ORACLE_UNUSABLE;
+    }
+    const fxl_quaternion q = {(int32_t)n[0], (int32_t)n[1], (int32_t)n[2], (int32_t)n[3]};
+    const exact_quaternion given = {{n[0], n[1], n[2], n[3]}};
+    const exact_placement exact = exact_turn_of(&given);
+    return judge_turn(fxl_orientation_from_quaternion(&q, &got), &exact, &got, words, verdict);
+}
+
+const oracle_claim oracle_orientation_quaternion = {
+    .id = "orientation_quaternion",
+    .unit = "2^-30",
+    .numbers = "w x y z",
+    .kinds = {"quaternions of any norm"},
+    .generate = generate_quaternion,
+    .judge = judge_quaternion,
+};
+
+/* Orientations as the library makes them of quaternions and of angles, half of them near half turns, where w is near 0;
+ * of the second kind, each entry is off by up to 1 more. */
+static void generate_rows(oracle_random *random, oracle_input *input)
+{
+    fxl_orientation made;
+    input->kind = (int)(input->index % 2);
+    if (oracle_below(random, 2)) {
+        const int64_t near = (int64_t)oracle_signed_spread(random, 1, 1 << 20);
+        const fxl_quaternion q = {(int32_t)near, (int32_t)any_coordinate(random),
+                                  (int32_t)any_coordinate(random), FXL_Q2_30_ONE};
+        (void)fxl_orientation_from_quaternion(&q, &made);
+    } else {
+        (void)fxl_orientation_from_angles(oracle_any_angle(random), oracle_any_angle(random),
+                                          oracle_any_angle(random), &made);
+    }
+    for (int i = 0; i < 9; i++) {
+        oracle_put(input, (&made.x.x)[i] + (input->kind ? oracle_between(random, -1, 1) : 0));
+    }
+}
+
+static oracle_outcome judge_back(const oracle_input *input, FILE *words, oracle_verdict *verdict)
+{
+    const fxl_orientation none = FXL_ORIENTATION_NONE;
+    fxl_placement given;
+    fxl_quaternion q;
+    if (input->count != 9 || !oracle_are_words(input->numbers, 9)) {
+        return ORACLE_UNUSABLE;
+    }
+    if (!orientation_of(input->numbers, &given)) {
+        return ORACLE_SKIPPED;
+    }
+    if (fxl_orientation_to_quaternion(&given.orientation, &q) != FXL_OK || q.w < 0) {
+        verdict->value = ORACLE_REFUSED;
+        return ORACLE_COUNTED;
+    }
+    const exact_placement nearest = exact_nearest_to_product(&none, &given.orientation);
+    const exact_quaternion got = {{q.w, q.x, q.y, q.z}},
+                           wanted = exact_quaternion_of(&nearest, &got);
+    const exact_placement turn = exact_turn_of(&wanted);
+    for (int i = 0; i < 9; i++) { /* far from it, there is none */
+        if (!(fabsl(turn.at[i / 3][i % 3] - nearest.at[i / 3][i % 3]) < 1e-12L)) {
+            verdict->value = ORACLE_REFUSED;
+        }
+    }
+    for (int i = 0; i < 4; i++) {
+        const long double exact = wanted.at[i] * EXACT_ONE;
+        if (words) {
+            oracle_report(words, number_names[i], (int32_t)got.at[i], exact);
+        }
+        verdict->value = fmax(verdict->value, (double)fabsl(got.at[i] - exact));
+    }
+    return ORACLE_COUNTED;
+}
+
+const oracle_claim oracle_quaternion = {
+    .id = "quaternion",
+    .unit = "2^-30",
+    .numbers = "nine entries of the orientation, row by row, 2.30",
+    .kinds = {"orientations as they are made", "rows within the tolerance"},
+    .generate = generate_rows,
+    .judge = judge_back,
+};
+
 /* --- orientation_parents ----------------------------------------------------- */
 
 enum {

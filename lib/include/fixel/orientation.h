@@ -32,6 +32,31 @@ fxl_status fxl_orientation_from_angles(fxl_angle yaw, fxl_angle pitch, fxl_angle
 fxl_status fxl_orientation_from_axis(const fxl_point *axis, fxl_angle angle,
                                      fxl_orientation *orientation);
 
+/* A quaternion w + x i + y j + z k by Hamilton's product, i j = k, with w first. It stands for the
+ * rotation that takes a vector v to q v q*; cos(t / 2) + sin(t / 2) (x i + y j + z k) turns by t
+ * about the axis x, y, z as fxl_orientation_from_axis does. q and -q are one rotation. */
+typedef struct {
+    int32_t w, x, y, z; /* of any norm above 0: 2.30, 1/16384, ... */
+} fxl_quaternion;
+
+/* Makes the rotation of a quaternion of any norm above 0; each number is at most 2^30 in magnitude.
+ * q and -q give the same bits.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: all numbers are 0, or one is out of range.
+ * With each of these statuses: *orientation untouched.
+ * Error: at most 0.5: each entry is the nearest to the exact quotient. */
+fxl_status fxl_orientation_from_quaternion(const fxl_quaternion *quaternion,
+                                           fxl_orientation *orientation);
+
+/* Writes the quaternion of unit length of an orientation, in units of 2^-30, with w >= 0. Where w
+ * is 0, the largest of the others in magnitude, of equals the first, is above 0.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_PLACEMENT: it is no rotation, by the test of fxl_placement_check.
+ * With each of these statuses: *quaternion untouched.
+ * Error: at most 2 of each number, against that of the rotation nearest to the rows. */
+fxl_status fxl_orientation_to_quaternion(const fxl_orientation *orientation,
+                                         fxl_quaternion *quaternion);
+
 /* Makes the orientation that rotates a model's z axis to a direction, and its y axis as near to up
  * as a right angle to the direction allows. Both may have any length above 0; each coordinate is
  * below 2^30 in magnitude. The difference of two points of the world is such a direction.

@@ -144,15 +144,32 @@ def sine_cosine(angle):
     return tuple(Fraction(value, _ONE) for value in _sine_cosine(angle))
 
 
-def matrix(scale, rotation):
+def product(a, b):
+    """Of two matrices of 3x3."""
+    return [[sum(a[i][k] * b[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
+
+
+def matrix(scale, rotation, quaternion=None):
     """Scale, then turn: an object turned by yaw, pitch and roll looks where a
     camera turned so would look. Its columns are the camera's rows (SPEC.md,
-    section 1)."""
+    section 1). A quaternion turns before the angles do."""
+    factors = [s.as_integer_ratio() for s in scale]
+    if quaternion:
+        first = of_quaternion(*quaternion)
+        return product(matrix((1, 1, 1), rotation), [[part * Fraction(*factor) for part, factor in zip(row, factors)] for row in first])
     (sy, cy), (sp, cp), (sr, cr) = map(_sine_cosine, rotation)
     # Integers in 2^-156 up to the last step: a Fraction takes ten times as long.
     right = (cr * cy * _ONE - sr * sp * sy, sr * cp * _ONE, -cr * sy * _ONE - sr * sp * cy)
     up = (-sr * cy * _ONE - cr * sp * sy, cr * cp * _ONE, sr * sy * _ONE - cr * sp * cy)
     forward = (cp * sy * _ONE, sp * _ONE * _ONE, cp * cy * _ONE)
-    factors = [s.as_integer_ratio() for s in scale]
     return [[Fraction(axis[row] * above, below * _ONE ** 3) for axis, (above, below) in zip((right, up, forward), factors)]
             for row in range(3)]
+
+
+def of_quaternion(w, x, y, z):
+    """The rows of the rotation that takes v to q v q*, exactly (docs/extras/orientation.md, 1.5)."""
+    norm = Fraction(w * w + x * x + y * y + z * z)
+    rows = ((w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)),
+            (2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)),
+            (2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z))
+    return [[part / norm for part in row] for row in rows]

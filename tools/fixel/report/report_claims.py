@@ -49,6 +49,10 @@ CLAIMS = (
           "exact value.", "accuracy 3.1d"),
     Claim("orientation_product", 0.501, "2^-30", "An entry of a product of two orientations, against the rotation "
           "that is nearest to the exact product.", "accuracy 3.1e"),
+    Claim("orientation_quaternion", 0.501, "2^-30", "An entry of an orientation made of a quaternion of any norm, against the exact "
+          "rotation.", "accuracy 3.1v"),
+    Claim("quaternion", 2, "2^-30", "A number of a quaternion made of an orientation, against that of the rotation that is nearest "
+          "to the rows.", "accuracy 3.1w"),
     Claim("orientation_parents", 1, "of its bound", "The centre, the scale and the orientation of an instance with up "
           "to eight parents, against the exact ones, by the bounds for its depth.", "accuracy 3.1f"),
     Claim("sine_cosine", 0.51, "2^-30", "A sine or cosine, against the exact one.", "accuracy 3.1g, accuracy 1.1b"),

@@ -67,6 +67,8 @@ CLAIMS = tuple(Kind("oracle", *kind) for kind in (
     ("orientation_axis", 10_000_000, 250_000),
     ("orientation_look_at", 10_000_000, 250_000),
     ("orientation_product", 10_000_000, 250_000),
+    ("orientation_quaternion", 10_000_000, 250_000),
+    ("quaternion", 10_000_000, 100_000),
     ("orientation_parents", 10_000_000, 100_000),
     ("sine_cosine", 2_000_000, 100_000),
     ("vertex_unclipped", 10_000_000, 250_000),

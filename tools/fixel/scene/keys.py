@@ -147,6 +147,7 @@ BILLBOARD = {
     "anchor": Key(Several(Number(0, COORDINATE_MAX, "world units"), 2, "[x, y]"), None, "the middle of the lower side")}
 
 # toml_object.py
+QUATERNION_MAX = 1 << 30    # as fxl_orientation_from_quaternion takes it
 SCALE_MAX = 1 << 30     # such as of a model in metres whose sides are nanometres
 SOLID = {
     "sides": Key(Whole(3, solids.SIDES_MAX)), "rings": Key(Whole(2, solids.SIDES_MAX)), "taper": Key(Number(Fraction(1, 100), 10)),
@@ -155,7 +156,7 @@ ANY_OBJECT = {"name": Key(NAME), **PLACES, "layer": Key(Whole(0, 255), 0), "move
 OBJECT = {
     **ANY_OBJECT, "solid": Key(OneOf(tuple(solids.SOLIDS)), None, SOURCE), **SOLID, **MODEL, **SURFACE,
     "scale": Key(Several(Number(0, SCALE_MAX, above=True), 3, "[x, y, z]", lone=True, fills=True), (Fraction(1),) * 3),
-    "rotation": Key(TURN, ZEROS), "anchor": Key(OneOf(("origin", "base", "middle", "node")), "origin"),
+    "rotation": Key(TURN, ZEROS), "quaternion": Key(Several(Number(-QUATERNION_MAX, QUATERNION_MAX), 4, "[w, x, y, z]")), "anchor": Key(OneOf(("origin", "base", "middle", "node")), "origin"),
     "colour": Key(COLOUR, None, "those of the model's materials, else `\"#c8c0b0\"`"), "colours": Key(Several(COLOUR, (1, MANY))),
     "shade": Key(SWITCH, True), "colour_index": Key(Whole(1, 255)), "colour_step": Key(Whole(0, 254), 0), "colour_next": Key(Whole(0, 254), 0),
     "kind": Key(OneOf(("convex", "sorted")), None, "the tool tests the model"),

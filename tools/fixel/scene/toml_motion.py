@@ -219,10 +219,6 @@ def _degrees(angle):
     return Fraction(angle * 360, quantity.TURN)
 
 
-def _product(a, b):
-    return [[sum(a[i][k] * b[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
-
-
 def _about_axis(axis, angle):
     """x towards y about +z; as floats."""
     length = math.sqrt(sum(c * c for c in axis))
@@ -236,7 +232,7 @@ def _rows(motion):
     """The orientation in frame 0, in the parent, as numbers."""
     rows = matrix((1, 1, 1), tuple(map(_degrees, motion.keys[0].angles)))
     if any(motion.axis):
-        rows = _product([[float(c) for c in row] for row in rows], _about_axis(motion.axis, motion.spin[0]))
+        rows = quantity.product([[float(c) for c in row] for row in rows], _about_axis(motion.axis, motion.spin[0]))
     return rows
 
 
@@ -248,7 +244,7 @@ def _start(motion, above):
     if above:
         origin, axes, size = above
         centre = tuple(o + sum(a * c for a, c in zip(row, centre)) * size / 65536 for o, row in zip(origin, axes))
-        rows, scale = [list(map(_rounded, row)) for row in _product(axes, rows)], quantity.q16(Fraction(scale * size, 65536 ** 2))
+        rows, scale = [list(map(_rounded, row)) for row in quantity.product(axes, rows)], quantity.q16(Fraction(scale * size, 65536 ** 2))
     return tuple(quantity.q16(Fraction(c) / 65536) for c in centre), rows, scale
 
 

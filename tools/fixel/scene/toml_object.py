@@ -120,6 +120,16 @@ class Objects:
             return look
         return self.plain_look
 
+    @staticmethod
+    def _quaternion(table):
+        """The object's quaternion, or None: it takes the place of its rotation."""
+        quaternion = table["quaternion"]
+        if quaternion:
+            table.refuse(("rotation",), "quaternion is there, too, and both say how the mesh is turned: leave one of them away")
+            if not any(quaternion):
+                raise ToolError(f'{table.at("quaternion")}: four zeros are no turn; [1, 0, 0, 0] turns nothing')
+        return quaternion
+
     def _shape(self, table, scale, rotation, look):
         """The shape, whether it is convex, and where its corners are on its textures, computed once for each mesh, size,
         turn and texture."""
@@ -128,22 +138,24 @@ class Objects:
         rotation = tuple(a % 360 if a else a for a in rotation)
         sides = self._sides(table, mesh)
         scale = toml_model.fit(table, mesh) if "fit" in table else scale
+        quaternion = self._quaternion(table)
+        turned = matrix(scale, rotation, quaternion)
         wanted = toml_model.wishes(table, name) if "solid" not in table else (False, False)
         wanted = wanted[0], wanted[1] and not look.wanted()     # a merged face has no texture coordinates
         is_middle = table["anchor"] == "middle"
-        key = (identity, scale, rotation, inside, sides, wanted, is_middle, look.key)
+        key = (identity, scale, rotation, quaternion, inside, sides, wanted, is_middle, look.key)
         if key not in self.shapes:
             self.progress.stage(table.where)
             mesh = toml_model.near_origin(mesh) if is_middle else mesh
-            pivot = self._pivot(table, name, matrix(scale, rotation))
-            made = toml_model.make(mesh, matrix(scale, rotation), name, inside, wanted, self.progress, "solid" not in table)
+            pivot = self._pivot(table, name, turned)
+            made = toml_model.make(mesh, turned, name, inside, wanted, self.progress, "solid" not in table)
             self.notes += made.notes
             made.middle = pivot or made.middle
             made = self._of_material(made, mesh, name) if sides == "file" else \
                 self._with_sides(made, sides, name, "solid" not in table)
             convex, coordinates = is_convex(made.vertices, made.faces), None
             if look.wanted():
-                made, coordinates = toml_texture.shape_of(look, mesh, matrix(scale, rotation), made, scale, inside)
+                made, coordinates = toml_texture.shape_of(look, mesh, turned, made, scale, inside)
             self.shapes[key] = (made, convex, coordinates)
         return self.shapes[key]
 

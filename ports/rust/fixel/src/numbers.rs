@@ -108,6 +108,22 @@ impl Orientation {
         Ok(made)
     }
 
+    /// By a quaternion `[w, x, y, z]` of any norm above 0, each number at most 2³⁰ in magnitude.
+    pub fn from_quaternion([w, x, y, z]: [i32; 4]) -> Result<Self, Error> {
+        let mut made = Self::NONE;
+        // SAFETY: as above.
+        check(unsafe { sys::fxl_orientation_from_quaternion(&sys::fxl_quaternion { w, x, y, z }, &mut made.0) })?;
+        Ok(made)
+    }
+
+    /// Its quaternion `[w, x, y, z]` in units of 2⁻³⁰, with w not below 0.
+    pub fn to_quaternion(&self) -> Result<[i32; 4], Error> {
+        let mut made = sys::fxl_quaternion { w: 0, x: 0, y: 0, z: 0 };
+        // SAFETY: as above.
+        check(unsafe { sys::fxl_orientation_to_quaternion(&self.0, &mut made) })?;
+        Ok([made.w, made.x, made.y, made.z])
+    }
+
     /// The rotation that applies `first` and then this one.
     pub fn after(&self, first: &Self) -> Result<Self, Error> {
         let mut made = Self::NONE;
