@@ -2,17 +2,20 @@
 """What the tests of boards share that need tools of their own: frames of scenes and of the game, and unit tests."""
 
 import json
+import shutil
 
 from board_programs import ROOT, built, made
 from conftest import run_cli, run_make
 from fixel.board import crc, unit_tests
 from fixel.check import frame_hashes
+from fixel.report import examples
 from fixel.scene import making, target
 
 SCENES = [("plaza", []), ("spin", []), ("room", ["PIXELS=rgb565"]), ("gallery", ["DEPTH=16"]), ("knot", [])]
 GAMES = [["DRIVER=st7789"], ["PIXELS=rgb565", "DEPTH=16"]]
 # Flat, a tree, beams, motions, textures with a depth buffer, billboards.
 EXPORTED = {"cube": None, "knot": None, "beam": None, "spin": None, "room": "16", "grove": None}
+INSTRUMENTS = {"attitude": 60}      # and how many frames each draws
 UNITS = ["test_crc", "test_render", "test_project", "test_plane", "test_clip_view", "test_depth"]    # make test BOARD=<name> runs all
 
 
@@ -42,6 +45,15 @@ def draw_exported(board, folder, name):
     frames = frame_hashes.drawn_by_host(folder / "scene.fxls", ROOT / "build", folder).frames[:2]
     _, summary = run(board, folder / "out", f"PROGRAM={own}", "FRAMES=2")
     assert summary["frame_crc"] == crc.drawn(frames).each and summary["host_frames_equal"]
+
+
+def draw_example(board, folder, name):
+    """All frames of an example that draws bands, which must be those of the host."""
+    own = folder / name
+    shutil.copytree(ROOT / "examples" / name, own)
+    examples.write_board_scene(own)
+    _, summary = run(board, folder / "out", f"PROGRAM={own}")
+    assert summary["host_frames_equal"] and len(set(summary["frame_crc"])) == summary["frames"] == INSTRUMENTS[name]
 
 
 def draw_game(board, out, words):

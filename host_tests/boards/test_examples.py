@@ -6,6 +6,7 @@ import re
 import subprocess
 
 import numpy
+import own_tools
 import pytest
 from PIL import Image
 
@@ -49,7 +50,7 @@ int main(void)
 
 def test_the_page_has_every_example_once():
     assert len(NAMES) >= 12 and sorted(NAMES) == sorted(folder.name for folder in (CHECKOUT / "examples").iterdir() if folder.is_dir())
-    assert {*examples.PICTURES, *examples.WIDE_PICTURES} == set(NAMES) - {"game"}
+    assert {*examples.PICTURES, *examples.BAND_PICTURES, *examples.WIDE_PICTURES} == set(NAMES) - {"game"}
     assert sorted(file.stem for file in (CHECKOUT / "docs" / "examples").glob("*.png")) == \
         sorted(name for name in NAMES if examples.picture_of(name).parent.name == "examples")
 
@@ -66,7 +67,7 @@ def test_a_row_names_its_files(name, picture, same, folder, source, lines):
 COLOURS = {"crowd": 100, "crate": 20, "model": 100, "neon": 256}
 
 
-@pytest.mark.parametrize("name", [*examples.PICTURES, *examples.WIDE_PICTURES])
+@pytest.mark.parametrize("name", [*examples.PICTURES, *examples.BAND_PICTURES, *examples.WIDE_PICTURES])
 def test_an_example_draws_its_picture(build, name):
     if name in examples.WIDE_PICTURES:
         pixels = examples.draw_wide(build / "host" / "libfixel.a", name)
@@ -98,12 +99,18 @@ def test_the_model_is_the_one_that_the_tool_makes(tmp_path):
     assert (tmp_path / "model_scene.h").read_text(encoding="utf-8") == stored
 
 
-@pytest.mark.parametrize("name", [*examples.PICTURES, *examples.WIDE_PICTURES])
+@pytest.mark.parametrize("name", [*examples.PICTURES, *examples.BAND_PICTURES, *examples.WIDE_PICTURES])
 def test_an_example_compiles_for_a_small_core(tmp_path, name):
     examples.write_scene(tmp_path)
     examples.write_own_scene(tmp_path)
+    examples.write_board_scene(tmp_path)
     subprocess.run(["arm-none-eabi-gcc", "-mcpu=cortex-m0", "-mthumb", *FLAGS, "-c", f"-I{tmp_path}",
                     str(CHECKOUT / "examples" / name / "main.c")], cwd=tmp_path, check=True)
+
+
+@pytest.mark.parametrize("name", own_tools.INSTRUMENTS)
+def test_an_instrument_draws_the_hosts_frames_in_16_kb(tmp_path, name):
+    own_tools.draw_example("microbit", tmp_path, name)
 
 
 # A whole turn, and the first frame of the next.

@@ -16,7 +16,7 @@ from fixel.scene import making
 from outside import need
 
 PAGES = CHECKOUT / "docs" / "tutorials"
-NAMES = ("cube", "model", "display", "board", "game")
+NAMES = ("cube", "model", "display", "board", "sensor", "game")
 BLOCK = re.compile(r"```(?:c|ld|obj|mtl)\n((?:/\*|#) ([\w/]+\.\w+)\b.*?)```", re.DOTALL)
 COMMAND = re.compile(r"^    (\w.*)$", re.MULTILINE)
 # What a test cannot type: it has no end, or needs what only the reader has.
@@ -59,7 +59,7 @@ def pixels(file):
         return numpy.asarray(picture.convert("RGB"))
 
 
-def test_the_pages_are_five_and_listed():
+def test_the_pages_are_six_and_listed():
     index = (PAGES / "README.md").read_text(encoding="utf-8")
     assert re.findall(r"^\| \[(\w+)\]\(\w+\.md\)", index, re.MULTILINE) == list(NAMES)
     assert {file.stem for file in PAGES.glob("*.md")} == {*NAMES, "README"}
@@ -69,7 +69,7 @@ def test_the_pages_are_five_and_listed():
         assert any(kind == "type" for kind, *_ in steps(text))
 
 
-@pytest.mark.parametrize("name, picture", [("cube", "pictures/frame_0004.png"), ("model", "house/frame_0001.png"), ("game", "played/frame_0055.png")])
+@pytest.mark.parametrize("name, picture", [("cube", "pictures/frame_0004.png"), ("model", "house/frame_0001.png"), ("sensor", "turned/frame_0034.png"), ("game", "played/frame_0055.png")])
 def test_who_follows_the_page_gets_its_picture(name, picture, tmp_path):
     assert picture.rpartition("/")[2] in page(name) and picture.partition("/")[0] in page(name)
     follow(name, tmp_path)

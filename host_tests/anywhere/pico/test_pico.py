@@ -43,6 +43,12 @@ def test_the_program_of_an_exported_scene_draws_the_frames_of_make_run(tmp_path,
 
 
 @here
+@pytest.mark.parametrize("name", own_tools.INSTRUMENTS)
+def test_an_instrument_draws_the_hosts_frames(tmp_path, name):
+    own_tools.draw_example("pico", tmp_path, name)
+
+
+@here
 def test_a_driver_of_pages_is_understood_from_the_wires(tmp_path):
     """Its commands have several bytes: the select line says where each ends."""
     _, summary = run(tmp_path / "out", "SCENE=scenes/tiny.toml", "SCREEN=128x64", "FRAMES=4", "DRIVER=ssd1306")

@@ -2,9 +2,9 @@
 /* Runs the first program (examples/cube/main.c, or that of docs/hello.md) and hands out its
  * picture: the pixels on the host's stdout, or on a board their CRC-32 as text. EXAMPLE is the
  * program's file. The linker's --wrap=main puts this file's function between the start and the
- * program's main. With EXAMPLE_PALETTE the program has a palette of its own, which comes first.
- * With EXAMPLE_FRAMES it shows so many frames, of which the last is its picture. EXAMPLE_PIXEL is
- * the type of its pixels, if that is not a byte. */
+ * program's main. With EXAMPLE_PALETTE the program has a palette of its own, which comes first:
+ * EXAMPLE_PALETTE is its name. With EXAMPLE_FRAMES it shows so many frames, of which the last is its picture; with
+ * EXAMPLE_BANDED it shows them by display_rows, to its own end. EXAMPLE_PIXEL is the type of its pixels, if that is not a byte. */
 #include EXAMPLE
 
 #ifdef __cplusplus
@@ -20,13 +20,32 @@ int __wrap_main(int argc, char **argv);
 #define EXAMPLE_PIXEL uint8_t
 #endif
 
-#ifdef EXAMPLE_FRAMES
+#ifdef EXAMPLE_BANDED
+#include <string.h>
+
+static uint8_t frame[HEIGHT][WIDTH];
+
+void display_rows(uint16_t first_row, uint16_t rows, const uint8_t *shown)
+{
+    static int begun;
+    begun += first_row == 0;
+    if (begun == EXAMPLE_FRAMES) {
+        memcpy(frame[first_row], shown, (size_t)rows * WIDTH);
+    }
+}
+
+#define EXAMPLE_PICTURE frame
+#elif defined(EXAMPLE_FRAMES)
 int show(const EXAMPLE_PIXEL *shown_frame)
 {
     static int shown;
     (void)shown_frame;
     return ++shown == EXAMPLE_FRAMES;
 }
+#endif
+
+#ifndef EXAMPLE_PICTURE
+#define EXAMPLE_PICTURE pixels
 #endif
 
 #ifdef EXAMPLE_ON_BOARD
@@ -54,7 +73,7 @@ int __wrap_main(int argc, char **argv)
     if (__real_main() != 0) {
         system_exit(SYSTEM_EXIT_RENDER);
     }
-    uint32_t crc = crc32_of((const uint8_t *)pixels[0], sizeof pixels);
+    uint32_t crc = crc32_of((const uint8_t *)EXAMPLE_PICTURE[0], sizeof EXAMPLE_PICTURE);
     for (int digit = 11; digit >= 4; digit--, crc >>= 4) {
         text[digit] = "0123456789abcdef"[crc & 15u];
     }
@@ -73,10 +92,11 @@ int __wrap_main(int argc, char **argv)
         return 1;
     }
 #ifdef EXAMPLE_PALETTE
-    if (fwrite(palette, 1, sizeof palette, stdout) != sizeof palette) {
+    if (fwrite(EXAMPLE_PALETTE, 1, sizeof EXAMPLE_PALETTE, stdout) != sizeof EXAMPLE_PALETTE) {
         return 2;
     }
 #endif
-    return fwrite(pixels, 1, sizeof pixels, stdout) == sizeof pixels ? 0 : 2;
+    return fwrite(EXAMPLE_PICTURE, 1, sizeof EXAMPLE_PICTURE, stdout) == sizeof EXAMPLE_PICTURE ? 0
+                                                                                                : 2;
 }
 #endif

@@ -16,6 +16,7 @@ MODEL = ROOT / "examples" / "cube" / "cube.obj"
 PROGRAM = ROOT / "examples" / "cube" / "main.c"
 CRATE_FRAMES = 28   # of which the last shows three sides
 OWN_MODEL = ROOT / "examples" / "model" / "model.glb"
+BOARD = ROOT / "examples" / "attitude" / "board.obj"
 OWN_MODEL_FRAMES = 24   # of its path
 FRAME = ROOT / "host_tests" / "boards" / "examples" / "frame.c"
 HUD = ROOT / "host_tests" / "boards" / "examples" / "hud.c"
@@ -28,6 +29,8 @@ WIDTH, HEIGHT = 320, 240
 PICTURES = {"cube": (None, False), "turn": (24, False), "look": (31, False), "text": (None, True), "label": (None, True),
             "outline": (37, True), "lamp": (25, True), "depth": (26, False), "crowd": (None, True), "crate": (CRATE_FRAMES, True),
             "maze": (60, True)}
+# Those that draw bands, of entries of their scene's palette: the frame that is their picture.
+BAND_PICTURES = {"attitude": 35}
 # Those whose pixels are RGB565: the frame that is their picture.
 WIDE_PICTURES = {"model": 3, "neon": 60}
 
@@ -39,13 +42,16 @@ def picture_of(name):
 
 
 def draw_example(library, name):
-    """The picture of an example of PICTURES, and its palette."""
+    """The picture of an example of PICTURES or BAND_PICTURES, and its palette."""
+    if name in BAND_PICTURES:
+        program, flags = ROOT / "examples" / name / "main.c", ["-DEXAMPLE_BANDED", f"-DEXAMPLE_FRAMES={BAND_PICTURES[name]}"]
+        return _with_palette(library, program, "board_palette", *flags)
     if name not in PICTURES:
-        raise ToolError(f"there is no example '{name}'; there are: {', '.join(sorted({**PICTURES, **WIDE_PICTURES}))}")
+        raise ToolError(f"there is no example '{name}'; there are: {', '.join(sorted({**PICTURES, **BAND_PICTURES, **WIDE_PICTURES}))}")
     frames, own = PICTURES[name]
     program, flags = ROOT / "examples" / name / "main.c", [] if frames is None else [f"-DEXAMPLE_FRAMES={frames}"]
     if own:
-        return _with_palette(library, program, *flags)
+        return _with_palette(library, program, "palette", *flags)
     pixels, _, palette = _run(library, program, 0, *flags)
     return pixels, palette
 
@@ -76,6 +82,11 @@ def write_model(file):
 def write_own_scene(folder, model=OWN_MODEL):
     """Writes model_scene.h into a folder, in the best look."""
     making.export(str(model), str(pathlib.Path(folder) / "model_scene.h"), frames=OWN_MODEL_FRAMES, looks=_best())
+
+
+def write_board_scene(folder):
+    """Writes board_scene.h of examples/attitude into a folder."""
+    making.export(str(BOARD), str(pathlib.Path(folder) / "board_scene.h"))
 
 
 def write_own_image(file):
@@ -115,8 +126,8 @@ def draw_hud(library):
     return pixels, palette
 
 
-def _with_palette(library, program, *flags):
-    pixels, colours, _ = _run(library, program, 768, "-DEXAMPLE_PALETTE", *flags)
+def _with_palette(library, program, name, *flags):
+    pixels, colours, _ = _run(library, program, 768, f"-DEXAMPLE_PALETTE={name}", *flags)
     return pixels, numpy.frombuffer(colours, dtype=numpy.uint8).reshape(-1, 3)
 
 
@@ -128,6 +139,8 @@ def _run(library, program, more, *flags, row_bytes=WIDTH):
         scene = write_scene(folder)
         if program.parent == OWN_MODEL.parent:
             write_own_scene(folder)
+        if program.parent == BOARD.parent:
+            write_board_scene(folder)
         command = [os.environ.get("HOSTCC", "gcc"), "-std=c11", f'-DEXAMPLE="{program}"', f"-I{ROOT / 'lib' / 'include'}",
                    *flags, f"-I{folder}", str(FRAME), str(library), "-Wl,--wrap=main", "-o", f"{folder}/frame"]
         done = children.run(command, text=True)
