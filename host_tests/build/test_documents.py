@@ -52,14 +52,14 @@ def test_a_new_board_changes_no_other_file(tmp_path):
 
 
 def boards_named(page):
-    """The boards in the first column of the README's table of boards."""
+    """The boards in the first column of the table of docs/boards.md."""
     table = page.split("\n## Boards\n", 1)[1].split("\n## ", 1)[0]
     return {name for row in re.findall(r"^\| ([^|]*) \|", table, re.MULTILINE) for name in re.findall(r"`([\w-]+)`", row)}
 
 
 def test_the_pages_know_every_board():
     boards = {file.parent.name for file in (CHECKOUT / "boards").glob("*/board.mk")}
-    assert boards_named((CHECKOUT / "README.md").read_text(encoding="utf-8")) == boards
+    assert boards_named((CHECKOUT / "docs" / "boards.md").read_text(encoding="utf-8")) == boards
     count = re.search(r"is a whole program for (\w+) boards", (CHECKOUT / "docs" / "hello.md").read_text(encoding="utf-8"))[1]
     words = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
     assert words.index(count) == len(boards) - 1    # without the host

@@ -61,14 +61,15 @@ def test_documents_have_the_numbers_of_the_table(all_functions, tmp_path, monkey
                len(entries), len({each["entry"].partition(":")[0] for each in entries}), len(kernels)]
     monkeypatch.setattr(functions, "find", lambda root: all_functions)
     assert proving.numbers(CHECKOUT) == (numbers, len(all_functions), len(all_functions) - len(measured))
-    for name in ("SOUNDNESS.md", "README.md"):
+    (tmp_path / "docs").mkdir()
+    for name in ("SOUNDNESS.md", "docs/evidence.md"):
         (tmp_path / name).write_text(re.sub(r"\d", "0", (CHECKOUT / name).read_text(encoding="utf-8")), encoding="utf-8")
     proving.renew_numbers(tmp_path, *proving.numbers(CHECKOUT))
     for root in (CHECKOUT, tmp_path):
         said = re.search(r"it printed: (.*?) All rows take", (root / "SOUNDNESS.md").read_text(encoding="utf-8"), re.S)[1]
         assert [int(number.replace(",", "")) for number in re.findall(r"\b[\d,]*\d\b", said)] == numbers, "fixel prove --numbers writes them"
-        readme = (root / "README.md").read_text(encoding="utf-8")
-        assert f"{len(all_functions) - len(measured):,} of the {len(all_functions):,} functions of `lib/`" in " ".join(readme.split())
+        evidence = (root / "docs/evidence.md").read_text(encoding="utf-8")
+        assert f"{len(all_functions) - len(measured):,} of the {len(all_functions):,} functions of `lib/`" in " ".join(evidence.split())
 
 
 def test_every_row_has_its_harness_and_its_checks_on_record():

@@ -9,7 +9,8 @@ import pytest
 
 BUILT_PROGRAMS = ("lib/*/libfixel.a",)
 ROOT = Path(__file__).resolve().parents[2]
-README = (ROOT / "README.md").read_text(encoding="utf-8")
+README, FEATURES, EVIDENCE = ((ROOT / name).read_text(encoding="utf-8") for name in ("README.md", "docs/features.md", "docs/evidence.md"))
+LINES = 150     # of what a newcomer reads in ten minutes
 
 
 def program():
@@ -60,6 +61,10 @@ def compile_outside(compiler, library, folder, *options):
     return folder / "cube"
 
 
+def test_it_is_short():
+    assert len(README.splitlines()) <= LINES
+
+
 def test_program_is_short():
     assert len(program().splitlines()) <= 15
 
@@ -79,15 +84,15 @@ def test_program_links_for_a_microcontroller(library, scene, core):
 
 
 def test_the_pictures_words_are_the_tables_figures():
-    row = re.search(r"\| a vertex on the screen \| 1/65536 pixel \| ([\d,]+) \| ([\d,]+) \|", README)
-    words = re.search(r"float32 up to ([\d.]+) pixels, plain 16\.16 up to ([\d.]+)", README)
+    row = re.search(r"\| a vertex on the screen \| 1/65536 pixel \| ([\d,]+) \| ([\d,]+) \|", EVIDENCE)
+    words = re.search(r"float32 up to ([\d.]+) pixels, plain 16\.16 up to ([\d.]+)", EVIDENCE)
     naive, float32 = (int(text.replace(",", "")) / 65536 for text in row.groups())
     assert words.groups() == (f"{float32:.3g}", f"{naive:.3g}")
 
 
 def test_the_table_of_other_renderers_has_a_word_for_each_and_our_least_code():
     """Fixel's rows of "n" are as many as it loses; the bytes are those of docs/performance.md."""
-    lines = README.split("| | Fixel | TGX |", 1)[1].split("\n\n", 1)[0].splitlines()[2:]
+    lines = FEATURES.split("| | Fixel | TGX |", 1)[1].split("\n\n", 1)[0].splitlines()[2:]
     rows = {cells[0]: cells[1:] for cells in ([cell.strip() for cell in line.strip("| ").split("|")] for line in lines)}
     assert all(len(cells) == 5 for cells in rows.values())
     assert sum(cells[0] in ("n", "none", "p") and "y" in cells for cells in rows.values()) >= 4
@@ -117,7 +122,7 @@ def test_a_lopsided_window_is_a_lens_for_a_renderer():
 
 
 def test_each_claim_is_proved_or_measured_and_names_what_shows_it():
-    section = README.split("\n## What shows it\n", 1)[1].split("\n## ", 1)[0]
+    section = EVIDENCE.split("\n## What shows it\n", 1)[1].split("\n## ", 1)[0]
     rows = [line.strip("| ").split(" | ") for line in section.splitlines() if line.startswith("| ")][2:]
     claims = set(re.findall(r"`([a-z_0-9]+)`", (ROOT / "docs/accuracy.md").read_text(encoding="utf-8").split("## 3. ")[1].split("**3.2")[0]))
     commands = set(re.findall(r"^([a-z-]+):.*## ", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))

@@ -5,7 +5,7 @@
 
 Every function of the library is proved, proved within a row of another, or measured, which host_tests/proofs/measured.toml
 says with the reason; of assembly it says which kernel of make equality compares it with the C text. Writes DIR/prove/prove.json. With --bugs each seeded bug that names a row must make the row fail.
-With --numbers no prover runs: the numbers of rows and functions in SOUNDNESS.md and README.md are renewed, by the rows and lists as they are.
+With --numbers no prover runs: the numbers of rows and functions in SOUNDNESS.md and docs/evidence.md are renewed, by the rows and lists as they are.
 Exit: 0 all proved, 1 a row is not proved, was skipped or lost a check, a function has no row, or a bug was not noticed,
 2 could not run.
 """
@@ -31,7 +31,7 @@ def parser():
     made.add_argument("--mutants", action="store_true", help="put small mistakes into the functions of host_tests/proofs/mutants.toml, or of --only; their rows must fail")
     made.add_argument("--tidy", action="store_true", help="write the numbers of checks into the rows, and take what is proved now, or gone, out of the "
                            "lists of what is measured")
-    made.add_argument("--numbers", action="store_true", help="run no prover; write the numbers of rows and functions into SOUNDNESS.md and README.md")
+    made.add_argument("--numbers", action="store_true", help="run no prover; write the numbers of rows and functions into SOUNDNESS.md and docs/evidence.md")
     made.add_argument("--accept", action="store_true", help="of the rows of --only: write the hashes of the functions that they were written from, as these are now")
     made.add_argument("--seconds", type=int, default=120, help="of CPU time that a row may take")
     runner.add_options(made)

@@ -205,9 +205,9 @@ def numbers(root):
 
 
 def renew_numbers(root, said, every, proved):
-    """Writes what numbers gives into the sentence of SOUNDNESS.md and that of README.md, whose words stay."""
+    """Writes what numbers gives into the sentence of SOUNDNESS.md and that of docs/evidence.md, whose words stay."""
     for name, pattern, new in (("SOUNDNESS.md", r"(?s)(?<=it printed: ).*?(?= All rows take)", said),
-                               ("README.md", r"[\d,]+ of the\s+[\d,]+(?= functions of `lib/`)", [proved, every])):
+                               ("docs/evidence.md", r"[\d,]+ of the\s+[\d,]+(?= functions of `lib/`)", [proved, every])):
         path, left = root / name, list(new)
         text = path.read_text(encoding="utf-8")
         sentence = re.search(pattern, text)

@@ -25,10 +25,10 @@ from fixel.site import reference
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 # {what a reader wants: its documents, in this order}: a pattern takes those that no line above it has named.
 GROUPS = {
-    "Begin": ["README.md", "docs/hello.md", "docs/tutorials/README.md", "docs/tutorials/*.md", "docs/examples.md", "docs/looks.md"],
-    "Do": ["docs/scenes.md", "docs/view.md", "docs/site.md", "docs/displays.md", "docs/flashing.md", "docs/setup.md", "docs/packages.md", "docs/rust.md",
+    "Begin": ["README.md", "docs/hello.md", "docs/tutorials/README.md", "docs/tutorials/*.md", "docs/features.md", "docs/examples.md", "docs/looks.md"],
+    "Do": ["docs/commands.md", "docs/scenes.md", "docs/boards.md", "docs/view.md", "docs/site.md", "docs/displays.md", "docs/flashing.md", "docs/setup.md", "docs/packages.md", "docs/rust.md",
            "docs/lvgl.md", "docs/opengl.md", "docs/crc.md", "docs/results.md", "docs/campaigns.md", "ports/*.md", "boards/*.md", "examples/*.md"],
-    "Look up": ["SPEC.md", "docs/accuracy.md", "docs/formats.md", "docs/extras/*.md", "docs/performance.md", "docs/faces.md", "docs/clipping.md",
+    "Look up": ["SPEC.md", "docs/accuracy.md", "docs/evidence.md", "docs/formats.md", "docs/extras/*.md", "docs/performance.md", "docs/faces.md", "docs/clipping.md",
                 "docs/seeds.md"],
     "Understand": ["DESIGN.md", "SOUNDNESS.md", "docs/safety/*.md", "CONTRIBUTING.md", "lib/*.md", "host_tests/*.md", "SECURITY.md", "CHANGELOG.md"],
 }
