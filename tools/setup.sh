@@ -35,7 +35,7 @@
 #           libclang, by which a crate reads the headers of LVGL
 #
 # Debian packages come from this machine's own apt sources. Python packages are those of
-# requirements/*.txt and go into .venv; esbuild, meshoptimizer and rp2040js are those of requirements/package-lock.json and go into .node. Where nothing is missing, set-up says nothing and
+# requirements/*.txt and go into .venv; axe-core, esbuild, meshoptimizer and rp2040js are those of requirements/package-lock.json and go into .node. Where nothing is missing, set-up says nothing and
 # takes less than a second. --missing installs nothing: it prints the packages that are missing. Exit: 0 all there, 1 something is missing.
 set -eu
 cd "$(dirname "$0")/.."
@@ -322,7 +322,7 @@ install_group() {
 # --- packages of node --------------------------------------------------------
 
 install_node() {
-    say "fetching esbuild, meshoptimizer and rp2040js of requirements/package-lock.json into $node_home"
+    say "fetching axe-core, esbuild, meshoptimizer and rp2040js of requirements/package-lock.json into $node_home"
     mkdir -p "$node_home"
     rm -f "$node_home/.ready"
     cp requirements/package.json requirements/package-lock.json "$node_home/"

@@ -20,6 +20,7 @@ from fixel.board import dump, programs
 from fixel.view import browser
 from outside import need, run
 
+AXE = CHECKOUT / ".node" / "node_modules" / "axe-core" / "axe.min.js"
 PREFIX = "/some/place/"
 DESKTOP, NARROW = (1366, 768), (390, 844)
 FIRST_REQUESTS = 8
@@ -263,6 +264,17 @@ def test_the_documents_and_their_search_work_as_files(chromium, site):
 def test_no_document_scrolls_sideways(chromium, address, document):
     with opened(chromium, f"{address}documents/{document}.html", NARROW, waits=False) as page:
         assert page.evaluate("document.documentElement.scrollWidth") <= NARROW[0]
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("page", ["index", "documents/index", "documents/README", "documents/SPEC", "documents/docs/performance",
+                                  "documents/reference/fixel-render"])
+def test_nothing_serious_keeps_anybody_out(chromium, address, page, scheme):
+    """By axe-core. It is put into the page, which the page's policy forbids."""
+    with opened(chromium, f"{address}{page}.html", waits=page == "index", bypass_csp=True, color_scheme=scheme) as seen:
+        seen.add_script_tag(path=AXE)
+        found = seen.evaluate("async () => (await axe.run()).violations.filter(each => ['serious', 'critical'].includes(each.impact))")
+    assert not [(each["id"], each["nodes"][0]["html"]) for each in found]
 
 
 class Links(html.parser.HTMLParser):

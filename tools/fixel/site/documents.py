@@ -38,6 +38,8 @@ LINK = re.compile(r"(!?\[[^\]]*\]\()([^)\s#:]+)((?:#[^)\s]*)?\))")
 FENCE = re.compile(r"^(?:```.*?^```$|    .*?$)", re.MULTILINE | re.DOTALL)
 PICTURES = (".png", ".gif", ".svg")
 UNNAMED = re.compile(r'<p class="breathe-sectiondef-title[^>]*>Unnamed Group</p>')     # functions that share a comment
+FOR_KEYS = {'<p class="caption" role="heading">': '<p class="caption" role="heading" aria-level="2">', "<pre>": '<pre tabindex="0">',
+            '<div class="table-wrapper': '<div tabindex="0" class="table-wrapper'}
 FILES = "files"     # the folder of the copies of files
 SETTINGS = """
 project = "Fixel"
@@ -186,13 +188,17 @@ def write(out, folder):
     for file in [*out.rglob("*.map"), out / ".buildinfo", out / "objects.inv"]:
         file.unlink()
     for page in out.rglob("*.html"):
-        page.write_text(lean(page.read_text(encoding="utf-8")), encoding="utf-8")
+        page.write_text(finished(page.read_text(encoding="utf-8")), encoding="utf-8")
     return counts
 
 
-def lean(text):
-    """A page without the blanks at the beginning of its lines, but in what is laid out."""
-    parts = re.split(r"(<pre\b.*?</pre>)", UNNAMED.sub("", text), flags=re.DOTALL)
+def finished(text):
+    """A page without the blanks at the beginning of its lines, but in what is laid out; what scrolls is reached by keys, and a caption of
+    contents has a level."""
+    text = UNNAMED.sub("", text)
+    for before, after in FOR_KEYS.items():
+        text = text.replace(before, after)
+    parts = re.split(r"(<pre\b.*?</pre>)", text, flags=re.DOTALL)
     return "".join(part if number % 2 else re.sub(r"\n\s+", "\n", part) for number, part in enumerate(parts))
 
 
