@@ -48,15 +48,16 @@ static fxl_outcome submit_polygons(const fxl_model_view *model_view, const fxl_f
                                      &polygon, false);
 }
 
-/* The depth of the face that is drawn now: fxl_find_depth_by_normal, whose usual case is here. */
+/* The depth of the face that is drawn now: fxl_find_depth_by_normal, whose usual case is here: the
+ * plane is that of the normal through the first vertex, in the view. */
 static inline void find_depth(const fxl_model_view *model_view, const fxl_face *face,
-                              const fxl_traversal *traversal, fxl_depth_plane *plane)
+                              const fxl_traversal *traversal, bool usual, fxl_depth_plane *plane)
 {
-    const fxl_view *view = model_view->view;
-    if (!FXL_IS_COMPACT && traversal->clipper->by_clip_flags && view->lens.off_centre == NULL) {
+    if (usual) {
         const uint32_t number = face->indices[0];
         fxl_find_depth_plane(&face->normal, model_view->axes,
-                             &fxl_fetch_vertex(model_view, number)->position, view, plane);
+                             &fxl_fetch_vertex(model_view, number)->position, model_view->view,
+                             plane);
         return;
     }
     fxl_find_depth_by_normal(model_view, face, traversal, plane);
@@ -72,8 +73,9 @@ typedef enum {
 } tiny_drawn;
 
 /* Draws the pixels of a tiny triangle, and finds its depth if it has some. */
-static __attribute__((noinline)) tiny_drawn
-draw_tiny(const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *traversal)
+static __attribute__((noinline)) tiny_drawn draw_tiny(const fxl_model_view *model_view,
+                                                      const fxl_face *face,
+                                                      const fxl_traversal *traversal, bool usual)
 {
     fxl_workspace *workspace = traversal->workspace;
     const fxl_band *band = traversal->band;
@@ -90,7 +92,7 @@ draw_tiny(const fxl_model_view *model_view, const fxl_face *face, const fxl_trav
     if (head->pass == FXL_DEPTH_BLENDED) {
         return TINY_IS_DRAWN;
     }
-    find_depth(model_view, face, traversal, &plane);
+    find_depth(model_view, face, traversal, usual, &plane);
     fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
     const fxl_filling filling = fxl_filling_of(
         band, face->material, FXL_PIXEL_IS_MIXED ? workspace->screen.shade : 0, workspace->dark);
@@ -120,7 +122,7 @@ draw_tiny(const fxl_model_view *model_view, const fxl_face *face, const fxl_trav
 /* Draws the polygon that the clipper has left of a face. Returns whether it reaches a row of the
  * screen. */
 static inline bool draw_polygon(const fxl_model_view *model_view, const fxl_face *face,
-                                const fxl_traversal *traversal)
+                                const fxl_traversal *traversal, bool usual)
 {
     fxl_workspace *workspace = traversal->workspace;
     const fxl_screen_polygon *screen = &workspace->screen;
@@ -129,7 +131,7 @@ static inline bool draw_polygon(const fxl_model_view *model_view, const fxl_face
     bool draws = true;
 #if !(FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16)
     if (FXL_HAS_TINY && screen->count == 3) { /* most are higher */
-        const tiny_drawn drawn = draw_tiny(model_view, face, traversal);
+        const tiny_drawn drawn = draw_tiny(model_view, face, traversal, usual);
         if (drawn == TINY_IS_DRAWN) {
             return true;
         }
@@ -137,7 +139,7 @@ static inline bool draw_polygon(const fxl_model_view *model_view, const fxl_face
     }
 #endif
     if (draws) {
-        find_depth(model_view, face, traversal, &outline.plane);
+        find_depth(model_view, face, traversal, usual, &outline.plane);
     }
     return (draws && paint_flat_here(workspace, &outline, screen->points, screen->count,
                                      face->material, shade, traversal->band)) ||
@@ -148,14 +150,34 @@ static inline bool draw_polygon(const fxl_model_view *model_view, const fxl_face
 
 #if DRAWS_TINY
 
-/* fxl_clip_by_view of a triangle, which also finds the box of its centres; columns is 0 of one that
- * does not lie inside. Its places in the clip flags are the upper bits, so words are ordered as they
- * are. */
+/* The least of three places in the upper bits of words becomes *first; the result is how far the
+ * greatest is from it. */
+static inline int32_t extent_of(uint32_t a, uint32_t b, uint32_t c, int32_t *first)
+{
+    uint32_t least = a, most = b;
+    if (a > b) {
+        least = b;
+        most = a;
+    }
+    if (c < least) {
+        least = c;
+    } else if (c > most) {
+        most = c;
+    }
+    *first = (int32_t)(least >> 20);
+    return (int32_t)(most >> 20) - *first;
+}
+
+/* The rows of a triangle that may be tiny, at most. Most of the higher ones have too many centres. */
+#define TINY_ROWS 6
+
+/* fxl_clip_by_view of a triangle, less the colour, which is the face's. It also finds the box of its
+ * centres; columns is 0 of one that does not lie inside, and of one of more than TINY_ROWS. */
 static inline fxl_clip_result clip_triangle(const fxl_model_view *model_view, const fxl_face *face,
                                             const fxl_traversal *traversal, fxl_tiny *box)
 {
     fxl_screen_polygon *screen = &traversal->workspace->screen;
-    uint32_t least = UINT32_MAX, most = 0, left = UINT32_MAX, right = 0;
+    uint32_t states[3];
     for (uint32_t i = 0; i < 3; i++) {
         fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, face->indices[i]);
         uint32_t state = vertex->clip_flags;
@@ -170,19 +192,23 @@ static inline fxl_clip_result clip_triangle(const fxl_model_view *model_view, co
             vertex->clip_flags = state;
         }
         screen->points[i] = vertex->screen;
-        least = state < least ? state : least;
-        most = state > most ? state : most;
-        state <<= 12;
-        left = state < left ? state : left;
-        right = state > right ? state : right;
+        states[i] = state;
     }
-    screen->colour = face->material;
     screen->count = 3;
-    box->row = (int32_t)(least >> 20);
-    box->rows = (int32_t)(most >> 20) - box->row;
-    box->column = (int32_t)(left >> 20);
-    box->columns = (int32_t)(right >> 20) - box->column;
+    const uint32_t a = states[0], b = states[1], c = states[2];
+    box->columns = 0;
+    box->rows = extent_of(a, b, c, &box->row);
+    if (box->rows > TINY_ROWS) {
+        return ((a ^ b) | (b ^ c)) << 12 >> 20 == 0 ? FXL_CLIP_BETWEEN : FXL_CLIP_INSIDE;
+    }
+    box->columns = extent_of(a << 12, b << 12, c << 12, &box->column);
     return box->rows == 0 || box->columns == 0 ? FXL_CLIP_BETWEEN : FXL_CLIP_INSIDE;
+}
+
+/* fxl_tiny_cover, on a core of few registers apart from what the caller has in them. */
+FXL_APART bool cover(const fxl_screen_point *points, fxl_tiny *tiny)
+{
+    return fxl_tiny_cover(points, tiny);
 }
 
 /* Draws a triangle in a box by the pixels that it covers. False: it is not drawn. */
@@ -193,13 +219,13 @@ static bool draw_tiny(const fxl_model_view *model_view, const fxl_face *face,
     const fxl_band *band = traversal->band;
     const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
     fxl_depth_plane plane;
-    if (!fxl_tiny_cover(workspace->screen.points, tiny)) {
+    if (!cover(workspace->screen.points, tiny)) {
         return false;
     }
     if (tiny->pixels == 0) {
         return true;
     }
-    find_depth(model_view, face, traversal, &plane);
+    find_depth(model_view, face, traversal, true, &plane);
     fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
     const fxl_filling filling = fxl_filling_of(
         band, face->material, FXL_PIXEL_IS_MIXED ? workspace->screen.shade : 0, workspace->dark);
@@ -214,10 +240,11 @@ static bool draw_face(const fxl_model_view *model_view, const fxl_face *face,
 {
     fxl_counters *counters = traversal->counters;
     fxl_clip_result cut;
+    const bool usual = !FXL_IS_COMPACT && traversal->clipper->by_clip_flags &&
+                       model_view->view->lens.off_centre == NULL;
     bool is_drawn = false;
 #if DRAWS_TINY
-    if (face->count == 3 && traversal->workspace->draws_outlines &&
-        traversal->clipper->by_clip_flags && model_view->view->lens.off_centre == NULL) {
+    if (usual && face->count == 3 && traversal->workspace->draws_outlines) {
         fxl_tiny box;
         cut = clip_triangle(model_view, face, traversal, &box);
         is_drawn = cut == FXL_CLIP_INSIDE && fxl_tiny_fits(&box, traversal->band) &&
@@ -230,7 +257,7 @@ static bool draw_face(const fxl_model_view *model_view, const fxl_face *face,
     if (cut > FXL_CLIP_CUT) {
         return fxl_count_outcome(traversal, (fxl_outcome)1 << cut, 0);
     }
-    fxl_count_drawn(counters, cut, is_drawn || draw_polygon(model_view, face, traversal));
+    fxl_count_drawn(counters, cut, is_drawn || draw_polygon(model_view, face, traversal, usual));
     return true;
 }
 
