@@ -23,3 +23,80 @@ void test_colour_runs(uint32_t rounds)
         equality_case(same);
     }
 }
+
+/* --- lit texels ------------------------------------------------------------------------------- */
+
+#define COLUMNS 96u
+#define LEVELS  32u
+
+static FXL_ALIGN_8 uint8_t texels[2u * 65536u];
+static uint16_t palette[256];
+static FXL_ALIGN_8 uint16_t lit_by_core[COLUMNS + 32u], lit_by_portable[COLUMNS + 32u];
+
+/* A number below 2^bits and above -2^bits. */
+static int64_t any_value(uint32_t bits)
+{
+    const int64_t value = (int64_t)(any_64() >> (64u - bits));
+    return any_32() >> 9 & 1u ? value : -value;
+}
+
+/* A gradient whose upper word is about that of the weight: so the attribute is about 2^shift. */
+static void any_gradient(uint32_t bits, int64_t *at, fxl_gradient *gradient)
+{
+    *at = any_value(bits);
+    gradient->along = any_value(bits - (any_32() >> 9) % 8u) / (int64_t)COLUMNS;
+}
+
+/* Pixels of a row, whose light is mostly a level, against fxl_paint_pixels_565 in C. */
+void test_lit_texels(uint32_t rounds)
+{
+    static const uint8_t lengths[] = {16, 16, 8, 4};
+    for (uint32_t i = 0; i < sizeof texels; i++) {
+        texels[i] = (uint8_t)(any_32() >> 11);
+    }
+    for (uint32_t i = 0; i < 256; i++) {
+        palette[i] = (uint16_t)(any_32() >> 9);
+    }
+    for (uint32_t i = 0; i < rounds; i++) {
+        fxl_gradients gradients = {.count = 3};
+        fxl_paint_row row = {.y = 0};
+        const uint32_t bits = 34u + (any_32() >> 5) % 29u, kind = any_32() >> 8;
+        const uint32_t log_width = 1u + (any_32() >> 5) % 8u, log_height = (any_32() >> 5) % 9u;
+        const int32_t x0 = (int32_t)(any_32() >> 8 & 31u);
+        const int32_t x1 = x0 + 1 + (int32_t)((any_32() >> 7) % 63u);
+        row.weight = (int64_t)(any_64() >> (64u - bits)) | (int64_t)1 << (bits - 1u);
+        gradients.weight.along = any_value(bits - (any_32() >> 9) % 8u) / (int64_t)COLUMNS;
+        for (uint32_t k = 0; k < FXL_ATTRIBUTES; k++) {
+            any_gradient(bits, &row.attributes[k], &gradients.attributes[k]);
+            gradients.shifts[k] = (int8_t)(16u + (any_32() >> 9) % 10u);
+        }
+        if ((kind & 7u) != 0) { /* between two levels */
+            gradients.shifts[FXL_SEGMENT_LIGHT] = 20;
+            row.attributes[FXL_SEGMENT_LIGHT] =
+                row.weight / 16 * (int64_t)(2u + (any_32() >> 9) % 28u);
+            gradients.attributes[FXL_SEGMENT_LIGHT].along /= 16;
+        }
+        gradients.weight_min[0] =
+            (uint32_t)(row.weight >> 32) / lengths[any_32() >> 9 & 3u] * (any_32() >> 9 & 31u) + 1u;
+        gradients.weight_min[1] = gradients.weight_min[0] / (1u + (any_32() >> 9 & 15u)) + 1u;
+        const fxl_paint paint = {
+            .gradients = &gradients,
+            .level = {.texels = texels,
+                      .columns_less_1 = (1u << log_width) - 1u,
+                      .rows_less_1 = (1u << log_height) - 1u,
+                      .log_width = (uint8_t)log_width,
+                      .flags = kind & 8u ? 0x80u : 0}, /* FXL_LEVEL_565 */
+            .levels_less_1 = LEVELS - 1u,
+            .division = kind & 16u ? FXL_DIVIDE_16 : FXL_DIVIDE_8,
+            .opacity = 16,
+            .of_565 = {.palette = palette,
+                       .part_of_level = (65536u + (LEVELS - 1u) / 2u) / (LEVELS - 1u),
+                       .dark = (uint16_t)(kind & 32u ? any_32() >> 9 : 0)},
+        };
+        row.pixels = (uint8_t *)(lit_by_core + 16);
+        fxl_paint_pixels_565(&paint, &row, x0, x1);
+        row.pixels = (uint8_t *)(lit_by_portable + 16);
+        portable_paint_pixels_565(&paint, &row, x0, x1);
+        equality_case(equality_same_words(lit_by_core, lit_by_portable, sizeof lit_by_core));
+    }
+}

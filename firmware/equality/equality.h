@@ -49,6 +49,7 @@ extern const equality_test equality_tests[];
     TEST("texture-rows", test_texture_rows, LARGE)              \
     TEST("divided-rows", test_divided_rows, LARGE)              \
     TEST("colour-runs", test_colour_runs, LARGE)                \
+    TEST("lit-texels", test_lit_texels, LARGE)                  \
     TEST("depth-planes", test_depth_planes, LARGE)              \
     TEST("depth-rows", test_depth_rows, LARGE)                  \
     TEST("depth-outlines", test_depth_outlines, OUTLINES)       \

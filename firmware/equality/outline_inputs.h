@@ -207,7 +207,7 @@ static void any_texels(polygon *of)
         .light = (uint16_t)(any_32() >> 9),
         .of_565 = {.palette = palette,
                    .part_of_level = kind & 4u ? 65536u / 31u : 0,
-                   .dark = (uint16_t)(any_32() >> 9)},
+                   .dark = kind & 8u ? (uint16_t)(any_32() >> 9) : 0},
     };
     palette[any_32() >> 9 & 255u] = (uint16_t)(any_32() >> 9);
 }

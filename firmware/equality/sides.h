@@ -64,6 +64,8 @@ bool portable_paint_rows(fxl_plain_rows *rows);
 bool portable_paint_rows_565(fxl_plain_rows *rows);
 int32_t portable_paint_divided(const fxl_divided_face *face, const fxl_paint_row *row, int32_t x0,
                                int32_t x1);
+void portable_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
+                               int32_t x1);
 void portable_paint_colour_run(const fxl_colour_words *words, uint16_t *pixels, uint32_t count);
 bool portable_draw_texels(const fxl_paint *paint, const fxl_depth_plane *depth, const void *memory,
                           const fxl_screen_point *points, uint32_t count, const fxl_band *band,

@@ -6,6 +6,7 @@
 #include "../view/outcode.h"
 
 #include "../math/family.h"
+#include "../paint/colour_run.h"
 #include "../paint/corner_planes.h"
 #include "../paint/depth_rows.h"
 #include "../paint/paint_divided.h"
@@ -249,6 +250,21 @@ AT(fxl_smooth_outline, border, SMOOTH_OUTLINE_BORDER);
 AT(fxl_smooth_outline, rows, SMOOTH_OUTLINE_ROWS);
 
 #if FXL_DRAWS_SMOOTH_OUTLINES
+AT(fxl_lit_run, steps, LIT_RUN_STEPS);
+AT(fxl_lit_run, from, LIT_RUN_FROM);
+AT(fxl_lit_run, lefts, LIT_RUN_LEFTS);
+AT(fxl_lit_run, begin, LIT_RUN_BEGIN);
+AT(fxl_lit_run, log, LIT_RUN_BEGIN + 4);
+AT(fxl_lit_run, end_of_light, LIT_RUN_END_OF_LIGHT);
+AT(fxl_lit_run, columns_mask, LIT_RUN_MASKS);
+AT(fxl_lit_run, rows_mask, LIT_RUN_MASKS + 4);
+AT(fxl_lit_run, log_width, LIT_RUN_MASKS + 8);
+AT(fxl_lit_run, texels, LIT_RUN_MASKS + 12);
+AT(fxl_lit_run, palette, LIT_RUN_PALETTE);
+AT(fxl_lit_run, part_of_level, LIT_RUN_PALETTE + 4);
+AT(fxl_lit_run, mixture.red_dark, LIT_RUN_PALETTE + 8);
+AT(fxl_lit_run, mixture.green_step, LIT_RUN_PALETTE + 20);
+
 AT(fxl_colour_values, limit, COLOUR_VALUES_LIMIT);
 #endif
 

@@ -207,6 +207,15 @@
 #define GRADIENTS_COUNT      99
 #define GRADIENTS_WEIGHT_MIN 120
 
+/* fxl_lit_run: its numbers come first */
+#define LIT_RUN_STEPS        32
+#define LIT_RUN_FROM         64
+#define LIT_RUN_LEFTS        76
+#define LIT_RUN_BEGIN        88 /* then the log */
+#define LIT_RUN_END_OF_LIGHT 96
+#define LIT_RUN_MASKS        100 /* then log_width and texels */
+#define LIT_RUN_PALETTE      116 /* then the part of a level and the mixture */
+
 /* fxl_colour_values */
 #define COLOUR_VALUES_LIMIT 36
 

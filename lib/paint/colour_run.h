@@ -5,7 +5,10 @@
 
 #include <stdint.h>
 
+#include "fixel/types.h"
+
 #include "../math/core.h"
+#include "rgb565_colour.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -27,6 +30,31 @@ static inline uint32_t fxl_colours_both(int32_t red, int32_t blue)
 /* Writes count pixels. Sums are modulo 2^32; red and blue of all pixels are from 0 to below 32, or
  * the two mix. Requires count > 0. */
 void fxl_paint_colour_run(const fxl_colour_words *words, uint16_t *pixels, uint32_t count);
+
+/* Lit texels of a row, in segments of the same length: what fxl_paint_lit_columns needs, and keeps
+ * from segment to segment. The weight comes first, then u, v, light. */
+typedef struct {
+    FXL_ALIGN_8 int64_t numbers[4]; /* of the row at column `begin` */
+    int64_t steps[4];               /* what a segment adds */
+    uint32_t from[3];               /* u, v, light at `begin` */
+    int32_t lefts[3];               /* 30 - shift: an attribute's drop, and the weight's zeros */
+    int32_t begin;                  /* where the next segment begins */
+    uint32_t log;                   /* it has 2^log columns */
+    uint32_t end_of_light;          /* least number above a level, in 16.16 */
+    uint32_t columns_mask, rows_mask, log_width; /* of a texture with at most 256 x 256 texels */
+    const uint8_t *texels;
+    const uint16_t *palette; /* null: texels of RGB565 */
+    uint32_t part_of_level;
+    fxl_mixture_565 mixture; /* of 0 and the dark colour */
+} fxl_lit_run;
+
+/* Paints the pixels x0 <= x < x1 of a row, which begins at `pixels`, up to the first segment whose
+ * light is no level at a pixel, or whose attributes take other shifts than most. Returns the column
+ * from which on nothing is painted. A segment that ends at x0, or before it, has no pixels: so the
+ * first one finds what the second one begins with. Pixels are those of paint_segment (paint_row.h).
+ * Requires 0 <= x0 < x1, and log from 2 to 4. Safe for any other number: no texel is read that is
+ * not of the table. */
+int32_t fxl_paint_lit_columns(fxl_lit_run *run, uint16_t *pixels, int32_t x0, int32_t x1);
 
 #ifdef __cplusplus
 }

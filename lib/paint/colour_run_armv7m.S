@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_paint_colour_run and fxl_draw_colour_outline for Armv7-M and Armv8-M Mainline. A run takes 7
- * instructions a pixel, and 2 for each eight of them; compilers take 9. A row of an outline takes
- * 38 before its pixels, a visible pixel 15, and a hidden one 9. */
+/* fxl_paint_colour_run, fxl_draw_colour_outline and fxl_paint_lit_columns for Armv7-M and Armv8-M
+ * Mainline. A run takes 7 instructions a pixel, and 2 for each eight of them; compilers take 9. A row
+ * of an outline takes 38 before its pixels, a visible pixel 15, and a hidden one 9. A lit texel takes
+ * 33, of the palette 35, and 4 less if the dark colour is 0; a segment of them takes 95. */
 #include "../math/family.h"
 
 #if FXL_KERNELS_ARMV7M
@@ -60,6 +61,195 @@ fxl_paint_colour_run:
 #if !FXL_IS_COMPACT
 
 #include "../math/offsets.h"
+
+/* --- lit texels ------------------------------------------------------------------------------ */
+
+/* The frame */
+#define LIT_PALETTE    0 /* what pixels need of the run, in its order */
+#define LIT_PART       4
+#define LIT_RED_DARK   8
+#define LIT_RED_STEP   12
+#define LIT_GREEN_DARK 16
+#define LIT_GREEN_STEP 20
+#define LIT_END        24 /* of the segment's pixels */
+#define LIT_RUN        28
+#define LIT_PIXELS     32 /* of column 0 */
+#define LIT_X          36 /* the next column, then the last one plus 1 */
+#define LIT_FRAME      44
+
+    .section .text.fxl_paint_lit_columns, "ax", %progbits
+    .global fxl_paint_lit_columns
+    .type fxl_paint_lit_columns, %function
+    .thumb_func
+
+/* The number of an attribute at the segment's end, and the attribute in \value. r3: the reciprocal of the
+ * weight, r12: the weight's zeros; r11: gathers the drops. */
+    .macro  divide_attribute at, left, value
+    ldrd    r4, r5, [r0, #\at]
+    ldrd    r6, r7, [r0, #LIT_RUN_STEPS + \at]
+    adds    r4, r4, r6
+    adc     r5, r5, r7
+    strd    r4, r5, [r0, #\at]
+    ldr     r6, [r0, #LIT_RUN_LEFTS + \left]
+    smull   r4, r5, r5, r3
+    sub     r6, r6, r12
+    orr     r11, r11, r6
+    asr     \value, r5, r6
+    .endm
+
+/* The pixels of a segment. r3: the pixel; r4-r6: u, v, where a row of texels is 2^16, and light, r8-r10:
+ * their steps; r7: texels, r11, r12: their masks. The colour is in r0, the part in r1. */
+    .macro  paint_lit text, wide, dark
+.Llit\text:
+    and     r0, r11, r4, lsr #16
+    and     r1, r12, r5, lsr #16
+    add     r0, r0, r1
+    .if     \wide
+    ldrh    r0, [r7, r0, lsl #1]
+    .else
+    ldr     lr, [sp, #LIT_PALETTE]
+    ldrb    r0, [r7, r0]
+    ldrh    r0, [lr, r0, lsl #1]
+    .endif
+    ldr     lr, [sp, #LIT_PART]
+    lsr     r1, r6, #8
+    mul     r1, r1, lr
+    add     r1, r1, #32768
+    lsr     r1, r1, #16
+    and     r2, r0, #0x7E0
+    lsr     lr, r0, #11
+    and     r0, r0, #31
+    orr     r0, r0, lr, lsl #19
+    .if     \dark
+    ldr     lr, [sp, #LIT_GREEN_STEP]
+    add     r2, r2, lr
+    ldr     lr, [sp, #LIT_RED_STEP]
+    add     r0, r0, lr
+    .endif
+    ldr     lr, [sp, #LIT_GREEN_DARK]
+    mla     r2, r2, r1, lr
+    ldr     lr, [sp, #LIT_RED_DARK]
+    mla     r0, r0, r1, lr
+    lsr     r2, r2, #13
+    bfi     r0, r2, #13, #6         /* green above blue */
+    lsr     r2, r0, #27
+    lsr     r0, r0, #8
+    bfi     r0, r2, #11, #5
+    ldr     lr, [sp, #LIT_END]
+    strh    r0, [r3], #2
+    add     r4, r4, r8
+    add     r5, r5, r9
+    add     r6, r6, r10
+    cmp     r3, lr
+    bne     .Llit\text
+    b       .Llit_painted
+    .endm
+
+/* r0: run, r1: pixels, r2: x0, r3: x1 */
+fxl_paint_lit_columns:
+    push    {r4-r11, lr}
+    sub     sp, #LIT_FRAME
+    add     r12, sp, #LIT_RUN
+    stm     r12, {r0-r3}
+    add     r12, r0, #LIT_RUN_PALETTE
+    ldm     r12, {r4-r9}
+    stm     sp, {r4-r9}
+
+.Llit_segment:                      /* r0: the run */
+    ldrd    r2, r3, [r0]
+    ldrd    r4, r5, [r0, #LIT_RUN_STEPS]
+    adds    r2, r2, r4
+    adc     r3, r3, r5
+    strd    r2, r3, [r0]
+    cmp     r3, #1
+    it      lt
+    movlt   r3, #1
+    clz     r12, r3
+    orr     r3, r3, #1
+    lsl     r3, r3, r12
+    mvn     r1, #0x80000000
+    lsr     r2, r3, #16
+    udiv    r1, r1, r2
+    mul     r2, r1, r1
+    umull   r4, r2, r2, r3
+    rsb     r3, r2, r1, lsl #16
+    sub     r3, r3, r3, lsr #31
+    movs    r11, #0
+    divide_attribute 8, 0, r8
+    divide_attribute 16, 4, r9
+    divide_attribute 24, 8, r10
+    cmp     r11, #32                /* a drop below 0, or above 31 */
+    bhs     .Llit_end
+    add     r12, r0, #LIT_RUN_FROM
+    ldm     r12, {r4-r6}
+    stm     r12, {r8-r10}
+    ldrd    r1, r7, [r0, #LIT_RUN_BEGIN]
+    movs    r12, #1
+    lsl     r12, r12, r7
+    add     r12, r12, r1            /* where the segment ends */
+    str     r12, [r0, #LIT_RUN_BEGIN]
+    ldrd    r2, r3, [sp, #LIT_X]
+    cmp     r12, r2
+    ble     .Llit_segment
+    sub     r8, r8, r4
+    sub     r9, r9, r5
+    sub     r10, r10, r6
+    asr     r8, r8, r7
+    asr     r9, r9, r7
+    asr     r10, r10, r7
+    subs    r1, r2, r1              /* pixels before the first one */
+    ittt    ne
+    mlane   r4, r8, r1, r4
+    mlane   r5, r9, r1, r5
+    mlane   r6, r10, r1, r6
+    cmp     r12, r3
+    it      gt
+    movgt   r12, r3
+    sub     r1, r12, r2
+    subs    r1, r1, #1
+    sub     r6, r6, #32768
+    mla     r11, r10, r1, r6        /* light of the last pixel: it is linear */
+    ldr     r1, [r0, #LIT_RUN_END_OF_LIGHT]
+    cmp     r6, r1
+    it      lo
+    cmplo   r11, r1
+    bhs     .Llit_end
+    ldr     r1, [sp, #LIT_PIXELS]
+    str     r12, [sp, #LIT_X]
+    add     r3, r1, r2, lsl #1
+    add     r1, r1, r12, lsl #1
+    str     r1, [sp, #LIT_END]
+    ldrd    r11, r12, [r0, #LIT_RUN_MASKS]
+    ldrd    r1, r7, [r0, #LIT_RUN_MASKS + 8]
+    lsl     r5, r5, r1
+    lsl     r9, r9, r1
+    ldr     r0, [sp, #LIT_PALETTE]
+    ldr     r1, [sp, #LIT_RED_STEP]
+    ldr     r2, [sp, #LIT_GREEN_STEP]
+    orrs    r1, r1, r2
+    bne     .Llit_dark
+    cmp     r0, #0
+    beq     .Llit_wide
+    paint_lit _narrow, 0, 0
+    paint_lit _wide, 1, 0
+.Llit_dark:
+    cmp     r0, #0
+    beq     .Llit_dark_wide
+    paint_lit _dark_narrow, 0, 1
+    paint_lit _dark_wide, 1, 1
+
+.Llit_painted:
+    add     r0, sp, #LIT_RUN
+    ldm     r0, {r0-r3}
+    cmp     r2, r3
+    bne     .Llit_segment
+.Llit_end:
+    ldr     r0, [sp, #LIT_X]
+    add     sp, #LIT_FRAME
+    pop     {r4-r11, pc}
+
+    .size fxl_paint_lit_columns, . - fxl_paint_lit_columns
+
 #include "../raster/draw_frame_armv7m.h"
 #include "cell_edges_armv7m.h"
 

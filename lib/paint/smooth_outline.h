@@ -264,21 +264,22 @@ int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_lens 
                               bool is_affine);
 
 /* What pixels there are. */
-#define FXL_TEXELS_WIDE 1u /* of texels of 16 bits */
-#define FXL_TEXELS_LIT  2u
-#define FXL_TEXELS_BENT 4u /* codes have a border */
+#define FXL_TEXELS_WIDE  1u /* of texels of 16 bits */
+#define FXL_TEXELS_LIT   2u
+#define FXL_TEXELS_BENT  4u /* codes have a border */
+#define FXL_TEXELS_BLACK 8u /* lit, without a border, and the dark colour is 0: for the kernel */
 
 /* What the pixels of a polygon depend on, and what the kernel keeps from row to row. */
 typedef struct {
     fxl_texel_planes planes; /* once the kernel draws: at: of cell 0 of the band, as if it were in
                                 the row; down: a row of cells less */
-    uint16_t *cells;       /* of the band */
-    uintptr_t pixels;      /* as of fxl_depth_outline: of the cell after the pixel's */
+    uint16_t *cells;         /* of the band */
+    uintptr_t pixels;        /* as of fxl_depth_outline: of the cell after the pixel's */
     const uint8_t *texels;
     const uint16_t *palette;          /* of texels of 8 bits */
     uint32_t columns_mask, rows_mask; /* of u / 2^24, and of v / 2^16 */
     uint32_t part_of_level;           /* 0: unlit */
-    uint32_t kind;                    /* FXL_TEXELS_WIDE, _LIT, _BENT */
+    uint32_t kind;                    /* FXL_TEXELS_WIDE, _LIT, _BENT, _BLACK */
     fxl_mixture_565 mixture;          /* of the colour 0 */
     uint32_t end, rows;               /* the kernel's own */
     uint32_t border;                  /* fxl_depth_border */
@@ -316,6 +317,11 @@ static inline void fxl_texel_outline_set(const fxl_depth_head *head, const fxl_p
     of->kind = ((level->flags & FXL_LEVEL_565) != 0 ? FXL_TEXELS_WIDE : 0u) |
                (of->part_of_level != 0 ? FXL_TEXELS_LIT : 0u) |
                (of->border != 0 ? FXL_TEXELS_BENT : 0u);
+#if FXL_DRAWS_SMOOTH_OUTLINES
+    if ((of->kind & ~FXL_TEXELS_WIDE) == FXL_TEXELS_LIT && colours->dark == 0) {
+        of->kind |= FXL_TEXELS_BLACK;
+    }
+#endif
     of->mixture.red_dark = of->mixture.red_step = 0;
     of->mixture.green_dark = of->mixture.green_step = 0;
     if (paint->is_evenly_lit || of->part_of_level == 0) {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_draw_texel_outline for Armv7-M and Armv8-M Mainline. lib/paint/smooth_outline.h states what it
  * requires and does; lib/paint/texel_outline.c paints the same pixels, by paint_any. A row takes 40
- * instructions before its pixels, a visible pixel 21, with light 43, and a hidden one 9 or 10. */
+ * instructions before its pixels, a visible pixel 21, with light 43, and 39 if the dark colour is 0,
+ * and a hidden one 9 or 10. */
 #include "../math/family.h"
 
 #if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
@@ -98,7 +99,7 @@
     .endm
 
 /* The same with light, r6, and its step, r10; the end of the cells is in the record too. */
-    .macro  paint_lit_row text, wide, bent
+    .macro  paint_lit_row text, wide, bent, dark
     str     r12, [lr, #OF(END)]
 .Lpixel\text:
     test_pixel \text, \bent
@@ -116,12 +117,16 @@
     lsr     r12, r0, #11
     and     r0, r0, #31
     orr     r0, r0, r12, lsl #19
+    .if     \dark
     ldr     r12, [lr, #OF(GREEN_STEP)]
     add     r2, r2, r12
+    .endif
     ldr     r12, [lr, #OF(GREEN_DARK)]
     mla     r2, r2, r1, r12
+    .if     \dark
     ldr     r12, [lr, #OF(RED_STEP)]
     add     r0, r0, r12
+    .endif
     ldr     r12, [lr, #OF(RED_DARK)]
     mla     r0, r0, r1, r12
     lsr     r2, r2, #13
@@ -184,7 +189,7 @@ fxl_draw_texel_outline:
     ldr     r1, [lr, #OF(KIND)]
     tbh     [pc, r1, lsl #1]
 .Lkinds:
-    .irp    number, 0, 1, 2, 3, 4, 5, 6, 7
+    .irp    number, 0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 10, 11
     .short  (.Lkind\number - .Lkinds) / 2
     .endr
 .Lkind0:
@@ -192,17 +197,21 @@ fxl_draw_texel_outline:
 .Lkind1:
     paint_row 1, 1, 0
 .Lkind2:
-    paint_lit_row 2, 0, 0
+    paint_lit_row 2, 0, 0, 1
 .Lkind3:
-    paint_lit_row 3, 1, 0
+    paint_lit_row 3, 1, 0, 1
 .Lkind4:
     paint_row 4, 0, 1
 .Lkind5:
     paint_row 5, 1, 1
 .Lkind6:
-    paint_lit_row 6, 0, 1
+    paint_lit_row 6, 0, 1, 1
 .Lkind7:
-    paint_lit_row 7, 1, 1
+    paint_lit_row 7, 1, 1, 1
+.Lkind10:
+    paint_lit_row 10, 0, 0, 0
+.Lkind11:
+    paint_lit_row 11, 1, 0, 0
 
     .size fxl_draw_texel_outline, . - fxl_draw_texel_outline
 
