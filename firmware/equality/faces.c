@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels that process faces. */
 
+#include "draw/surface_polygon.h"
 #include "equality.h"
 #include "sides.h"
 
@@ -191,6 +192,57 @@ static void compare(const fxl_face *face)
                            by_core.screen.count * sizeof by_core.screen.points[0]) == 0)));
 }
 
+#if FXL_DRAWS_SMOOTH_OUTLINES
+
+/* The corners of a triangle that the clipper finds inside, with their box. Then its entries are those that the
+ * clipper leaves. */
+static void compare_inside(const fxl_face *face)
+{
+    static fxl_screen_corners found, expected;
+    int32_t least[2] = {INT32_MAX, INT32_MAX}, most[2] = {INT32_MIN, INT32_MIN};
+    if (face->count != 3) {
+        return;
+    }
+    memset(&found, 0x5A, sizeof found);
+    memset(&expected, 0x5A, sizeof expected);
+    const fxl_clip_result core = fxl_find_inside_corners(&by_core.placed, face, &found);
+    const fxl_clip_result portable =
+        portable_clip_by_view(&by_portable.placed, face, &by_portable.work, &by_portable.screen);
+    if (core == FXL_CLIP_CUT) {
+        equality_case(portable != FXL_CLIP_INSIDE && portable != FXL_CLIP_BETWEEN);
+        (void)fxl_clip_by_view(&by_core.placed, face, &by_core.work, &by_core.screen);
+        return;
+    }
+    for (uint32_t i = 0; i < 3; i++) {
+        const fxl_screen_point *point = &by_portable.screen.points[i];
+        const int32_t at[2] = {point->x, point->y};
+        fxl_cached_vertex vertex;
+        portable_transform_vertex(&by_portable.placed, face->indices[i], &vertex);
+        expected.points[i] = *point;
+        expected.depths[i] = vertex.position.z;
+        for (uint32_t k = 0; k < 2; k++) {
+            least[k] = at[k] < least[k] ? at[k] : least[k];
+            most[k] = at[k] > most[k] ? at[k] : most[k];
+        }
+    }
+    if (core == FXL_CLIP_INSIDE) {
+        expected.width = most[0] - least[0];
+        expected.height = most[1] - least[1];
+        expected.is_triangle = true;
+    }
+    equality_case(core == portable && memcmp(&found, &expected, sizeof found) == 0 &&
+                  memcmp(by_core.entries, by_portable.entries, sizeof by_core.entries) == 0);
+}
+
+#else
+
+static void compare_inside(const fxl_face *face)
+{
+    (void)face;
+}
+
+#endif
+
 #if !FXL_IS_COMPACT
 
 /* A walk over copies of a face that look anywhere, along either direction. */
@@ -247,6 +299,9 @@ void test_clip_by_view(uint32_t rounds)
                     corners[c] = (uint16_t)(any_32() >> 11 & (VERTICES - 1u));
                 }
                 fxl_face_take_indices(&face, corners, first);
+                if ((any_32() & 512u) != 0) {
+                    compare_inside(&face);
+                }
                 compare(&face);
                 compare_walk(&face);
             }

@@ -172,4 +172,141 @@ fxl_clip_by_view:
 
     .size fxl_clip_by_view, . - fxl_clip_by_view
 
+#if !FXL_IS_COMPACT
+corners     .req r8
+face        .req r9
+
+    .section .text.fxl_find_inside_corners, "ax", %progbits
+    .global fxl_find_inside_corners
+    .type fxl_find_inside_corners, %function
+    .thumb_func
+
+    .macro  inside_vertex number
+    ldrh    r1, [face, #FACE_INDICES + 2 * \number]
+    and     r2, r1, mask
+    add     r2, r2, r2, lsl #2
+    add     vertex, entries, r2, lsl #3
+    ldrd    r0, flags, [vertex]
+    add     r3, r1, tag
+    cmp     r0, r3
+    bne     .Lnew\number
+    lsls    r0, flags, #24
+    bne     .Lunready\number
+.Lready\number:
+    ldrd    r0, r1, [vertex, #CACHED_VERTEX_SCREEN]
+    strd    r0, r1, [corners, #8 * \number]
+    ldrd    r0, r1, [vertex, #CACHED_VERTEX_POSITION + 16]
+    strd    r0, r1, [corners, #SCREEN_CORNERS_DEPTHS + 8 * \number]
+    .if     \number == 0
+    mov     of_any, flags
+    mov     of_all, flags
+    .else
+    orr     of_any, of_any, flags
+    and     of_all, of_all, flags
+    .endif
+    .endm
+
+    .macro  other_vertex number
+.Lunready\number:
+    bl      .Lflags
+    b       .Lready\number
+.Lnew\number:
+    bl      .Lfetch
+    b       .Lready\number
+    .endm
+
+    /* \x0: from the least to the largest. */
+    .macro  side x0, x1, x2, most
+    mov     \most, \x0
+    cmp     \x0, \x1
+    ite     lt
+    movlt   \most, \x1
+    movge   \x0, \x1
+    cmp     \x2, \most
+    it      gt
+    movgt   \most, \x2
+    cmp     \x2, \x0
+    it      lt
+    movlt   \x0, \x2
+    sub     \x0, \most, \x0
+    .endm
+
+/* lib/draw/surface_polygon.h states what it requires and returns. r0: model_view, r1: face, r2: corners */
+fxl_find_inside_corners:
+    push    {r0, r4-r11, lr}
+    ldm     r0, {r4-r7}                     /* view, entries, mask, tag */
+    mov     corners, r2
+    mov     face, r1
+    push    {r3, r4}
+    inside_vertex 0
+    inside_vertex 1
+    inside_vertex 2
+    eor     r1, of_any, of_all
+    lsls    r3, r1, #12
+    it      ne
+    lsrsne  r3, r1, #20
+    beq     .Lis_between
+    ldm     corners, {r2-r7}
+    side    r2, r4, r6, r0
+    side    r3, r5, r7, r0
+    strd    r2, r3, [corners, #SCREEN_CORNERS_WIDTH]
+    movs    r0, #1
+    strb    r0, [corners, #SCREEN_CORNERS_IS_TRIANGLE]
+    movs    r0, #CLIP_INSIDE
+.Lreturned:
+    add     sp, sp, #12
+    pop     {r4-r11, pc}
+.Lis_between:
+    movs    r0, #CLIP_BETWEEN
+    b       .Lreturned
+.Lis_other:
+    movs    r0, #CLIP_CUT
+    b       .Lreturned
+
+    other_vertex 0
+    other_vertex 1
+    other_vertex 2
+
+    /* A vertex that is not in the cache, or is not projected, in the place of one that is: flags, and
+     * vertex. */
+.Lfetch:
+    push    {r2, lr}
+    ldr     r0, [sp, #16]
+    bl      fxl_transform_and_project
+    pop     {r2, lr}
+    cbz     r0, .Lhas_place
+    adds    r0, r0, #1
+    bne     .Lrange_of_inside
+    mov     flags, r1
+.Lflags:
+    cmp     flags, #VERTEX_UNPROJECTED
+    bne     .Lis_other
+    ldr     r0, [sp, #4]
+    adds    r0, r0, #VIEW_PROJECTION
+    add     r1, vertex, #CACHED_VERTEX_POSITION
+    push    {r2, lr}
+    adds    r2, r2, #CACHED_VERTEX_SCREEN
+    bl      fxl_project_inside
+    pop     {r2, lr}
+    cmp     r0, #0
+    bne     .Lis_other
+.Lhas_place:
+    movw    r0, #0x7FFF
+    add     r1, r1, r0
+    add     r3, r3, r0
+    lsrs    r1, r1, #16
+    lsrs    r3, r3, #16
+    lsls    r3, r3, #20
+    orr     flags, r3, r1, lsl #8
+    str     flags, [vertex, #CACHED_VERTEX_CLIP_FLAGS]
+    bx      lr
+
+.Lrange_of_inside:
+    movs    r1, #VERTEX_UNPROJECTED
+    str     r1, [vertex, #CACHED_VERTEX_CLIP_FLAGS]
+    b       .Lis_other
+
+    .size fxl_find_inside_corners, . - fxl_find_inside_corners
+#endif
+
 #endif

@@ -247,7 +247,6 @@ AT(fxl_smooth_outline, code_along, SMOOTH_OUTLINE_CODE_ALONG);
 AT(fxl_smooth_outline, limit, SMOOTH_OUTLINE_LIMIT);
 AT(fxl_smooth_outline, last, SMOOTH_OUTLINE_LAST);
 AT(fxl_smooth_outline, border, SMOOTH_OUTLINE_BORDER);
-AT(fxl_smooth_outline, rows, SMOOTH_OUTLINE_ROWS);
 
 #if FXL_DRAWS_SMOOTH_OUTLINES
 AT(fxl_lit_run, steps, LIT_RUN_STEPS);
@@ -272,8 +271,9 @@ AT(fxl_colour_outline, at.code, COLOUR_OUTLINE_CODE);
 AT(fxl_colour_outline, at.origin, COLOUR_OUTLINE_ORIGIN);
 AT(fxl_colour_outline, down.code, COLOUR_OUTLINE_CODE_DOWN);
 AT(fxl_colour_outline, cells, COLOUR_OUTLINE_CELLS);
+AT(fxl_colour_outline, step, COLOUR_OUTLINE_STEP);
+AT(fxl_colour_outline, green_step, COLOUR_OUTLINE_STEP + 4);
 AT(fxl_colour_outline, border, COLOUR_OUTLINE_BORDER);
-AT(fxl_colour_outline, rows, COLOUR_OUTLINE_ROWS);
 
 AT(fxl_texel_outline, planes.at, 0);
 AT(fxl_texel_outline, planes.down, TEXEL_OUTLINE_DOWN);
@@ -299,6 +299,7 @@ VALUE(FXL_DEPTH_NOT_DRAWN, DEPTH_NOT_DRAWN);
 VALUE(FXL_DEPTH_NO_ROW, DEPTH_NO_ROW);
 VALUE(FXL_DEPTH_NOT_CLEAR, DEPTH_NOT_CLEAR);
 VALUE(FXL_CLIP_INSIDE, CLIP_INSIDE);
+VALUE(FXL_CLIP_CUT, CLIP_CUT);
 VALUE(FXL_PLANES_ALL, PLANES_ALL);
 VALUE(FXL_CLIP_OUTSIDE, CLIP_OUTSIDE);
 VALUE(FXL_CLIP_RANGE, CLIP_RANGE);

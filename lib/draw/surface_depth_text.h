@@ -206,6 +206,12 @@ paint_runs(const fxl_paint *paint, run_kernel *kernel, run_memory *memory, fxl_p
     runs->next = memory->list;
     runs->end = memory->rows.runs;
     memory->rows.runs = memory->list;
+#if FXL_PIXEL_IS_MIXED
+    if (paint->has_colours && paint->opacity == 16 && !fxl_has_colour_words(paint->gradients)) {
+        fxl_paint_colour_runs(paint, runs);
+        return;
+    }
+#endif
     if (kernel == NULL) {
         paint_each_run(paint, runs);
         return;

@@ -162,6 +162,15 @@ bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *f
                              const fxl_corner *const of[3], const fxl_traversal *traversal,
                              fxl_screen_corners *corners);
 
+#if FXL_DRAWS_SMOOTH_OUTLINES
+
+/* fxl_clip_by_view of a triangle, and its vertices on the screen with their box: of one that it
+ * answers FXL_CLIP_INSIDE for. Also FXL_CLIP_BETWEEN; FXL_CLIP_CUT stands for any other answer. */
+fxl_clip_result fxl_find_inside_corners(const fxl_model_view *model_view, const fxl_face *face,
+                                        fxl_screen_corners *corners);
+
+#endif
+
 /* Whether all three corners are on the screen, not beside it. */
 static inline bool fxl_corners_are_on_screen(const fxl_screen_corners *corners,
                                              const fxl_lens *lens)

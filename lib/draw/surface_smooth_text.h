@@ -53,22 +53,29 @@ static inline bool can_draw_smooth(const fxl_workspace *workspace, const fxl_ban
 
 #if FXL_PIXEL_IS_MIXED
 
-/* The same of a polygon with colours at its corners, which is opaque. */
-static __attribute__((noinline)) fxl_depth_drawn draw_colours(fxl_workspace *workspace,
-                                                              const fxl_surface_polygon *polygon,
-                                                              const fxl_screen_point *points,
-                                                              uint32_t count, const fxl_band *band)
+/* The same of an outline with colours at its corners, which is opaque: a kernel leaves it as it was where
+ * rows are not clear. */
+static inline fxl_depth_drawn draw_colours(fxl_workspace *workspace, fxl_colour_outline *outline,
+                                           const fxl_screen_point *points, uint32_t count,
+                                           const fxl_band *band)
 {
-    const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
-    fxl_colour_outline outline;
-    fxl_colour_outline_set(head, &polygon->depth, &polygon->gradients, band, &outline);
-    fxl_depth_drawn drawn = FXL_DRAW_COLOURS(points, count, band, &outline);
-    if (drawn == FXL_DEPTH_NOT_CLEAR) {
-        fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
-        fxl_colour_outline_set(head, &polygon->depth, &polygon->gradients, band, &outline);
-        drawn = FXL_DRAW_COLOURS(points, count, band, &outline);
+    const fxl_depth_drawn drawn = FXL_DRAW_COLOURS(points, count, band, outline);
+    if (drawn != FXL_DEPTH_NOT_CLEAR) {
+        return drawn;
     }
-    return drawn;
+    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+    return FXL_DRAW_COLOURS(points, count, band, outline);
+}
+
+/* The same of a polygon. Not inline: its outline would be on the stack of others. */
+static __attribute__((noinline)) fxl_depth_drawn
+draw_colour_polygon(fxl_workspace *workspace, const fxl_surface_polygon *polygon,
+                    const fxl_screen_point *points, uint32_t count, const fxl_band *band)
+{
+    fxl_colour_outline outline;
+    fxl_colour_outline_set((const fxl_depth_head *)workspace->target_memory, &polygon->depth,
+                           &polygon->gradients, band, &outline);
+    return draw_colours(workspace, &outline, points, count, band);
 }
 
 #endif
@@ -85,7 +92,7 @@ static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_work
     }
 #if FXL_PIXEL_IS_MIXED
     if (surface->flags & FXL_SURFACE_COLOURS) {
-        return draw_colours(workspace, polygon, points, count, band);
+        return draw_colour_polygon(workspace, polygon, points, count, band);
     }
 #endif
     if (polygon->is_in_beam || !fxl_surface_is_lit(surfaces, surface)) {
@@ -116,27 +123,49 @@ static inline bool may_be_smooth(const fxl_surfaces *surfaces, const fxl_surface
 
 #if FXL_PIXEL_IS_MIXED
 
-/* The planes of a face with colours at its corners, in words. Not inline: what it has would be on the
- * stack of others. */
-static __attribute__((noinline)) bool
-find_colour_planes(const fxl_surfaces *surfaces, const fxl_surface *surface,
-                   const fxl_corner *const of[3], const fxl_model_view *model_view,
-                   const fxl_renderer *renderer, const fxl_screen_corners *corners,
-                   fxl_surface_polygon *polygon)
+/* A face with colours at its corners, of which the clipper has left some points. *outline has what all
+ * polygons of a band share. */
+static inline __attribute__((always_inline)) fxl_depth_drawn
+draw_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
+                 const fxl_corner *const of[3], const fxl_screen_corners *corners,
+                 const fxl_model_view *model_view, const fxl_screen_point *points, uint32_t count,
+                 const fxl_traversal *traversal, fxl_colour_outline *outline)
 {
+    fxl_workspace *workspace = traversal->workspace;
+    const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
     const fxl_lens *lens = &model_view->view->lens;
     fxl_colour_values values;
+    fxl_depth_plane depth;
     fxl_corner_colours(of, values.of);
     if (fxl_surface_is_lit(surfaces, surface)) {
         int32_t light[3];
-        surfaces->light_code->light_corners(surfaces, renderer, model_view->instance, of, light);
+        surfaces->light_code->light_corners(surfaces, traversal->renderer, model_view->instance, of,
+                                            light);
         fxl_corner_colours_light(&surfaces->light->settings, light, values.of);
     }
     values.limit = surface->division == FXL_AFFINE && fxl_corners_are_on_screen(corners, lens)
                        ? FXL_BEND_ANY
                    : surface->division == FXL_DIVIDE_8 ? FXL_BEND_FINE
                                                        : FXL_BEND_NONE;
-    return fxl_find_colour_planes(corners, lens, &values, &polygon->gradients, &polygon->depth);
+    if (!fxl_find_colour_planes(corners, lens, &values, outline, &depth)) {
+        return FXL_DEPTH_NOT_DRAWN;
+    }
+    fxl_colour_outline_of_plane(head, &depth, traversal->band, outline);
+    return draw_colours(workspace, outline, points, count, traversal->band);
+}
+
+/* The same of one face. Not inline: what it has would be on the stack of others. */
+static __attribute__((noinline)) fxl_depth_drawn
+draw_one_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
+                     const fxl_corner *const of[3], const fxl_screen_corners *corners,
+                     const fxl_model_view *model_view, const fxl_traversal *traversal)
+{
+    const fxl_screen_polygon *screen = &traversal->workspace->screen;
+    fxl_colour_outline outline;
+    fxl_colour_outline_of_band((const fxl_depth_head *)traversal->workspace->target_memory,
+                               traversal->band, &outline);
+    return draw_colour_face(surfaces, surface, of, corners, model_view, screen->points,
+                            screen->count, traversal, &outline);
 }
 
 #endif
@@ -167,10 +196,7 @@ static __attribute__((noinline)) bool draw_smooth_face(const fxl_surfaces *surfa
     (void)surface; /* a palette's pixels have no colours of corners */
 #if FXL_PIXEL_IS_MIXED
     if (surface->flags & FXL_SURFACE_COLOURS) {
-        if (!find_colour_planes(surfaces, surface, of, model_view, renderer, &corners, &polygon)) {
-            return false;
-        }
-        drawn = draw_colours(workspace, &polygon, screen->points, screen->count, traversal->band);
+        drawn = draw_one_colour_face(surfaces, surface, of, &corners, model_view, traversal);
     } else
 #endif
     {
@@ -297,6 +323,129 @@ static inline bool draw_at_once(const fxl_surfaces *surfaces, const fxl_mapped_f
         return draw_smooth_face(surfaces, surface, corners, model_view, face, traversal);
     }
     return false;
+}
+
+/* What the faces of a walk that come one after the other with the same surface share. */
+typedef struct {
+    uint32_t drawn,
+        without_rows; /* of all faces of the walk: those drawn here, and that reach no row */
+    const fxl_corner *corners; /* of the surface; null: its faces are not drawn at once */
+    const fxl_surface *surface;
+    uint32_t number; /* of the surface */
+    int32_t colour;  /* of faces of one colour: that of the face before; below 0: there is none */
+    fxl_paint paint; /* what light needs of it */
+    union {
+        fxl_smooth_outline smooth;
+        fxl_colour_outline colours;
+    } outline;
+} smooth_run;
+
+static inline void begin_run(const fxl_surfaces *surfaces, uint32_t number,
+                             const fxl_traversal *traversal, smooth_run *run)
+{
+    const fxl_surface *surface = &surfaces->set->surfaces[number];
+    const fxl_depth_head *head = (const fxl_depth_head *)traversal->workspace->target_memory;
+    const fxl_band *band = traversal->band;
+    run->number = number;
+    run->surface = surface;
+    run->corners = NULL;
+    run->colour = -1;
+    if (!may_be_smooth(surfaces, surface, traversal)) {
+        return;
+    }
+    run->corners = surfaces->set->corners + surface->first_corner;
+#if FXL_PIXEL_IS_MIXED
+    if (surface->flags & FXL_SURFACE_COLOURS) {
+        fxl_colour_outline_of_band(head, band, &run->outline.colours);
+        return;
+    }
+#endif
+    fxl_surface_light_of(surfaces, &run->paint);
+    mix_light(surfaces, band, &run->paint);
+    fxl_smooth_outline_of_band(head, &run->paint, band, FXL_PIXEL_BITS / 8, &run->outline.smooth);
+}
+
+static inline __attribute__((always_inline)) fxl_depth_drawn
+draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
+                  const fxl_screen_corners *corners, const fxl_model_view *model_view,
+                  const fxl_face *face, const fxl_traversal *traversal,
+                  fxl_surface_polygon *polygon, smooth_run *run)
+{
+    const fxl_band *band = traversal->band;
+    const fxl_depth_head *head = (const fxl_depth_head *)traversal->workspace->target_memory;
+    fxl_smooth_outline *smooth = &run->outline.smooth;
+    int32_t light[3];
+    surfaces->light_code->light_corners(surfaces, traversal->renderer, model_view->instance, of,
+                                        light);
+    if (!fxl_find_smooth_planes(corners, &model_view->view->lens, light, &polygon->gradients,
+                                &polygon->depth)) {
+        return FXL_DEPTH_NOT_DRAWN;
+    }
+    if (face->material != run->colour) {
+        run->colour = face->material;
+        fxl_smooth_outline_of_colour(&run->paint, face->material, FXL_PIXEL_BITS / 8, smooth);
+    }
+    fxl_smooth_outline_of_planes(head, &polygon->depth, &polygon->gradients, band,
+                                 FXL_PIXEL_BITS / 8, smooth);
+    return FXL_DRAW_SMOOTH(corners->points, 3, band, smooth);
+}
+
+typedef enum {
+    IS_DRAWN,    /* and counted */
+    IS_OTHER,    /* it is no triangle, or not inside all planes */
+    HAS_NO_WORDS /* its planes are no words, or the kernel cannot scan it */
+} inside_result;
+
+/* A triangle of the run, from its vertices to its pixels, if it lies inside all planes and its planes
+ * are words. */
+static inline __attribute__((always_inline)) inside_result
+draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
+            const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *traversal,
+            smooth_run *run)
+{
+    fxl_workspace *workspace = traversal->workspace;
+    const fxl_corner *const of[3] = {&run->corners[mapped->corners[0]],
+                                     &run->corners[mapped->corners[1]],
+                                     &run->corners[mapped->corners[2]]};
+    fxl_screen_corners corners;
+    fxl_surface_polygon polygon;
+    if (face->count != 3 || face->indices[0] != of[0]->vertex ||
+        face->indices[1] != of[1]->vertex || face->indices[2] != of[2]->vertex) {
+        return IS_OTHER;
+    }
+    const fxl_clip_result cut = fxl_find_inside_corners(model_view, face, &corners);
+    if (cut != FXL_CLIP_INSIDE) {
+        return cut == FXL_CLIP_BETWEEN &&
+                       fxl_count_outcome(traversal, (fxl_outcome)1 << FXL_CLIP_BETWEEN, 0)
+                   ? IS_DRAWN
+                   : IS_OTHER;
+    }
+    fxl_depth_drawn drawn;
+#if FXL_PIXEL_IS_MIXED
+    if (run->surface->flags & FXL_SURFACE_COLOURS) {
+        drawn = draw_colour_face(surfaces, run->surface, of, &corners, model_view, corners.points,
+                                 3, traversal, &run->outline.colours);
+    } else
+#endif
+    {
+        drawn =
+            draw_inside_light(surfaces, of, &corners, model_view, face, traversal, &polygon, run);
+        if (drawn == FXL_DEPTH_NOT_CLEAR) {
+            clear_under(workspace, corners.points, 3, traversal->band);
+            drawn = FXL_DRAW_SMOOTH(corners.points, 3, traversal->band, &run->outline.smooth);
+        }
+    }
+    if (drawn == FXL_DEPTH_NOT_DRAWN) {
+        return HAS_NO_WORDS;
+    }
+    run->drawn++;
+    if (drawn != FXL_DEPTH_DRAWN) {
+        memcpy(workspace->screen.points, corners.points, sizeof corners.points);
+        workspace->screen.count = 3;
+        run->without_rows +=
+            !fxl_outline_has_rows(&workspace->screen, model_view->view->lens.height);
+    }
+    return IS_DRAWN;
 }
 
 #else

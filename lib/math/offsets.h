@@ -262,14 +262,13 @@
 #define SMOOTH_OUTLINE_LIMIT      52
 #define SMOOTH_OUTLINE_LAST       56
 #define SMOOTH_OUTLINE_BORDER     60
-#define SMOOTH_OUTLINE_ROWS       64
 
 #define COLOUR_OUTLINE_CODE      0
 #define COLOUR_OUTLINE_ORIGIN    16
 #define COLOUR_OUTLINE_CODE_DOWN 20
 #define COLOUR_OUTLINE_CELLS     40
+#define COLOUR_OUTLINE_STEP      48
 #define COLOUR_OUTLINE_BORDER    60
-#define COLOUR_OUTLINE_ROWS      64
 
 /* fxl_texel_outline */
 #define TEXEL_OUTLINE_DOWN          16
@@ -295,6 +294,7 @@
 #define DEPTH_NO_ROW       2
 #define DEPTH_NOT_CLEAR    3
 #define CLIP_INSIDE        0
+#define CLIP_CUT           1
 #define CLIP_OUTSIDE       2
 #define CLIP_RANGE         5
 #define CLIP_BETWEEN       6

@@ -24,8 +24,16 @@
     mls     r0, r1, r5, r0
     .endm
 
-#define FIRST  GRADIENTS_ATTRIBUTES
-#define SECOND (GRADIENTS_ATTRIBUTES + GRADIENT_SIZE)
+/* The same, and what an outline begins with: \number: 0, 1, 2: red, green, blue; \half: is added. */
+    .macro channel_of_outline number, half
+    find_channel 12 * \number
+    .if     \half
+    add     r0, r0, #1024
+    .endif
+    sub     r0, r0, r1
+    str     r0, [r12, #COLOUR_OUTLINE_CODE + 4 + 4 * \number]
+    str     r1, [r12, #COLOUR_OUTLINE_CODE_DOWN + 4 + 4 * \number]
+    .endm
 
 /* The three channels, if a constant weight changes none too much. r7: the values of a channel,
  * whose second and third become differences from the first; r12: their end. */
@@ -82,50 +90,29 @@
     asr     r11, r11, r0
 .Lscaled:
     ldrd    r3, r6, [sp, #X]
-    ldr     r12, [sp, #GRADIENTS]
+    ldr     r12, [sp, #OUTLINE]
     add     r0, r6, #32768
     add     r1, r3, #32768
     asrs    r0, r0, #16
     asrs    r1, r1, #16
     str     r0, [sp, #ROW]
-    str     r1, [r12, #FIRST + GRADIENT_AT + 4]
+    str     r1, [r12, #COLOUR_OUTLINE_ORIGIN]
     lsls    r3, r3, #16
     lsls    r6, r6, #16
-    find_channel 0
-    add     r0, r0, #1024
-    str     r0, [r12, #FIRST + GRADIENT_AT]
-    str     r1, [r12, #FIRST + GRADIENT_DOWN]
-    str     r4, [r12, #SECOND + GRADIENT_ALONG]
+    channel_of_outline 0, 1
     add     r4, r4, #1024
     asrs    r4, r4, #11
-    str     r4, [r12, #FIRST + GRADIENT_ALONG]
-    find_channel 12
+    str     r4, [r12, #COLOUR_OUTLINE_STEP]
+    channel_of_outline 1, 0
     lsls    r4, r4, #4
-    str     r0, [r12, #SECOND + GRADIENT_AT]
-    str     r1, [r12, #FIRST + GRADIENT_DOWN + 4]
-    str     r4, [r12, #FIRST + GRADIENT_ALONG + 4]
-    find_channel 24
-    add     r0, r0, #1024
-    ldr     r2, [r12, #FIRST + GRADIENT_ALONG]
-    str     r0, [r12, #SECOND + GRADIENT_AT + 4]
-    str     r4, [r12, #SECOND + GRADIENT_ALONG + 4]
+    str     r4, [r12, #COLOUR_OUTLINE_STEP + 4]
+    channel_of_outline 2, 1
+    ldr     r2, [r12, #COLOUR_OUTLINE_STEP]
     add     r4, r4, #1024
     asrs    r4, r4, #11
     add     r2, r2, r4, lsl #16
-    asrs    r5, r1, #31
-    str     r2, [r12, #FIRST + GRADIENT_ALONG]
-    strd    r1, r5, [r12, #SECOND + GRADIENT_DOWN]
-    movs    r0, #0
-    mov     r1, #1 << 29            /* FXL_CONSTANT_WEIGHT */
-    strd    r0, r1, [r12, #GRADIENT_AT]
-    strd    r0, r0, [r12, #GRADIENT_ALONG]
-    strd    r0, r0, [r12, #GRADIENT_DOWN]
+    str     r2, [r12, #COLOUR_OUTLINE_STEP]
     movs    r0, #1
-    strd    r0, r0, [r12, #GRADIENTS_WEIGHT_MIN]
-    mov     r1, #0x7f7f7f7f         /* FXL_SHIFT_OF_WORDS */
-    movs    r2, #2                  /* FXL_GRADIENTS_OF_WORDS */
-    str     r1, [r12, #GRADIENTS_SHIFTS]
-    strb    r2, [r12, #GRADIENTS_COUNT]
     .endm
 
 /* What find_channels does in other faces. */

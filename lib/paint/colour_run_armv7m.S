@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_paint_colour_run, fxl_draw_colour_outline and fxl_paint_lit_columns for Armv7-M and Armv8-M
  * Mainline. A run takes 7 instructions a pixel, and 2 for each eight of them; compilers take 9. A row
- * of an outline takes 38 before its pixels, a visible pixel 15, and a hidden one 9. A lit texel takes
+ * of an outline takes 35 before its pixels, a visible pixel 15, and a hidden one 8. A lit texel takes
  * 33, of the palette 35, and 4 less if the dark colour is 0; a segment of them takes 95. */
 #include "../math/family.h"
 
@@ -285,12 +285,15 @@ fxl_paint_lit_columns:
     addlo   r1, r1, r3
     movhs   r1, r3
     lsr     r1, r1, #16
-    .else
-    lsr     r1, r3, #16
-    .endif
     ldrh    r0, [r4], #2
     cmp     r1, r0
     bls     .Lhidden\text
+    .else
+    ldrh    r0, [r4], #2
+    cmp     r0, r3, lsr #16
+    bhs     .Lhidden\text
+    lsr     r1, r3, #16
+    .endif
     strh    r1, [r4, #-2]
     lsrs    r0, r5, #26
     and     r1, r6, #0xf800
@@ -324,8 +327,7 @@ fxl_draw_colour_outline:
 .Lspan:                             /* r0: pixels, r2: the first cell */
     ldr     r1, [sp, #FRAME_OUTLINE]
     step_edges
-    stm     sp, {r4-r11}
-    str     r12, [r1, #COLOUR_OUTLINE_ROWS]
+    push    {r4-r12}                /* no call is below */
     ldm     r1, {r3-r12}            /* code, red, green, blue, origin, and what a row adds */
     add     r3, r3, r8
     add     r4, r4, r9
@@ -351,9 +353,7 @@ fxl_draw_colour_outline:
     paint_row_of_colours _linear, 0
 
 .Lpixels_done:
-    ldr     r1, [sp, #FRAME_OUTLINE]
-    ldr     r12, [r1, #COLOUR_OUTLINE_ROWS]
-    ldm     sp, {r4-r11}
+    pop     {r4-r12}
     subs    r12, r12, #1
     bpl     .Lrow
     b       .Lrows_below

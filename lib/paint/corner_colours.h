@@ -11,6 +11,7 @@
 #include "../raster/scan.h"
 #include "corner_planes.h"
 #include "paint.h"
+#include "plain_rows.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -75,6 +76,9 @@ bool fxl_paint_colour_polygon(const fxl_paint *paint, const fxl_screen_point *po
 /* fxl_paint_pixels_565 of a face with colours at its corners. */
 void fxl_paint_colours_565(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
                            int32_t x1);
+
+/* The same of all runs, of a face that is opaque and whose colours are not in words. */
+void fxl_paint_colour_runs(const fxl_paint *paint, fxl_plain_runs *runs);
 
 #ifdef __cplusplus
 }

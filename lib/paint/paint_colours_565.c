@@ -5,6 +5,7 @@
 #include "../raster/fill.h"
 #include "colour_run.h"
 #include "corner_colours.h"
+#include "depth_rows.h"
 #include "rgb565_colour.h"
 #include "texel_place.h"
 
@@ -33,12 +34,13 @@ static inline void begin_channel(colour_run *run, uint32_t k, uint32_t word, uin
  * 2^27, and a run of such steps has one pixel. */
 static inline bool is_within(const colour_run *run, int32_t count)
 {
-    uint32_t ends[3];
-    for (uint32_t k = 0; k < 3; k++) {
-        const uint32_t first = (uint32_t)run->channels[k];
-        ends[k] = first | (first + (uint32_t)(count - 1) * (uint32_t)run->steps[k]);
-    }
-    return ((ends[0] | ends[2] | ends[1] >> 1) >> (FRACTION + 5)) == 0;
+    const uint32_t more = (uint32_t)(count - 1);
+    const uint32_t red = (uint32_t)run->channels[0], green = (uint32_t)run->channels[1];
+    const uint32_t blue = (uint32_t)run->channels[2];
+    const uint32_t red_and_blue = red | blue | (red + more * (uint32_t)run->steps[0]) |
+                                  (blue + more * (uint32_t)run->steps[2]);
+    const uint32_t of_green = green | (green + more * (uint32_t)run->steps[1]);
+    return ((red_and_blue | of_green >> 1) >> (FRACTION + 5)) == 0;
 }
 
 /* rgb565 2.4 */
@@ -253,20 +255,123 @@ bool fxl_paint_colour_polygon(const fxl_paint *paint, const fxl_screen_point *po
     return true;
 }
 
+/* --- in perspective --------------------------------------------------------------------------- */
+
+/* A channel of a face in perspective: fxl_attribute_of. */
+static inline int32_t channel_at(const fxl_paint *paint, const fxl_paint_row *row, uint32_t column,
+                                 uint32_t k)
+{
+    return upper_32(sum_64(row->attributes[k],
+                           fxl_multiply_s64_u16(paint->gradients->attributes[k].along, column)));
+}
+
+/* divide_at of three channels, of a column below 2^16. Mostly products drop
+ * less than 32 bits of their upper words. */
+static __attribute__((noinline)) void divide_channels(const fxl_paint *paint,
+                                                      const fxl_paint_row *row, uint32_t column,
+                                                      int32_t channels[3])
+{
+    const uint32_t weight = weight_after(paint, row, column);
+    const int8_t *shifts = paint->gradients->shifts;
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of(weight);
+    const int32_t most = 30 - (int32_t)reciprocal.zeros;
+    const int32_t drops[3] = {most - shifts[0], most - shifts[1], most - shifts[2]};
+    if (fxl_bits_32(drops[0] | drops[1] | drops[2]) < 32u) {
+        const int32_t factor = reciprocal.value;
+        channels[0] =
+            upper_32(fxl_multiply_s32(channel_at(paint, row, column, 0), factor)) >> drops[0];
+        channels[1] =
+            upper_32(fxl_multiply_s32(channel_at(paint, row, column, 1), factor)) >> drops[1];
+        channels[2] =
+            upper_32(fxl_multiply_s32(channel_at(paint, row, column, 2), factor)) >> drops[2];
+        return;
+    }
+    divide_at(paint, row, (int32_t)column, channels);
+}
+
+/* One segment of 2^log columns from `begin` on, whose channels are given at both ends. */
+static __attribute__((noinline)) void paint_between(const fxl_paint *paint,
+                                                    const fxl_paint_row *row, int32_t begin,
+                                                    uint32_t log, const int32_t from[3],
+                                                    const int32_t to[3], int32_t x0, int32_t x1)
+{
+    const uint32_t before = (uint32_t)begin & (SEGMENT - 1u),
+                   skipped = (uint32_t)x0 & (SEGMENT - 1u);
+    const uint32_t steps[3] = {(uint32_t)((int32_t)((uint32_t)to[0] - (uint32_t)from[0]) >> log),
+                               (uint32_t)((int32_t)((uint32_t)to[1] - (uint32_t)from[1]) >> log),
+                               (uint32_t)((int32_t)((uint32_t)to[2] - (uint32_t)from[2]) >> log)};
+    colour_run run;
+    begin_channel(&run, 0, (uint32_t)from[0] - before * steps[0], steps[0], 16u - FRACTION,
+                  skipped);
+    begin_channel(&run, 1, (uint32_t)from[1] - before * steps[1], steps[1], 16u - FRACTION,
+                  skipped);
+    begin_channel(&run, 2, (uint32_t)from[2] - before * steps[2], steps[2], 16u - FRACTION,
+                  skipped);
+    paint_run(paint, row, x0, x1, &run);
+}
+
+/* The pixels x0 <= x < x1, in segments: those of paint_sixteen. least: of fxl_find_least_weights. */
+static void paint_divided(const fxl_paint *paint, const fxl_paint_row *row, const uint32_t least[3],
+                          int32_t x0, int32_t x1)
+{
+    int32_t ends[2][3], column = -1; /* that ends[at] is of */
+    uint32_t at = 0;
+    while (x0 < x1) {
+        const int32_t first = x0 & -SEGMENT, end = smaller(first + SEGMENT, x1);
+        const uint32_t log = fxl_segment_log(least, weight_after(paint, row, (uint32_t)first),
+                                             weight_after(paint, row, (uint32_t)first + SEGMENT));
+        if (log == 0) {
+            divide_each(paint, row, x0, end);
+            x0 = end;
+        }
+        while (x0 < end) {
+            const int32_t begin = x0 & -(1 << log), next = begin + (1 << log);
+            const int32_t until = smaller(next, x1);
+            if (column != begin) {
+                divide_channels(paint, row, (uint32_t)begin, ends[at]);
+            }
+            divide_channels(paint, row, (uint32_t)next, ends[at ^ 1u]);
+            paint_between(paint, row, begin, log, ends[at], ends[at ^ 1u], x0, until);
+            at ^= 1u;
+            column = next;
+            x0 = until;
+        }
+    }
+}
+
 void fxl_paint_colours_565(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
-    const fxl_gradients *gradients = paint->gradients;
-    divided_column at;
     uint32_t least[3];
-    if (fxl_has_colour_words(gradients)) {
+    if (fxl_has_colour_words(paint->gradients)) {
         paint_words(paint, row, x0, x1);
         return;
     }
-    at.column = -1;
-    fxl_find_least_weights(gradients, paint->division, least);
-    while (x0 < x1) {
-        const int32_t end = smaller((x0 & ~15) + 16, x1);
-        paint_sixteen(paint, row, least, x0, end, &at);
-        x0 = end;
+    fxl_find_least_weights(paint->gradients, paint->division, least);
+    paint_divided(paint, row, least, x0, x1);
+}
+
+#if FXL_HAS_DEPTH_ROWS
+
+void fxl_paint_colour_runs(const fxl_paint *paint, fxl_plain_runs *runs)
+{
+    fxl_paint_row *row = &runs->row;
+    uint32_t least[3];
+    fxl_find_least_weights(paint->gradients, paint->division, least);
+    for (; runs->next != runs->end; runs->next++) {
+        const uint32_t run = *runs->next;
+        const int32_t x0 = (int32_t)(run & 0xFFFFu), x1 = (int32_t)((run & ~FXL_RUN_BELOW) >> 16);
+        if (run & FXL_RUN_BELOW) {
+            row->pixels += runs->stride;
+            row->y++;
+            row->weight = sum_64(row->weight, runs->downs[0]);
+            row->attributes[0] = sum_64(row->attributes[0], runs->downs[1]);
+            row->attributes[1] = sum_64(row->attributes[1], runs->downs[2]);
+            row->attributes[2] = sum_64(row->attributes[2], runs->downs[3]);
+        }
+        if (x0 < x1) {
+            paint_divided(paint, row, least, x0, x1);
+        }
     }
 }
+
+#endif

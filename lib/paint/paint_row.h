@@ -146,8 +146,9 @@ static inline void paint_light_segments(const fxl_paint *paint, const fxl_paint_
 }
 
 /* Columns within 16 of a row. least: of fxl_find_least_weights. */
-static void paint_sixteen(const fxl_paint *paint, const fxl_paint_row *row, const uint32_t least[3],
-                          int32_t x0, int32_t x1, divided_column *at)
+static __attribute__((unused)) void paint_sixteen(const fxl_paint *paint, const fxl_paint_row *row,
+                                                  const uint32_t least[3], int32_t x0, int32_t x1,
+                                                  divided_column *at)
 {
     const int32_t first = x0 & ~15;
     const int64_t along = paint->gradients->weight.along, weight = row->weight + along * first;

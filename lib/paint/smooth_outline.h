@@ -40,7 +40,6 @@ typedef struct {
     uint32_t limit;  /* light from here on is not of the ramp; 0: codes have a border */
     uint32_t last;   /* pixels of 8 bits: the last level; of 16: the most light of the ramp */
     uint32_t border; /* as of fxl_depth_border */
-    uint32_t rows;   /* the kernel's own */
 } fxl_smooth_outline;
 
 #if FXL_DRAWS_SMOOTH_OUTLINES
@@ -55,41 +54,66 @@ fxl_depth_drawn fxl_draw_smooth_outline_16(const fxl_screen_point *points, uint3
 
 #endif
 
-/* Prepares a polygon whose pixels have `pixel_bytes` bytes, and whose plane is in words. Requires
- * light in words, and fxl_depth_outline_can_draw. */
-static inline void fxl_smooth_outline_set(const fxl_depth_head *head, const fxl_depth_plane *plane,
-                                          const fxl_paint *paint, const fxl_band *band,
-                                          uint32_t pixel_bytes, fxl_smooth_outline *smooth)
+/* Sets what all polygons of a band and a ramp share whose pixels have `pixel_bytes` bytes. Requires
+ * fxl_depth_outline_can_draw. */
+static inline void fxl_smooth_outline_of_band(const fxl_depth_head *head, const fxl_paint *paint,
+                                              const fxl_band *band, uint32_t pixel_bytes,
+                                              fxl_smooth_outline *smooth)
 {
-    const uint32_t code_row = band->width * fxl_low_32(fxl_bits_64(plane->gradient.along));
     smooth->cells = (uint16_t *)(uintptr_t)(head + 1);
     smooth->pixels = fxl_depth_outline_pixels(head, band, pixel_bytes);
+    smooth->last = paint->levels_less_1;
+    if (pixel_bytes != 1) {
+        smooth->last = (smooth->last << 24) + fxl_half_part_565(paint->levels_less_1);
+        smooth->pixels -= pixel_bytes;
+        smooth->by.part_of_level = paint->of_565.part_of_level;
+    }
+}
+
+/* Sets what follows from the colour of a polygon. */
+static inline void fxl_smooth_outline_of_colour(const fxl_paint *paint, uint8_t colour,
+                                                uint32_t pixel_bytes, fxl_smooth_outline *smooth)
+{
+    if (pixel_bytes == 1) {
+        smooth->by.ramp = paint->ramp + colour;
+    } else {
+        smooth->mixture = fxl_mixture_of_565(paint->of_565.palette[colour], paint->of_565.dark);
+    }
+}
+
+/* Sets what follows from its planes, which are in words. */
+static inline __attribute__((always_inline)) void
+fxl_smooth_outline_of_planes(const fxl_depth_head *head, const fxl_depth_plane *plane,
+                             const fxl_gradients *gradients, const fxl_band *band,
+                             uint32_t pixel_bytes, fxl_smooth_outline *smooth)
+{
+    const uint32_t code_row = band->width * fxl_low_32(fxl_bits_64(plane->gradient.along));
     smooth->code_along = fxl_low_32(fxl_bits_64(plane->gradient.along));
     smooth->code_down = fxl_low_32(fxl_bits_64(plane->gradient.down)) - code_row;
     smooth->code = fxl_low_32(fxl_bits_64(plane->gradient.at)) + band->first_row * code_row -
                    smooth->code_down;
-    const fxl_light_plane light = fxl_light_plane_of(paint->gradients);
+    const fxl_light_plane light = fxl_light_plane_of(gradients);
     const uint32_t row_along = band->width * light.along;
     smooth->along = light.along;
     smooth->down = light.down - row_along;
     smooth->light = light.at + band->first_row * row_along - smooth->down;
-    const uint32_t most = (uint32_t)paint->levels_less_1 << 24;
-    const uint32_t border = fxl_depth_border(head->scale, plane);
-    smooth->border = border;
-    if (pixel_bytes == 1) {
-        smooth->limit = border != 0 ? 0 : most + (1u << 24);
-        smooth->last = paint->levels_less_1;
-        smooth->by.ramp = paint->ramp + paint->colour;
-    } else {
-        const fxl_paint_565 *of = &paint->of_565;
-        const uint32_t half_part = fxl_half_part_565(paint->levels_less_1);
-        smooth->limit = border != 0 ? 0 : most + half_part + 1u;
-        smooth->last = most + half_part;
-        smooth->light += half_part - (1u << 23);
-        smooth->pixels -= pixel_bytes;
-        smooth->by.part_of_level = of->part_of_level;
-        smooth->mixture = fxl_mixture_of_565(of->palette[paint->colour], of->dark);
+    if (pixel_bytes != 1) { /* the half part, less the half level */
+        smooth->light += (smooth->last & 0xFFFFFFu) - (1u << 23);
     }
+    const uint32_t border = fxl_depth_border(head->scale, plane);
+    const uint32_t end = (smooth->last + 1u) << (pixel_bytes == 1 ? 24 : 0);
+    smooth->border = border;
+    smooth->limit = border != 0 ? 0 : end;
+}
+
+/* Prepares a polygon. Requires planes in words, and fxl_depth_outline_can_draw. */
+static inline void fxl_smooth_outline_set(const fxl_depth_head *head, const fxl_depth_plane *plane,
+                                          const fxl_paint *paint, const fxl_band *band,
+                                          uint32_t pixel_bytes, fxl_smooth_outline *smooth)
+{
+    fxl_smooth_outline_of_band(head, paint, band, pixel_bytes, smooth);
+    fxl_smooth_outline_of_colour(paint, paint->colour, pixel_bytes, smooth);
+    fxl_smooth_outline_of_planes(head, plane, paint->gradients, band, pixel_bytes, smooth);
 }
 
 /* The same for any polygon. Returns false if the kernel cannot draw it: *smooth is undefined then.
@@ -122,7 +146,6 @@ typedef struct {
     uint32_t step, green_step; /* what a column adds: fxl_colour_words */
     uint32_t code_along;
     uint32_t border; /* as of fxl_depth_border */
-    uint32_t rows;   /* the kernel's own */
 } fxl_colour_outline;
 
 #if FXL_DRAWS_SMOOTH_OUTLINES
@@ -133,11 +156,12 @@ typedef struct {
     int32_t limit;    /* FXL_BEND_NONE, FXL_BEND_FINE or FXL_BEND_ANY */
 } fxl_colour_values;
 
-/* fxl_corner_planes_begin with FXL_COLOURS_SIDE_MAX, fxl_corner_colours_linear and
- * fxl_corner_planes_depth_words at once, of a face with sides up to FXL_WORDS_SIDE_MAX. Returns
- * false where one of them does: *gradients and *depth are undefined then. *values is always. */
+/* fxl_corner_planes_begin with FXL_COLOURS_SIDE_MAX, fxl_corner_colours_linear,
+ * fxl_colour_outline_of_words and fxl_corner_planes_depth_words at once, of a face with sides up to
+ * FXL_WORDS_SIDE_MAX. Returns false where one of them does: what of *outline they set, and *depth,
+ * is undefined then. *values is always. */
 bool fxl_find_colour_planes(const fxl_screen_corners *corners, const fxl_lens *lens,
-                            fxl_colour_values *values, fxl_gradients *gradients,
+                            fxl_colour_values *values, fxl_colour_outline *outline,
                             fxl_depth_plane *depth);
 
 /* Draws an outline of count points, as fxl_draw_smooth_outline_16 does. Writes what
@@ -148,33 +172,56 @@ fxl_depth_drawn fxl_draw_colour_outline(const fxl_screen_point *points, uint32_t
 
 #endif
 
-/* Prepares a polygon with colours at its corners whose colours and plane are in words. Requires
- * fxl_depth_outline_can_draw. */
-static inline void fxl_colour_outline_set(const fxl_depth_head *head, const fxl_depth_plane *plane,
-                                          const fxl_gradients *gradients, const fxl_band *band,
-                                          fxl_colour_outline *outline)
+/* Sets what all polygons of a band share. Requires fxl_depth_outline_can_draw. */
+static inline void fxl_colour_outline_of_band(const fxl_depth_head *head, const fxl_band *band,
+                                              fxl_colour_outline *outline)
+{
+    outline->down.origin = band->width;
+    outline->cells = (uint16_t *)(uintptr_t)(head + 1);
+    outline->pixels = fxl_depth_outline_pixels(head, band, 2) - 2u;
+}
+
+/* Sets what follows from the colours of a polygon, which are in words. at.origin is the face's column. */
+static inline void fxl_colour_outline_of_words(const fxl_gradients *gradients,
+                                               fxl_colour_outline *outline)
 {
     const fxl_gradient *of = gradients->attributes;
+    fxl_colour_row *at = &outline->at, *down = &outline->down;
+    down->red = fxl_low_32(fxl_bits_64(of[0].down));
+    down->green = (uint32_t)(fxl_bits_64(of[0].down) >> 32);
+    down->blue = fxl_low_32(fxl_bits_64(of[1].down));
+    at->red = fxl_low_32(fxl_bits_64(of[0].at)) - down->red;
+    at->green = fxl_low_32(fxl_bits_64(of[1].at)) - down->green;
+    at->blue = (uint32_t)(fxl_bits_64(of[1].at) >> 32) - down->blue;
+    at->origin = (uint32_t)(fxl_bits_64(of[0].at) >> 32);
+    outline->step = fxl_low_32(fxl_bits_64(of[0].along));
+    outline->green_step = (uint32_t)(fxl_bits_64(of[0].along) >> 32);
+}
+
+/* Then sets what follows from its plane, which is in words. */
+static inline void fxl_colour_outline_of_plane(const fxl_depth_head *head,
+                                               const fxl_depth_plane *plane, const fxl_band *band,
+                                               fxl_colour_outline *outline)
+{
     const uint32_t along = fxl_low_32(fxl_bits_64(plane->gradient.along)),
                    code_row = band->width * along;
     fxl_colour_row *at = &outline->at, *down = &outline->down;
     down->code = fxl_low_32(fxl_bits_64(plane->gradient.down)) - code_row;
-    down->red = fxl_low_32(fxl_bits_64(of[0].down));
-    down->green = (uint32_t)(fxl_bits_64(of[0].down) >> 32);
-    down->blue = fxl_low_32(fxl_bits_64(of[1].down));
-    down->origin = band->width;
     at->code =
         fxl_low_32(fxl_bits_64(plane->gradient.at)) + band->first_row * code_row - down->code;
-    at->red = fxl_low_32(fxl_bits_64(of[0].at)) - down->red;
-    at->green = fxl_low_32(fxl_bits_64(of[1].at)) - down->green;
-    at->blue = (uint32_t)(fxl_bits_64(of[1].at) >> 32) - down->blue;
-    at->origin = (uint32_t)(fxl_bits_64(of[0].at) >> 32) - (band->first_row + 1u) * band->width;
-    outline->cells = (uint16_t *)(uintptr_t)(head + 1);
-    outline->pixels = fxl_depth_outline_pixels(head, band, 2) - 2u;
-    outline->step = fxl_low_32(fxl_bits_64(of[0].along));
-    outline->green_step = (uint32_t)(fxl_bits_64(of[0].along) >> 32);
+    at->origin -= (band->first_row + 1u) * band->width;
     outline->code_along = along;
     outline->border = fxl_depth_border(head->scale, plane);
+}
+
+/* Prepares a polygon with colours at its corners. Requires fxl_depth_outline_can_draw. */
+static inline void fxl_colour_outline_set(const fxl_depth_head *head, const fxl_depth_plane *plane,
+                                          const fxl_gradients *gradients, const fxl_band *band,
+                                          fxl_colour_outline *outline)
+{
+    fxl_colour_outline_of_band(head, band, outline);
+    fxl_colour_outline_of_words(gradients, outline);
+    fxl_colour_outline_of_plane(head, plane, band, outline);
 }
 
 /* --- texels, in pixels of 16 bits; in C for all cores ------------------------------------------ */

@@ -2,7 +2,7 @@
 /* The text of fxl_draw_smooth_outline_8 and fxl_draw_smooth_outline_16 for Armv7-M and Armv8-M
  * Mainline. lib/paint/smooth_outline.h states what they require and do; their pixels are those of
  * paint_lights in paint_pixels.c and paint_rgb565.c. A file defines PIXEL_BITS, and includes this
- * one right after the label of its function. A row takes 41 instructions before its pixels, a
+ * one right after the label of its function. A row takes 38 instructions before its pixels, a
  * visible pixel 14, of 16 bits 18, and a hidden one 8. */
 #include "../math/family.h"
 #include "../math/offsets.h"
@@ -23,6 +23,8 @@
     b       .Lrow
     .endm
 
+#define OUTLINE_OF_ROW (FRAME_OUTLINE + 36) /* below what a row keeps: r4-r12 */
+
 /* The pixel of r4 is tested: r3: its code. Goes to .Lhidden\text, or keeps the code. */
     .macro  test_pixel text
     lsr     r1, r3, #16
@@ -39,7 +41,7 @@
 
 /* The same where codes may have a border. */
     .macro  test_bent_pixel text
-    ldr     r1, [sp, #FRAME_OUTLINE]
+    ldr     r1, [sp, #OUTLINE_OF_ROW]
     ldr     r1, [r1, #SMOOTH_OUTLINE_BORDER]
     subs    r1, r3, r1
     ite     lo
@@ -100,7 +102,7 @@
     b       .Lnext_row
 
 .Lrow_done:
-    ldm     sp, {r4-r11}
+    pop     {r4-r12}
 .Lnext_row:
     subs    r12, r12, #1
     bmi     .Lrows_below
@@ -111,9 +113,8 @@
 .Lspan:                             /* r0: pixels, r2: the first cell */
     ldr     r1, [sp, #FRAME_OUTLINE]
     step_edges
-    stm     sp, {r4-r11}
+    push    {r4-r12}                /* no call is below */
 #if PIXEL_BITS == 16
-    str     r12, [r1, #SMOOTH_OUTLINE_ROWS]
     ldm     r1, {r3-r12}            /* code, its change, that of light, light, along, by, mixture */
 #else
     ldm     r1, {r3-r8}
@@ -146,14 +147,11 @@
     test_pixel
     paint_light r6
     next_pixel
-.Lpixels_done:
-    ldr     r1, [sp, #FRAME_OUTLINE]
-    ldr     r12, [r1, #SMOOTH_OUTLINE_ROWS]
     b       .Lrow_done
 
 .Lpixel_held:
     test_bent_pixel _held
-    ldr     r1, [sp, #FRAME_OUTLINE]
+    ldr     r1, [sp, #OUTLINE_OF_ROW]
     ldr     r1, [r1, #SMOOTH_OUTLINE_LAST]
     bic     r0, r6, r6, asr #31
     cmp     r0, r1
@@ -161,7 +159,7 @@
     movgt   r0, r1
     paint_light r0
     next_pixel _held
-    b       .Lpixels_done
+    b       .Lrow_done
 #else
 .Lpixel:
     test_pixel

@@ -24,6 +24,7 @@
 #define GRADIENTS (OWN_SIZE + 12)
 #define DEPTH     (OWN_SIZE + 52)
 #define WORDS     GRADIENTS       /* of fxl_find_texel_planes */
+#define OUTLINE   GRADIENTS       /* of fxl_find_colour_planes */
 #define COUNT     (OWN_SIZE + 52)
 #define IS_AFFINE (OWN_SIZE + 56)
 
@@ -31,8 +32,8 @@
 #include "colour_channels_armv7m.h"
 
 /* The planes of a face; kind: _light, _colours or _texels; range: the longest side less the least; thin:
- * 0: it may be neither thin nor steep. r0: corners, r1: lens, r2: light or values, r3: gradients; on
- * the stack: depth; of texels r3: words; on the stack: count, is_affine. */
+ * 0: it may be neither thin nor steep. r0: corners, r1: lens, r2: light or values, r3: gradients, of
+ * colours outline; on the stack: depth; of texels r3: words; on the stack: count, is_affine. */
     .macro find_planes kind, range, thin
     push    {r0-r11, lr}
     sub     sp, sp, #OWN_SIZE
