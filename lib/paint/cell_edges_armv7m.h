@@ -84,3 +84,88 @@
     lsr     \low, \low, \drop
     add     \low, \low, \high
     .endm
+
+/* --- small triangles -----------------------------------------------------------
+ *
+ * Points are taken relative to the first centre of the box, in 16.16: below 9 pixels, 2^20, so
+ * a product is below 2^40. With them the edge function from a to b is a.x b.y - a.y b.x, above 0
+ * inside. As lib/raster/scan.h says, a unit is taken off that of a right edge, 16 bits are dropped
+ * by rounding down, and the function then changes by dx from row to row, and by -dy from column to
+ * column. Exact. */
+
+/* place fill-rule: small triangles for Armv7-M */
+/* The edge function of the edge from a to b in \low, and -dy. b.x is \bx, and so on; those of y and
+ * \ax are negated. \negated may be \ax. */
+    .macro edge_function low, high, ax, ay, bx, by, negated
+    smull   \low, \high, \bx, \ay
+    smlal   \low, \high, \ax, \by
+    sub     \negated, \by, \ay
+    adds    \low, \low, \negated, asr #31
+    adc     \high, \high, \negated, asr #31
+    lsr     \low, \low, #16
+    orr     \low, \low, \high, lsl #16
+    .endm
+
+/* At .Lsmall of outline_armv7m.h: whether the box of a triangle lies in the band, and has so many columns and
+ * centres at most; else on to .Ltwo_chains. lr: the row in the band, r10: the first column, r12: columns, r5: cells a row. */
+    .macro small_box columns, centres
+    ldrh    r12, [r2, #BAND_FIRST_ROW]
+    ldrh    lr, [r2, #BAND_ROWS]
+    ldr     r4, [r0]
+    ldr     r5, [r0, #8]
+    add     lr, lr, r12
+    cmp     r6, r12
+    blt     .Ltwo_chains
+    cmp     r7, lr
+    bgt     .Ltwo_chains
+    sub     lr, r6, r12
+    cmp     r4, r5                  /* r10: the least x, r12: the greatest */
+    ittee   lt
+    movlt   r10, r4
+    movlt   r12, r5
+    movge   r10, r5
+    movge   r12, r4
+    ldr     r4, [r0, #16]
+    cmp     r4, r10
+    it      lt
+    movlt   r10, r4
+    cmp     r4, r12
+    it      gt
+    movgt   r12, r4
+    add     r10, r10, r11
+    add     r12, r12, r11
+    asr     r10, r10, #16           /* the first column */
+    rsb     r12, r10, r12, asr #16  /* columns */
+    mul     r4, r8, r12
+    sub     r4, r4, #1              /* 2^32 - 1: no centre */
+    cmp     r12, #\columns
+    it      ls
+    cmpls   r4, #\centres - 1
+    bhi     .Ltwo_chains
+    ldrh    r5, [r2, #BAND_WIDTH]
+    .endm
+
+/* r10, r11: the first centre. Of the edges of the points at r0: the functions there, r1, r2, r7, their changes
+ * from column to column, r10, r11, r0, and from row to row, r5, r6, r4. Goes to .Lsmall_not where the
+ * triangle does not go clockwise by more than rounding takes away. */
+    .macro edge_functions
+    ldm     r0, {r4-r9}
+    sub     r4, r4, r10             /* x, then y, negated */
+    sub     r6, r6, r10
+    sub     r8, r8, r10
+    sub     r5, r11, r5
+    sub     r7, r11, r7
+    sub     r9, r11, r9
+    rsb     r10, r4, #0
+    rsb     r11, r6, #0
+    rsb     r0, r8, #0
+    edge_function r1, r2, r10, r5, r6, r7, r10
+    edge_function r2, r12, r11, r7, r8, r9, r11
+    edge_function r7, r12, r0, r9, r4, r5, r0
+    adds    r5, r1, r2              /* twice the area, or somewhat less */
+    adds    r5, r5, r7
+    bmi     .Lsmall_not
+    sub     r5, r6, r4              /* dx of each */
+    sub     r6, r8, r6
+    sub     r4, r4, r8
+    .endm

@@ -2,13 +2,7 @@
 /* Small triangles of depth_outline_armv7m.h: all centres of the box by edge functions, without
  * edges and their divisions. It draws those whose box lies in the band, has one octave by a test of
  * its first value and the change along both sides, and that go clockwise by more than rounding takes
- * away; the chains draw the others.
- *
- * Points are taken relative to the first centre of the box, in 16.16: below 9 pixels, 2^20, so
- * a product is below 2^40. With them the edge function from a to b is a.x b.y - a.y b.x, above 0
- * inside. As lib/raster/scan.h says, a unit is taken off that of a right edge, 16 bits are dropped
- * by rounding down, and the function then changes by dx from row to row, and by -dy from column to
- * column. Exact. */
+ * away; the chains draw the others. */
 
 /* In the stack frame: what the survey has found, and then the changes from the end of a row to the
  * next; the code of the row, its change a row, and the step. */
@@ -22,55 +16,33 @@
 #define SMALL_STEP    52
 #define SMALL_CODE    56
 
-/* place fill-rule: small triangles for Armv7-M */
-/* The edge function of the edge from a to b in \low, and -dy. b.x is \bx, and so on; those of y and
- * \ax are negated. \negated may be \ax. */
-    .macro edge_function low, high, ax, ay, bx, by, negated
-    smull   \low, \high, \bx, \ay
-    smlal   \low, \high, \ax, \by
-    sub     \negated, \by, \ay
-    adds    \low, \low, \negated, asr #31
-    adc     \high, \high, \negated, asr #31
-    lsr     \low, \low, #16
-    orr     \low, \low, \high, lsl #16
+/* A centre, so many before the end of a row, and on to the next one. */
+    .macro small_centre length
+    orr     r4, r1, r2
+    orrs    r4, r4, r7
+    bmi     .Lsmall_hidden\length
+    ldrh    r4, [r12, #-2 * \length]
+    lsr     r5, r8, #16
+    cmp     r5, r4
+    bls     .Lsmall_hidden\length
+#if PIXEL_BITS == 16
+    strh    r6, [r3, #-2 * \length]
+#else
+    strb    r6, [r3, #-\length]
+#endif
+    strh    r5, [r12, #-2 * \length]
+.Lsmall_hidden\length:
+    .if     \length > 1
+    add     r1, r1, r10
+    add     r2, r2, r11
+    add     r7, r7, r0
+    add     r8, r8, r9
+    .endif
     .endm
 
     /* r0: points, r2: band, r3: outline, r6: first row, r7: last row plus 1, r8: rows, r11: 32767 */
 .Lsmall:
-    ldrh    r12, [r2, #BAND_FIRST_ROW]
-    ldrh    lr, [r2, #BAND_ROWS]
-    ldr     r4, [r0]
-    ldr     r5, [r0, #8]
-    add     lr, lr, r12
-    cmp     r6, r12
-    blt     .Ltwo_chains
-    cmp     r7, lr
-    bgt     .Ltwo_chains
-    sub     lr, r6, r12
-    cmp     r4, r5                  /* r10: the least x, r12: the greatest */
-    ittee   lt
-    movlt   r10, r4
-    movlt   r12, r5
-    movge   r10, r5
-    movge   r12, r4
-    ldr     r4, [r0, #16]
-    cmp     r4, r10
-    it      lt
-    movlt   r10, r4
-    cmp     r4, r12
-    it      gt
-    movgt   r12, r4
-    add     r10, r10, r11
-    add     r12, r12, r11
-    asr     r10, r10, #16           /* the first column */
-    rsb     r12, r10, r12, asr #16  /* columns */
-    mul     r4, r8, r12
-    sub     r4, r4, #1              /* 2^32 - 1: no centre */
-    cmp     r12, #SMALL_COLUMNS
-    it      ls
-    cmpls   r4, #SMALL_CENTRES - 1
-    bhi     .Ltwo_chains
-    ldrh    r5, [r2, #BAND_WIDTH]
+    small_box SMALL_COLUMNS, SMALL_CENTRES
     mla     lr, lr, r5, r10
     stm     sp, {r0-r2, r5-r10, r12, lr}
 
@@ -132,25 +104,7 @@
     lsl     r11, r11, #16
     add     r10, r10, #32768
     add     r11, r11, #32768
-    ldm     r0, {r4-r9}
-    sub     r4, r4, r10             /* x, then y, negated */
-    sub     r6, r6, r10
-    sub     r8, r8, r10
-    sub     r5, r11, r5
-    sub     r7, r11, r7
-    sub     r9, r11, r9
-    rsb     r10, r4, #0
-    rsb     r11, r6, #0
-    rsb     r0, r8, #0
-    edge_function r1, r2, r10, r5, r6, r7, r10
-    edge_function r2, r12, r11, r7, r8, r9, r11
-    edge_function r7, r12, r0, r9, r4, r5, r0
-    adds    r5, r1, r2              /* twice the area, or somewhat less */
-    adds    r5, r5, r7
-    bmi     .Lsmall_not
-    sub     r5, r6, r4              /* dx of each */
-    sub     r6, r8, r6
-    sub     r4, r4, r8
+    edge_functions
     sub     r12, lr, #1
     mls     r5, r12, r10, r5
     mls     r6, r12, r11, r6
@@ -184,26 +138,7 @@
     .align  1
     .irp    length, 8, 7, 6, 5, 4, 3, 2, 1
 .Lsmall\length:
-    orr     r4, r1, r2
-    orrs    r4, r4, r7
-    bmi     .Lsmall_hidden\length
-    ldrh    r4, [r12, #-2 * \length]
-    lsr     r5, r8, #16
-    cmp     r5, r4
-    bls     .Lsmall_hidden\length
-#if PIXEL_BITS == 16
-    strh    r6, [r3, #-2 * \length]
-#else
-    strb    r6, [r3, #-\length]
-#endif
-    strh    r5, [r12, #-2 * \length]
-.Lsmall_hidden\length:
-    .if     \length > 1
-    add     r1, r1, r10
-    add     r2, r2, r11
-    add     r7, r7, r0
-    add     r8, r8, r9
-    .endif
+    small_centre \length
     .endr
     ldr     r4, [sp, #SMALL_LEFT]
     subs    r4, r4, #1

@@ -80,7 +80,141 @@
 
 #endif
 
+#if PIXEL_BITS == 16
+/* Triangles whose box has so many rows, columns and centres at most: their rows are found by edge
+ * functions, as those of small_triangle_armv7m.h. */
+#define SMALL_ROWS    6
+#define SMALL_COLUMNS 8
+#define SMALL_CENTRES 20
+#endif
+
 #include "../raster/outline_armv7m.h"
+
+#if PIXEL_BITS == 16
+
+/* In the stack frame: the edge functions at the first centre of a row, their changes from row to row,
+ * columns, the last row plus 1, cells a row, and what the survey has found. Below it are the spans:
+ * the end of the cells, code, cell and light, after a word that is 0. */
+#define SMALL_CHANGES 12
+#define SMALL_COLUMN  24
+#define SMALL_END     28
+#define SMALL_WIDTH   32
+#define SMALL_SURVEY  36
+
+    /* r0: points, r2: band, r3: outline, r6: first row, r7: last row plus 1, r8: rows, r11: 32767 */
+.Lsmall:
+    small_box SMALL_COLUMNS, SMALL_CENTRES
+    mla     lr, lr, r5, r10         /* the first cell */
+    add     r4, sp, #SMALL_SURVEY
+    stm     r4, {r0-r2, r6-r9}
+    strd    r12, r7, [sp, #SMALL_COLUMN]
+    str     r5, [sp, #SMALL_WIDTH]
+    test_clear SMOOTH_OUTLINE_CELLS
+    lsl     r10, r10, #16
+    lsl     r11, r6, #16
+    add     r10, r10, #32768
+    add     r11, r11, #32768
+    edge_functions
+    strd    r1, r2, [sp]
+    str     r7, [sp, #8]
+    strd    r5, r6, [sp, #SMALL_CHANGES]
+    str     r4, [sp, #SMALL_CHANGES + 8]
+    ldr     r8, [sp, #SMALL_SURVEY + 12]
+    mov     r9, sp
+    movs    r5, #0
+    add     r8, r8, #1
+    str     r5, [sp, #-16]!
+    mov     r12, lr
+
+    /* A row. r1, r2, r7: the edge functions, r10, r11, r0: their change a column, r4: columns that are
+     * left, r8: the row plus 1, r9: the frame, r12: the row's first cell */
+.Lsmall_row:
+    ldr     r4, [r9, #SMALL_COLUMN]
+.Lsmall_outside:
+    orr     r5, r1, r2
+    orrs    r5, r5, r7
+    bpl     .Lsmall_first
+    subs    r4, r4, #1
+    add     r1, r1, r10
+    add     r2, r2, r11
+    add     r7, r7, r0
+    bne     .Lsmall_outside
+    b       .Lsmall_next
+.Lsmall_first:
+    mov     r6, r4
+.Lsmall_inside:
+    subs    r4, r4, #1
+    beq     .Lsmall_last
+    add     r1, r1, r10
+    add     r2, r2, r11
+    add     r7, r7, r0
+    orr     r5, r1, r2
+    orrs    r5, r5, r7
+    bpl     .Lsmall_inside
+.Lsmall_last:
+    ldr     lr, [r9, #SMALL_COLUMN]
+    sub     lr, lr, r6
+    sub     r6, r6, r4              /* pixels */
+    add     lr, lr, r12             /* the first one's cell */
+    ldm     r3, {r1, r2, r4, r5}    /* code, its change, that of light, light */
+    mla     r2, r2, r8, r1
+    mla     r5, r4, r8, r5
+    ldr     r1, [r3, #SMOOTH_OUTLINE_CODE_ALONG]
+    ldr     r4, [r3, #SMOOTH_OUTLINE_ALONG]
+    mla     r2, r1, lr, r2
+    mla     r5, r4, lr, r5
+    subs    r1, r6, #1
+    mla     r1, r4, r1, r5
+    ldr     r4, [r3, #SMOOTH_OUTLINE_LIMIT]
+    cmp     r5, r4
+    it      lo
+    cmplo   r1, r4
+    bhs     .Lsmall_held            /* light of other rows is as above */
+    ldr     r4, [r3, #SMOOTH_OUTLINE_CELLS]
+    add     r4, r4, lr, lsl #1
+    add     r1, r4, r6, lsl #1
+    push    {r1, r2, r4, r5}
+.Lsmall_next:
+    ldrd    r5, r6, [r9, #SMALL_END]
+    cmp     r8, r5
+    beq     .Lsmall_rows_done
+    add     r8, r8, #1
+    add     r12, r12, r6
+    ldm     r9, {r1, r2, r4-r7}
+    add     r1, r1, r5
+    add     r2, r2, r6
+    add     r7, r7, r4
+    strd    r1, r2, [r9]
+    str     r7, [r9, #8]
+    b       .Lsmall_row
+
+.Lsmall_rows_done:
+    ldrd    r5, lr, [r3, #SMOOTH_OUTLINE_CELLS + 4]
+    adds    r3, r3, #SMOOTH_OUTLINE_ALONG
+    ldm     r3, {r7-r12}            /* along, by, mixture */
+.Lsmall_span:
+    pop     {r2, r3, r4, r6}
+    cmp     r2, #0
+    beq     .Lsmall_done
+.Lpixel_small:
+    test_pixel _small
+    paint_light r6
+    next_pixel _small
+    b       .Lsmall_span
+.Lsmall_done:
+    movs    r0, #1
+    add     sp, sp, #FRAME_SIZE
+    pop     {r4-r11, pc}
+
+.Lsmall_held:
+    mov     sp, r9
+.Lsmall_not:
+    add     r4, sp, #SMALL_SURVEY
+    ldm     r4, {r0-r2, r6-r9}
+    movw    r11, #32767
+    b       .Ltwo_chains
+
+#endif
 
     return_not_clear
 
