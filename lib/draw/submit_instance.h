@@ -68,14 +68,12 @@ static inline bool fxl_submit_convex(const fxl_traversal *traversal,
 #if FXL_WALKS_FACES
 
 /* Whether the faces of an instance that has no list of them are walked: those of a sorted model, of
- * which many may be turned away or lie outside, and those that the shader takes at once; that of
- * surfaces where they are more than a box has. The target has a depth buffer then. */
+ * which many may be turned away or lie outside, and those that the shader takes at once. The target
+ * has a depth buffer then. */
 static inline bool fxl_walks_faces(const fxl_model_view *model_view, const fxl_model *model)
 {
     const fxl_shader *shader = model_view->shader;
-    return shader != NULL && (model->kind == FXL_MODEL_SORTED ||
-                              (shader->code->faces != NULL &&
-                               (shader->rank == FXL_SHADER_TARGET || model->face_count > 12)));
+    return shader != NULL && (model->kind == FXL_MODEL_SORTED || shader->code->faces != NULL);
 }
 
 /* fxl_submit_walk, which a flat program does not link. */

@@ -325,6 +325,13 @@ static inline bool draw_at_once(const fxl_surfaces *surfaces, const fxl_mapped_f
     return false;
 }
 
+/* What became of a triangle of a walk. */
+typedef enum {
+    IS_DRAWN,    /* and counted */
+    IS_OTHER,    /* it is no triangle, or not inside all planes */
+    HAS_NO_WORDS /* its planes are no words, or the kernel cannot scan it */
+} inside_result;
+
 /* What the faces of a walk that come one after the other with the same surface share. */
 typedef struct {
     uint32_t drawn,
@@ -332,16 +339,25 @@ typedef struct {
     const fxl_corner *corners; /* of the surface; null: its faces are not drawn at once */
     const fxl_surface *surface;
     uint32_t number; /* of the surface */
-    int32_t colour;  /* of faces of one colour: that of the face before; below 0: there is none */
-    fxl_paint paint; /* what light needs of it */
+    inside_result result; /* of the face that was not drawn */
+    int32_t colour; /* of faces of one colour: that of the face before; below 0: there is none */
     union {
         fxl_smooth_outline smooth;
         fxl_colour_outline colours;
     } outline;
 } smooth_run;
 
-static inline void begin_run(const fxl_surfaces *surfaces, uint32_t number,
-                             const fxl_traversal *traversal, smooth_run *run)
+/* What light needs of a paint. */
+static inline void find_light_paint(const fxl_surfaces *surfaces, const fxl_band *band,
+                                    fxl_paint *paint)
+{
+    fxl_surface_light_of(surfaces, paint);
+    mix_light(surfaces, band, paint);
+}
+
+/* Not inline: its paint would be on the stack of others. */
+static __attribute__((noinline)) void begin_run(const fxl_surfaces *surfaces, uint32_t number,
+                                                const fxl_traversal *traversal, smooth_run *run)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[number];
     const fxl_depth_head *head = (const fxl_depth_head *)traversal->workspace->target_memory;
@@ -360,9 +376,9 @@ static inline void begin_run(const fxl_surfaces *surfaces, uint32_t number,
         return;
     }
 #endif
-    fxl_surface_light_of(surfaces, &run->paint);
-    mix_light(surfaces, band, &run->paint);
-    fxl_smooth_outline_of_band(head, &run->paint, band, FXL_PIXEL_BITS / 8, &run->outline.smooth);
+    fxl_paint paint;
+    find_light_paint(surfaces, band, &paint);
+    fxl_smooth_outline_of_band(head, &paint, band, FXL_PIXEL_BITS / 8, &run->outline.smooth);
 }
 
 static inline __attribute__((always_inline)) fxl_depth_drawn
@@ -383,18 +399,14 @@ draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
     }
     if (face->material != run->colour) {
         run->colour = face->material;
-        fxl_smooth_outline_of_colour(&run->paint, face->material, FXL_PIXEL_BITS / 8, smooth);
+        fxl_paint paint;
+        find_light_paint(surfaces, band, &paint);
+        fxl_smooth_outline_of_colour(&paint, face->material, FXL_PIXEL_BITS / 8, smooth);
     }
     fxl_smooth_outline_of_planes(head, &polygon->depth, &polygon->gradients, band,
                                  FXL_PIXEL_BITS / 8, smooth);
     return FXL_DRAW_SMOOTH(corners->points, 3, band, smooth);
 }
-
-typedef enum {
-    IS_DRAWN,    /* and counted */
-    IS_OTHER,    /* it is no triangle, or not inside all planes */
-    HAS_NO_WORDS /* its planes are no words, or the kernel cannot scan it */
-} inside_result;
 
 /* A triangle of the run, from its vertices to its pixels, if it lies inside all planes and its planes
  * are words. */

@@ -211,6 +211,39 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face,
 
 #if FXL_DRAWS_SMOOTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
 
+/* Draws the faces of a walk until one is drawn otherwise, and returns that; null: all are drawn. Not
+ * inline: what it has would be on the stack of what draws others. */
+static __attribute__((noinline)) const fxl_face *draw_inside_faces(const fxl_model_view *model_view,
+                                                                   const fxl_traversal *traversal,
+                                                                   fxl_face_walk *walk,
+                                                                   smooth_run *run)
+{
+    const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)model_view->shader;
+    const fxl_surface_set *set = surfaces->set;
+    const fxl_face *const faces = traversal->renderer->scene->faces, *face;
+    for (; (face = walk->next(model_view, walk)) != NULL; walk->submitted++) {
+        const uint32_t number = set->face_map[face - faces];
+        const fxl_mapped_face *mapped = &set->faces[number - 1];
+        run->result = IS_OTHER;
+        if (number == 0) {
+            break;
+        }
+        if (mapped->surface != run->number) {
+            begin_run(surfaces, mapped->surface, traversal, run);
+        }
+        if (run->corners == NULL) {
+            break;
+        }
+        const inside_result result =
+            draw_inside(surfaces, mapped, model_view, face, traversal, run);
+        if (result != IS_DRAWN) {
+            run->result = result;
+            break;
+        }
+    }
+    return face;
+}
+
 /* fxl_shader_code.faces: what the surfaces say is looked up once for all faces of a run. A model whose
  * first face is not drawn at once is not taken. */
 static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *traversal,
@@ -218,44 +251,33 @@ static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *
 {
     const fxl_shader *shader = model_view->shader;
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
-    const fxl_renderer *renderer = traversal->renderer;
-    const fxl_scene *scene = renderer->scene;
+    const fxl_scene *scene = traversal->renderer->scene;
     const fxl_surface_set *set = surfaces->set;
     const fxl_face *face;
     smooth_run run;
-    if (!traversal->draws_one || surfaces->beams != NULL || renderer->target != &FXL_TARGET ||
-        !traversal->clipper->by_clip_flags || scene->wholes != NULL || walk->left == 0) {
+    if (!traversal->draws_one || surfaces->beams != NULL ||
+        traversal->renderer->target != &FXL_TARGET || !traversal->clipper->by_clip_flags ||
+        scene->wholes != NULL || walk->left == 0) {
         return false;
     }
     const uint32_t first = set->face_map[walk->face - scene->faces];
-    run.number = UINT32_MAX;
-    run.corners = NULL;
-    run.drawn = run.without_rows = 0;
-    if (first != 0) {
-        begin_run(surfaces, set->faces[first - 1].surface, traversal, &run);
+    if (first == 0) {
+        return false;
     }
+    run.drawn = run.without_rows = 0;
+    begin_run(surfaces, set->faces[first - 1].surface, traversal, &run);
     if (run.corners == NULL) {
         return false;
     }
-    for (; (face = walk->next(model_view, walk)) != NULL; walk->submitted++) {
-        const uint32_t number = set->face_map[face - scene->faces];
-        const fxl_mapped_face *mapped = &set->faces[number - 1];
-        inside_result result = IS_OTHER;
-        if (number != 0) {
-            if (mapped->surface != run.number) {
-                begin_run(surfaces, mapped->surface, traversal, &run);
-            }
-            if (run.corners != NULL) {
-                result = draw_inside(surfaces, mapped, model_view, face, traversal, &run);
-            }
-        }
+    while ((face = draw_inside_faces(model_view, traversal, walk, &run)) != NULL) {
+        const fxl_mapped_face *mapped = &set->faces[set->face_map[face - scene->faces] - 1];
         const fxl_mapped_surface of = {surfaces, mapped, NULL, NULL, false};
-        if (result != IS_DRAWN &&
-            !(result == IS_OTHER ? submit(model_view, face, traversal, shader)
-                                 : submit_mapped(model_view, face, traversal, &of))) {
+        if (!(run.result == IS_OTHER ? submit(model_view, face, traversal, shader)
+                                     : submit_mapped(model_view, face, traversal, &of))) {
             walk->left++;
             break;
         }
+        walk->submitted++;
     }
     traversal->counters->drawn += run.drawn;
     traversal->counters->spilled += run.drawn - run.without_rows;
@@ -277,12 +299,22 @@ static const fxl_shader_code code = {
     .face = submit,
     .split = fxl_surfaces_split,
     .takes = fxl_surfaces_map,
-#if FXL_DRAWS_SMOOTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
-    .faces = submit_faces,
-#endif
 };
 
-const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET,  &code,      draw,
+#if FXL_DRAWS_SMOOTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
+static const fxl_shader_code smooth_code = {
+    .reaches = fxl_surfaces_reach,
+    .face = submit,
+    .split = fxl_surfaces_split,
+    .takes = fxl_surfaces_map,
+    .faces = submit_faces,
+};
+#define SMOOTH_CODE &smooth_code
+#else
+#define SMOOTH_CODE &code
+#endif
+
+const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET,  &code,      SMOOTH_CODE, draw,
                                          submit_piece, find_whole, FIND_COLOURS};
 
 #endif
