@@ -154,68 +154,7 @@ draw_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
     return draw_colours(workspace, outline, points, count, traversal->band);
 }
 
-/* The same of one face. Not inline: what it has would be on the stack of others. */
-static __attribute__((noinline)) fxl_depth_drawn
-draw_one_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
-                     const fxl_corner *const of[3], const fxl_screen_corners *corners,
-                     const fxl_model_view *model_view, const fxl_traversal *traversal)
-{
-    const fxl_screen_polygon *screen = &traversal->workspace->screen;
-    fxl_colour_outline outline;
-    fxl_colour_outline_of_band((const fxl_depth_head *)traversal->workspace->target_memory,
-                               traversal->band, &outline);
-    return draw_colour_face(surfaces, surface, of, corners, model_view, screen->points,
-                            screen->count, traversal, &outline);
-}
-
 #endif
-
-/* Such a face, from its corners to its pixels. False if its planes are no words, or the kernel
- * cannot scan it: then nothing is drawn or counted. */
-static __attribute__((noinline)) bool draw_smooth_face(const fxl_surfaces *surfaces,
-                                                       const fxl_surface *surface,
-                                                       const fxl_corner *const of[3],
-                                                       const fxl_model_view *model_view,
-                                                       const fxl_face *face,
-                                                       const fxl_traversal *traversal)
-{
-    fxl_workspace *workspace = traversal->workspace;
-    const fxl_renderer *renderer = traversal->renderer;
-    const fxl_screen_polygon *screen = &workspace->screen;
-    const fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
-    fxl_surface_polygon polygon;
-    fxl_screen_corners corners;
-    int32_t light[3];
-    if (cut > FXL_CLIP_CUT) {
-        return fxl_count_outcome(traversal, (fxl_outcome)1 << cut, 0);
-    }
-    if (!fxl_find_screen_corners(model_view, face, of, traversal, &corners)) {
-        return false;
-    }
-    fxl_depth_drawn drawn;
-    (void)surface; /* a palette's pixels have no colours of corners */
-#if FXL_PIXEL_IS_MIXED
-    if (surface->flags & FXL_SURFACE_COLOURS) {
-        drawn = draw_one_colour_face(surfaces, surface, of, &corners, model_view, traversal);
-    } else
-#endif
-    {
-        surfaces->light_code->light_corners(surfaces, renderer, model_view->instance, of, light);
-        if (!fxl_find_smooth_planes(&corners, &model_view->view->lens, light, &polygon.gradients,
-                                    &polygon.depth)) {
-            return false;
-        }
-        drawn = clear_and_draw_words(surfaces, workspace, &polygon, face->material, screen->points,
-                                     screen->count, traversal->band);
-    }
-    if (drawn == FXL_DEPTH_NOT_DRAWN) {
-        return false;
-    }
-    fxl_count_drawn(traversal->counters, cut,
-                    drawn == FXL_DEPTH_DRAWN ||
-                        fxl_outline_has_rows(screen, renderer->frame.view.lens.height));
-    return true;
-}
 
 #if FXL_PIXEL_IS_MIXED
 
@@ -303,8 +242,6 @@ static __attribute__((noinline)) bool draw_texel_face(const fxl_surfaces *surfac
     return true;
 }
 
-#endif
-
 /* A face that needs no record of a polygon. False: nothing is drawn or counted. */
 static inline bool draw_at_once(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                                 const fxl_model_view *model_view, const fxl_face *face,
@@ -312,18 +249,14 @@ static inline bool draw_at_once(const fxl_surfaces *surfaces, const fxl_mapped_f
 {
     const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
     const fxl_corner *corners[3];
-#if FXL_PIXEL_IS_MIXED
-    if (may_be_texels(surfaces, surface, face, traversal)) {
-        fxl_find_mapped_corners(surfaces->set, surface, mapped, corners);
-        return draw_texel_face(surfaces, surface, corners, model_view, face, traversal);
+    if (!may_be_texels(surfaces, surface, face, traversal)) {
+        return false;
     }
-#endif
-    if (may_be_smooth(surfaces, surface, traversal)) {
-        fxl_find_mapped_corners(surfaces->set, surface, mapped, corners);
-        return draw_smooth_face(surfaces, surface, corners, model_view, face, traversal);
-    }
-    return false;
+    fxl_find_mapped_corners(surfaces->set, surface, mapped, corners);
+    return draw_texel_face(surfaces, surface, corners, model_view, face, traversal);
 }
+
+#endif
 
 /* What became of a triangle of a walk. */
 typedef enum {

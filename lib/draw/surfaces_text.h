@@ -193,7 +193,7 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face,
     }
     if (number != 0) {
         mapped = &set->faces[number - 1];
-#if FXL_DRAWS_SMOOTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
+#if FXL_DRAWS_SMOOTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16 && FXL_PIXEL_IS_MIXED
         if (draw_at_once(surfaces, mapped, model_view, face, traversal)) {
             return true;
         }
