@@ -64,6 +64,18 @@ static const uint16_t *make_palette(const fxl_scene_image *image, uint8_t *memor
     return palette;
 }
 
+/* The lens of an image. */
+static fxl_status lens_of(const fxl_scene_image *image, fxl_lens *lens)
+{
+    *lens = image->lens;
+#if !defined WALK_WITHOUT_ORTHOGRAPHIC
+    if (image->scale != 0) {
+        return fxl_lens_orthographic(lens->width, lens->height, image->scale, lens->near_z, lens->far_z, lens);
+    }
+#endif
+    return FXL_OK;
+}
+
 /* In the place of fxl_renderer_init: with the image's lens, the caller's tables, and a clipper and a
  * target that may be others. */
 static fxl_status init_renderer(fxl_renderer *renderer, const fxl_scene *scene,
@@ -72,7 +84,8 @@ static fxl_status init_renderer(fxl_renderer *renderer, const fxl_scene *scene,
     walk_plan *const of = under_way;
     const fxl_scene *drawn = of->scene != NULL ? of->scene : scene;
     fxl_memory tables = of->tables;
-    fxl_status status;
+    fxl_lens lens;
+    fxl_status status = lens_of(of->image, &lens);
 
     of->used = of->size - (uint32_t)size;
     if (tables.display_list == NULL) {
@@ -80,7 +93,9 @@ static fxl_status init_renderer(fxl_renderer *renderer, const fxl_scene *scene,
         tables.display_list_capacity = (of->list_most < size ? of->list_most : (uint32_t)size) / 4;
     }
     of->entries = drawn->draw_list_needed;
-    status = fxl_renderer_init_with(renderer, drawn, &of->image->lens, &tables);
+    if (status == FXL_OK) {
+        status = fxl_renderer_init_with(renderer, drawn, &lens, &tables);
+    }
     if (status == FXL_OK) {
         status = fxl_renderer_set_clipper(renderer, of->methods->clipper, of->clipper_memory,
                                           of->taken.clipper);

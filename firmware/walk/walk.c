@@ -179,6 +179,12 @@ static int choose_methods(walk_methods *methods, const fxl_scene_image *image)
     if (lacks_rgb565(image)) {
         return SYSTEM_EXIT_CAPACITY;
     }
+#if defined WALK_WITHOUT_ORTHOGRAPHIC
+    if (image->scale != 0) {
+        system_text("walk: this program draws with no orthographic lens: leave out view.scale\n");
+        return SYSTEM_EXIT_CAPACITY;
+    }
+#endif
     if (!walk_methods_choose(methods, image)) {
         system_text("walk: this program has no room to draw by a BSP tree, with surfaces or with a "
                     "depth buffer (VISIBILITY=sorted), or billboards\n");

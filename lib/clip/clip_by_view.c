@@ -1,89 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-#include "clip_view.h"
-#include "../math/family.h"
-#include "../view/model_view.h"
-#include "../view/outcode.h"
-#include "../view/project.h"
 #include "clip_by_view.h"
 
 #if !FXL_KERNELS_ARMV7M
 
-/* Usually all vertices are inside. Then their places on the screen are the result. */
-/* SPEC 4.7 */
 fxl_clip_result fxl_clip_by_view(const fxl_model_view *model_view, const fxl_face *face,
                                  fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
-    const uint16_t *index = fxl_face_indices(model_view->indices, face);
-    fxl_screen_point *point = screen->points;
-    uint32_t of_any = 0, of_all = UINT32_MAX;
-    for (const uint16_t *end = index + face->count; index < end; index++, point++) {
-        fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, *index);
-        uint32_t state = vertex->clip_flags;
-        if ((state & FXL_VERTEX_OUTSIDE) != 0) {
-            if (state != FXL_VERTEX_UNPROJECTED) {
-                /* If no vertex was inside before. */
-                return of_all == UINT32_MAX && fxl_face_is_outside(model_view, face)
-                           ? FXL_CLIP_OUTSIDE
-                           : fxl_clip_assembled(model_view, face, work, screen);
-            }
-            if (fxl_project_inside(&model_view->view->projection, &vertex->position,
-                                   &vertex->screen) != FXL_OK) {
-                return FXL_CLIP_RANGE;
-            }
-            state = fxl_vertex_place_flags(&vertex->screen);
-            vertex->clip_flags = state;
-        }
-        of_any |= state;
-        of_all &= state;
-        *point = vertex->screen;
-    }
-    screen->colour = face->material;
-    screen->count = face->count;
-    /* SPEC 7.2 */
-    uint32_t differing = of_any ^ of_all;
-    return (differing & FXL_VERTEX_COLUMN) == 0 || (differing & FXL_VERTEX_ROW) == 0
-               ? FXL_CLIP_BETWEEN
-               : FXL_CLIP_INSIDE;
+    return fxl_clip_by(model_view, face, work, screen, fxl_project_inside, fxl_clip_assembled);
 }
 
 #endif
 
-FXL_STATIC_ASSERT((FXL_PLANES_ALL & FXL_VERTEX_UNPROJECTED) == 0 &&
-                      (FXL_PLANES_ALL | FXL_VERTEX_UNPROJECTED) <= FXL_VERTEX_OUTSIDE,
-                  "planes and the flag share a byte");
-
 fxl_clip_result fxl_clip_assembled(const fxl_model_view *model_view, const fxl_face *face,
                                    fxl_clipper_work *workspace, fxl_screen_polygon *screen)
 {
-    fxl_clip_view_work *work = &workspace->by_view;
-    const uint16_t *indices = fxl_face_indices(model_view->indices, face);
-    const fxl_view *view = model_view->view;
-    fxl_view_polygon *assembled = &work->polygons[0];
-    const fxl_view_polygon *clipped;
-    unsigned of_any = 0;
-    for (uint32_t i = 0; i < face->count; i++) {
-        const fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, indices[i]);
-        of_any |= vertex->clip_flags;
-        fxl_copy_point(&vertex->position, &assembled->vertices[i].position);
-    }
-    assembled->colour = face->material;
-    assembled->count = face->count;
-    fxl_clip_result result = fxl_clip_view_by_planes(
-        assembled, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL), work,
-        (fxl_clip_stats *)model_view->clipper_workspace, &clipped);
-    if (clipped == NULL) {
-        return result;
-    }
-    screen->colour = clipped->colour;
-    screen->count = clipped->count;
-    for (uint32_t i = 0; i < clipped->count; i++) {
-        fxl_screen_point *point = &screen->points[i];
-        if (fxl_project_inside(&view->projection, &clipped->vertices[i].position, point) !=
-            FXL_OK) {
-            return FXL_CLIP_RANGE;
-        }
-    }
-    return result;
+    return fxl_clip_assembled_by(model_view, face, workspace, screen, fxl_project_inside);
 }
 
 const fxl_clipper fxl_clipper_view = {.clip = fxl_clip_by_view, .by_clip_flags = true};

@@ -6,6 +6,7 @@
 #include "../math/memory.h"
 #include "../paint/billboard_paint.h"
 #include "../paint/billboard_walk.h"
+#include "../scene/lens.h"
 #include "../scene/placement_code.h"
 #include "../view/model_view.h"
 #include "../view/project.h"
@@ -49,6 +50,8 @@ static bool find_corners(const fxl_view *view, const fxl_view_point *centre,
                          const fxl_billboard *billboard, fxl_q16_16 scale,
                          fxl_screen_point *corners)
 {
+    const fxl_orthographic_code *code = fxl_orthographic_of(&view->lens);
+    fxl_projector *project = code != NULL ? code->project : fxl_project_visible;
     const int64_t limit = ((int64_t)1 << 61) - 1; /* of what is projected */
     fxl_view_point left_top, right_bottom;
     left_top.x = centre->x - in_view(view, scaled(billboard->anchor_x, scale));
@@ -58,8 +61,8 @@ static bool find_corners(const fxl_view *view, const fxl_view_point *centre,
     left_top.z = right_bottom.z = centre->z;
     return fxl_within(left_top.x, limit) && fxl_within(left_top.y, limit) &&
            fxl_within(right_bottom.x, limit) && fxl_within(right_bottom.y, limit) &&
-           fxl_project_visible(&view->projection, &left_top, &corners[0]) == FXL_OK &&
-           fxl_project_visible(&view->projection, &right_bottom, &corners[1]) == FXL_OK;
+           project(&view->projection, &left_top, &corners[0]) == FXL_OK &&
+           project(&view->projection, &right_bottom, &corners[1]) == FXL_OK;
 }
 
 /* billboards 2.2 */
@@ -126,13 +129,14 @@ static fxl_outcome submit_sprite(const fxl_traversal *traversal, uint32_t number
 }
 
 /* fxl_instance_submit. The one face of a model with a billboard is done or not. */
-static bool submit_any(const fxl_traversal *traversal, const fxl_draw_entry *entry)
+static inline bool submit_by(const fxl_traversal *traversal, const fxl_draw_entry *entry,
+                             fxl_instance_submit *submit_faces)
 {
     const fxl_billboard_set *set = traversal->renderer->billboards->set;
     const uint32_t model = traversal->renderer->scene->instances[entry->index].model;
     const uint32_t number = set->model_map[model];
     if (number == 0) {
-        return fxl_submit_any_instance(traversal, entry);
+        return submit_faces(traversal, entry);
     }
     const uint32_t used = traversal->renderer->frame.display_list.used;
     const fxl_outcome outcome =
@@ -142,6 +146,11 @@ static bool submit_any(const fxl_traversal *traversal, const fxl_draw_entry *ent
     }
     traversal->counters->in += 1;
     return true;
+}
+
+static bool submit_any(const fxl_traversal *traversal, const fxl_draw_entry *entry)
+{
+    return submit_by(traversal, entry, fxl_submit_any_instance);
 }
 
 static bool submit(const fxl_traversal *traversal)
@@ -154,8 +163,28 @@ static bool submit(const fxl_traversal *traversal)
     return fxl_submit_all(traversal, traversal->renderer->billboards->code->instance);
 }
 
-static const fxl_billboard_code code = {submit, submit_any};
+static const fxl_billboard_code with_eye = {submit, submit_any};
 const fxl_order fxl_by_distance_with_billboards = {.submit = submit};
+
+static const fxl_orthographic_code *orthographic_of(const fxl_renderer *renderer)
+{
+    return fxl_orthographic_of(&renderer->frame.view.lens);
+}
+
+static bool submit_any_flat(const fxl_traversal *traversal, const fxl_draw_entry *entry)
+{
+    return submit_by(traversal, entry, orthographic_of(traversal->renderer)->submit);
+}
+
+static bool submit_flat(const fxl_traversal *traversal)
+{
+    orthographic_of(traversal->renderer)->begin(traversal);
+    return fxl_submit_all(traversal, traversal->renderer->billboards->code->instance);
+}
+
+/* Those of an orthographic lens. */
+static const fxl_billboard_code without_eye = {submit_flat, submit_any_flat};
+static const fxl_order by_depth = {.submit = submit_flat};
 
 /* --- attaching -------------------------------------------------------------------------- */
 
@@ -197,18 +226,21 @@ fxl_status fxl_attach_billboards(fxl_renderer *renderer, fxl_billboards *billboa
     if (status != FXL_OK) {
         return fxl_refuse(&renderer->workspace, status);
     }
+    const fxl_orthographic_code *flat = orthographic_of(renderer);
+    const fxl_order *without = flat != NULL ? flat->order : &fxl_by_distance;
+    const fxl_order *with = flat != NULL ? &by_depth : &fxl_by_distance_with_billboards;
     if (set != NULL) {
         billboards->set = set;
         billboards->painter = painter;
-        billboards->code = &code;
+        billboards->code = flat != NULL ? &without_eye : &with_eye;
         renderer->billboards = billboards;
         renderer->draw_display_list = fxl_mixed_draw_list;
-        change_order(renderer, &fxl_by_distance, &fxl_by_distance_with_billboards);
+        change_order(renderer, without, with);
     } else if (renderer->billboards == NULL) {
         return FXL_OK; /* a frame that has begun stays */
     } else {
         renderer->billboards = NULL;
-        change_order(renderer, &fxl_by_distance_with_billboards, &fxl_by_distance);
+        change_order(renderer, with, without);
     }
     renderer->check = fxl_check_combination;
     renderer->frame.state = FXL_FRAME_NONE;

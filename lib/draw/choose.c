@@ -3,12 +3,6 @@
 #include "renderer.h"
 #include "submit.h"
 
-static bool has_attachments(const fxl_renderer *renderer)
-{
-    return renderer->billboards != NULL ||
-           (renderer->shader != NULL && renderer->shader->rank != FXL_SHADER_TARGET);
-}
-
 /* combinations 1.5 */
 FXL_COLD fxl_status fxl_renderer_choose(fxl_renderer *renderer, const fxl_config *config)
 {
@@ -18,7 +12,7 @@ FXL_COLD fxl_status fxl_renderer_choose(fxl_renderer *renderer, const fxl_config
     fxl_status status = FXL_E_ARGUMENT;
     if (config != NULL && config->target != NULL) {
         const fxl_order *order = fxl_order_of(config);
-        status = renderer->scene == NULL || has_attachments(renderer) ? FXL_E_ORDER
+        status = renderer->scene == NULL || fxl_has_attachments(renderer) ? FXL_E_ORDER
                  : order->choose != NULL ? order->choose(renderer, config)
                                          : fxl_choose_with_memory(renderer, config);
     }

@@ -37,6 +37,8 @@ static const fxl_conflict conflicts[] = {
     {FXL_HAS_OUTLINES, FXL_HAS_DEPTH},   {FXL_HAS_OUTLINES, FXL_HAS_BEAMS},
     {FXL_HAS_OUTLINES, FXL_HAS_MOVERS},  {FXL_HAS_TEXELS_565, FXL_HAS_BEAMS},
     {FXL_HAS_COLOURS, FXL_HAS_BEAMS},    {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET},
+    {FXL_HAS_TREE, FXL_HAS_ORTHOGRAPHIC}, {FXL_HAS_DEPTH, FXL_HAS_ORTHOGRAPHIC},
+    {FXL_HAS_SURFACES, FXL_HAS_ORTHOGRAPHIC}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_OTHER_CLIPPER},
 };
 
 /* Whether another instance is on the layer of the tree's, which cuts it. */
@@ -86,6 +88,7 @@ static uint32_t parts_of(const fxl_renderer *renderer)
     const fxl_surfaces *surfaces = fxl_surfaces_of(renderer);
     const fxl_billboards *billboards = renderer->billboards;
     const bool has_tree = renderer->order->memory_size != NULL;
+    const fxl_orthographic_code *orthographic = fxl_orthographic_of(&renderer->frame.view.lens);
     return bit_if(has_tree, FXL_HAS_TREE) |
            bit_if(has_tree && has_movers(renderer->scene), FXL_HAS_MOVERS) |
            bit_if(target->depth_bits != 0, FXL_HAS_DEPTH) |
@@ -97,6 +100,9 @@ static uint32_t parts_of(const fxl_renderer *renderer)
            bit_if(billboards != NULL, FXL_HAS_BILLBOARDS) |
            bit_if(fxl_renderer_shader(renderer, FXL_SHADER_BEAMS) != NULL, FXL_HAS_BEAMS) |
            bit_if(fxl_renderer_shader(renderer, FXL_SHADER_OUTLINES) != NULL, FXL_HAS_OUTLINES) |
+           bit_if(orthographic != NULL, FXL_HAS_ORTHOGRAPHIC) |
+           bit_if(orthographic != NULL && renderer->clipper != orthographic->clipper,
+                  FXL_HAS_OTHER_CLIPPER) |
            bit_if((surfaces != NULL && surfaces->painter->target != target) ||
                       (billboards != NULL && billboards->painter->target != target),
                   FXL_HAS_OTHER_PAINTER) |

@@ -18,6 +18,8 @@ bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2])
         "billboards", /* FXL_HAS_BILLBOARDS */
         "beams", /* FXL_HAS_BEAMS */
         "outlines", /* FXL_HAS_OUTLINES */
+        "an orthographic lens", /* FXL_HAS_ORTHOGRAPHIC */
+        "a clipper of the study", /* FXL_HAS_OTHER_CLIPPER */
         "surfaces or billboards of another target", /* FXL_HAS_OTHER_PAINTER */
         "the renderer's target", /* FXL_HAS_TARGET */
     };
@@ -63,6 +65,17 @@ static const struct {
      "textures must be of 8 or 4 bits"},
     {FXL_HAS_COLOURS, FXL_HAS_BEAMS,
      "colours at corners and beams do not go together: a beam lights colours of the palette"},
+    {FXL_HAS_TREE, FXL_HAS_ORTHOGRAPHIC,
+     "the order by tree and an orthographic lens do not go together: config.order must be "
+     "&fxl_by_distance"},
+    {FXL_HAS_DEPTH, FXL_HAS_ORTHOGRAPHIC,
+     "a depth buffer and an orthographic lens do not go together: config.target must be "
+     "&fxl_palette or &fxl_rgb565"},
+    {FXL_HAS_SURFACES, FXL_HAS_ORTHOGRAPHIC,
+     "surfaces and an orthographic lens do not go together: detach the surfaces, by a null set"},
+    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_OTHER_CLIPPER,
+     "an orthographic lens and a clipper of the study do not go together: the clipper must be "
+     "&fxl_clipper_view"},
     {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET,
      "surfaces or billboards of another target and the renderer's target do not go together: "
      "attach them by FXL_SURFACES_OF and FXL_SPRITES_OF the target of config; if textures have "

@@ -30,5 +30,5 @@ static void find_faces_by(const fxl_traversal *traversal, const fxl_model_view *
     keep_counts(traversal->workspace, count, front);
 }
 
-const fxl_cluster_code fxl_clusters = {find_faces, find_faces_by,
-                                       fxl_cluster_is_surely_turned_away};
+const fxl_cluster_code fxl_clusters = {
+    find_faces, find_faces_by, fxl_cluster_is_surely_turned_away, fxl_still_cluster_planes};

@@ -117,6 +117,7 @@ FXL_COLD fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_c
         memset(workspace, 0, clipper->workspace_size);
     }
     renderer->clipper = clipper;
+    fxl_take_lens(renderer);
     renderer->workspace.cache.clipper_workspace = workspace_size > 0 ? workspace : NULL;
     settings_changed(renderer);
     return FXL_OK;
@@ -200,6 +201,7 @@ FXL_COLD fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_con
     renderer->target = target;
     fxl_set_direction(renderer, target->near_first);
     renderer->check = NULL;
+    fxl_take_lens(renderer);
     renderer->palette = target->has_palette ? config->palette : NULL;
     if (target->extras != NULL) {
         renderer->draw_display_list =

@@ -4,6 +4,7 @@
 #define FXL_RENDERER_H
 
 #include "../raster/columns.h"
+#include "../scene/lens.h"
 #include "fixel/render.h"
 
 /* Counts a call that is refused; answers its status. */
@@ -27,6 +28,15 @@ static inline void fxl_workspace_begin(fxl_workspace *workspace, bool counted)
 static inline bool fxl_has_pixels_of(const fxl_renderer *renderer, const fxl_band *band)
 {
     return fxl_kind_of_band(band).is_colour == fxl_kind_of_palette(renderer->palette).is_colour;
+}
+
+/* Gives a renderer that has another clipper, order or lens than before what its lens draws with. */
+static inline void fxl_take_lens(fxl_renderer *renderer)
+{
+    const fxl_orthographic_code *code = fxl_orthographic_of(&renderer->frame.view.lens);
+    if (code != NULL) {
+        code->take(renderer);
+    }
 }
 
 /* Draws a band in a workspace that was set up for the renderer, as fxl_frame_draw does. */
@@ -106,6 +116,8 @@ enum {
     FXL_HAS_BILLBOARDS,
     FXL_HAS_BEAMS,
     FXL_HAS_OUTLINES,
+    FXL_HAS_ORTHOGRAPHIC,  /* the lens is orthographic */
+    FXL_HAS_OTHER_CLIPPER, /* than what the lens draws with */
     FXL_HAS_OTHER_PAINTER, /* surfaces or billboards of another target */
     FXL_HAS_TARGET,        /* always */
     FXL_HAS_COUNT

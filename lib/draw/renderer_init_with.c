@@ -11,6 +11,7 @@ fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene
         renderer->clipper = &fxl_clipper_view;
         renderer->order = &fxl_by_distance;
         renderer->target = &fxl_palette;
+        fxl_take_lens(renderer);
     }
     return status;
 }

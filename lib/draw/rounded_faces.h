@@ -9,7 +9,7 @@
 
 /* The instance whose faces are rounded. It is the model view's shader, of the code
  * fxl_rounded_faces, so that fxl_submit_face leaves the faces to it. */
-typedef struct {
+typedef struct fxl_rounded_instance {
     fxl_shader shader;
     uint32_t number;
     fxl_planes planes; /* that its points may lie outside of */

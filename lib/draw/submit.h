@@ -110,6 +110,8 @@ struct fxl_cluster_code {
                           const fxl_model *model, const fxl_cluster_tests *tests);
     /* fxl_cluster_is_surely_turned_away, for such tests. */
     fxl_cluster_cone *is_turned_away;
+    /* fxl_still_cluster_planes, for tests of an orthographic lens. */
+    fxl_cluster_planes *planes;
 };
 
 /* --- a face in several pieces ---------------------------------------------- */
@@ -263,6 +265,13 @@ static inline const fxl_shader *fxl_renderer_shader(const fxl_renderer *renderer
         shader = shader->next;
     }
     return shader;
+}
+
+/* Whether something is attached to a renderer. */
+static inline bool fxl_has_attachments(const fxl_renderer *renderer)
+{
+    return renderer->billboards != NULL ||
+           (renderer->shader != NULL && renderer->shader->rank != FXL_SHADER_TARGET);
 }
 
 /* fxl_renderer.check: finds two things that do not go together, and lets what is attached know of

@@ -226,10 +226,12 @@ static uint32_t find_front(const fxl_scene *scene, const fxl_model *model, uint3
 }
 
 /* An eye so far that it has another unit: cones are not tested. */
-static bool is_never_turned_away(const fxl_cluster *cluster, const fxl_point *eye)
+static bool is_never_turned_away(const fxl_cluster *cluster, const fxl_point *eye,
+                                 const fxl_model_view *model_view)
 {
     (void)cluster;
     (void)eye;
+    (void)model_view;
     return false;
 }
 
@@ -339,4 +341,7 @@ const fxl_placement_code fxl_turned_instances = {.check = fxl_placement_check_al
                                                  .submit = submit,
                                                  .submit_instance = submit_turned,
                                                  .count_rounded = count_rounded,
-                                                 .view = fxl_turned_view_of_instance};
+                                                 .view = fxl_turned_view_of_instance,
+                                                 .rows = fxl_placement_rows,
+                                                 .cluster_planes = cluster_planes,
+                                                 .set_shader = set_shader};

@@ -2,6 +2,7 @@
 /* Where a point of the world is on the screen. */
 #include "../math/arith.h"
 #include "../view/model_view.h"
+#include "../scene/lens.h"
 #include "../view/project.h"
 #include "fixel/pick.h"
 
@@ -10,6 +11,13 @@
 static bool is_on_screen(const fxl_lens *lens, const fxl_screen_point *at)
 {
     return at->x >= 0 && at->x < lens->width * 65536 && at->y >= 0 && at->y < lens->height * 65536;
+}
+
+static fxl_status project(const fxl_view *view, const fxl_view_point *position, fxl_screen_point *at)
+{
+    const fxl_orthographic_code *code = fxl_orthographic_of(&view->lens);
+    return code != NULL ? code->project(&view->projection, position, at)
+                        : fxl_project_visible(&view->projection, position, at);
 }
 
 /* pick 1.1, 1.2 */
@@ -29,7 +37,7 @@ fxl_status fxl_find_on_screen(const fxl_view *view, const fxl_point *point, fxl_
     fxl_transform_point(&view->camera, point, &position);
     found.depth = position.z;
     if (position.z >= view->view_frustum.near_z) {
-        if (fxl_project_visible(&view->projection, &position, &found.at) != FXL_OK) {
+        if (project(view, &position, &found.at) != FXL_OK) {
             found.place = FXL_POINT_BEYOND;
         } else if (position.z <= view->view_frustum.far_z && is_on_screen(&view->lens, &found.at)) {
             found.place = FXL_POINT_VISIBLE;

@@ -23,6 +23,9 @@ fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens 
     if (!fxl_lens_is_valid(lens)) {
         return FXL_E_RANGE;
     }
+    if (fxl_orthographic_of(lens) != NULL) {
+        return FXL_E_RESERVED;
+    }
     memset(wire, 0, sizeof *wire);
     wire->scene = scene;
     wire->clipper = clipper;

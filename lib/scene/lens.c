@@ -63,19 +63,20 @@ static bool focal_in_range(fxl_q16_16 focal, uint16_t width)
            (uint32_t)width * (FOCAL_MOST - FOCAL_LEAST);
 }
 
+/* Focal length and centre. */
 /* SPEC 3.1 */
 static bool centre_in_range(const fxl_lens *lens)
 {
     return lens->off_centre != NULL ? lens->off_centre->is_valid(lens)
-                                    : lens->centre_x == (int32_t)lens->width * 32768 &&
+                                    : focal_in_range(lens->focal, lens->width) &&
+                                          lens->centre_x == (int32_t)lens->width * 32768 &&
                                           lens->centre_y == (int32_t)lens->height * 32768;
 }
 
 bool fxl_lens_is_valid(const fxl_lens *lens)
 {
     return lens != NULL && screen_in_range(lens->width, lens->height) &&
-           depth_in_range(lens->near_z, lens->far_z, lens->inset) &&
-           focal_in_range(lens->focal, lens->width) && centre_in_range(lens);
+           depth_in_range(lens->near_z, lens->far_z, lens->inset) && centre_in_range(lens);
 }
 
 /* Offsets of the centre from the middle: at most three halves of an extent, and four focal lengths.
@@ -87,19 +88,21 @@ static bool is_near(int64_t offset, uint16_t extent, fxl_q16_16 focal)
 
 bool fxl_off_centre_is_valid(const fxl_lens *lens)
 {
-    return lens->inset == 0 &&
+    return lens->inset == 0 && focal_in_range(lens->focal, lens->width) &&
            is_near(lens->centre_x - lens->width * (int64_t)32768, lens->width, lens->focal) &&
            is_near(lens->centre_y - lens->height * (int64_t)32768, lens->height, lens->focal);
 }
 
-/* *lens = *made with the centre (x, y), if that is a valid lens. */
+/* *lens = *made with the centre (x, y), if that is a valid lens. An orthographic one stays so. */
 static fxl_status set_if_valid(const fxl_lens *made, fxl_q16_16 x, fxl_q16_16 y, fxl_lens *lens)
 {
     fxl_lens moved = *made;
     moved.centre_x = x;
     moved.centre_y = y;
     const bool is_middle = x == moved.width * 32768 && y == moved.height * 32768;
-    moved.off_centre = is_middle ? NULL : &fxl_off_centre;
+    if (fxl_orthographic_of(made) == NULL) {
+        moved.off_centre = is_middle ? NULL : &fxl_off_centre;
+    }
     if (!fxl_lens_is_valid(&moved)) {
         return FXL_E_RANGE;
     }

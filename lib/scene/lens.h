@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* What the library asks of a lens, and what an off-centre one needs: a lens points to it, so that
- * a program whose lenses all have their centre in the middle of the screen does not link it.
- * Internal. */
+/* What the library asks of a lens, and what an off-centre or an orthographic one needs: a lens points
+ * to it, so that a program whose lenses all have their centre in the middle of the screen does not
+ * link it. Internal. */
 #ifndef FXL_LENS_H
 #define FXL_LENS_H
 
+#include "../view/project.h"
 #include "fixel/records.h"
 
 #ifdef __cplusplus
@@ -16,21 +17,58 @@ extern "C" {
  * less than 2/1000. False if lens is null. */
 bool fxl_lens_is_valid(const fxl_lens *lens);
 
+struct fxl_order;
+struct fxl_renderer;
+struct fxl_traversal;
+struct fxl_orthographic_code;
+
 struct fxl_off_centre_code {
-    /* Whether the centre is in its range, for a lens whose other members are. */
+    /* Whether focal length, inset and centre are in their ranges, for a lens whose other members
+     * are. */
     bool (*is_valid)(const fxl_lens *lens);
-    /* Turns frustum and projection, made for a centred lens, into those of the sheared view. */
+    /* Turns frustum and projection, made for a centred lens, into those of the lens. */
     void (*set_lens)(fxl_view *view);
     /* Shears the axes of a camera that was set from a pose. */
     void (*set_pose)(fxl_view *view);
+    const struct fxl_orthographic_code *orthographic; /* null: the lens has an eye */
 };
+
+/* What an orthographic lens is drawn with (docs/extras/orthographic.md). */
+typedef struct fxl_orthographic_code {
+    fxl_projector *project; /* fxl_project_orthographic */
+    /* The default clipper, and the order by distance. */
+    const fxl_clipper *clipper;
+    const struct fxl_order *order;
+    /* Gives a renderer without attachments these two in the place of those of other lenses. */
+    void (*take)(struct fxl_renderer *renderer);
+    /* Puts the instances in sight in order, when a frame begins. */
+    void (*begin)(const struct fxl_traversal *traversal);
+    /* fxl_submit_any_instance. */
+    bool (*submit)(const struct fxl_traversal *traversal, const struct fxl_draw_entry *entry);
+} fxl_orthographic_code;
+
+/* That of a lens; null: it has an eye. */
+static inline const fxl_orthographic_code *fxl_orthographic_of(const fxl_lens *lens)
+{
+    return lens->off_centre != NULL ? lens->off_centre->orthographic : NULL;
+}
 
 /* lib/view/off_centre.c */
 extern const fxl_off_centre_code fxl_off_centre;
 
-/* Whether the centre is no farther from the middle of the screen than fxl_lens_set_centre says, and
- * the inset 0. */
+/* Whether the focal length is that of a field of view, the centre no farther from the middle of the
+ * screen than fxl_lens_set_centre says, and the inset 0. */
 bool fxl_off_centre_is_valid(const fxl_lens *lens);
+
+/* lib/draw/orthographic.c */
+extern const fxl_off_centre_code fxl_orthographic;
+
+/* Projects a point (X, Y, Z) of the view: x = width/2 + scale X, y = height/2 - scale Y, each product
+ * rounded once, to the nearest 1/65536 pixel (halves upward, before the centre is added). Requires
+ * |X|, |Y| < 2^61 units and a projection that an orthographic lens set up.
+ * FXL_E_RANGE: a coordinate would exceed FXL_SCREEN_COORDINATE_MAX; screen untouched.
+ * Error, given the view point: half a unit of 1/65536 pixel. */
+fxl_projector fxl_project_orthographic;
 
 #ifdef __cplusplus
 }

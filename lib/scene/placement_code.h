@@ -14,6 +14,7 @@ struct fxl_renderer;
 struct fxl_shader_code;
 struct fxl_traversal;
 struct fxl_turned_view; /* lib/view/placement.h */
+struct fxl_rounded_instance; /* lib/draw/rounded_faces.h */
 
 struct fxl_placement_code {
     /* Whether all instances from first_turned on may be turned as they are: fxl_placement_check. On
@@ -55,6 +56,13 @@ struct fxl_placement_code {
     const fxl_model *(*view)(struct fxl_turned_view *turned, const fxl_scene *scene,
                              uint32_t number, const fxl_view *view, fxl_vertex_cache *cache,
                              uint32_t planes);
+    /* For an orthographic lens: fxl_placement_rows; fxl_turned_cluster_planes, of a view's first
+     * member; and what sets the model view's shader, for which `rounded` is room. */
+    void (*rows)(const fxl_axes *view, const fxl_orientation *of, fxl_axes *matrix);
+    uint32_t (*cluster_planes)(const fxl_cluster *cluster, const fxl_model_view *model_view);
+    void (*set_shader)(const struct fxl_traversal *traversal, const struct fxl_draw_entry *entry,
+                       const struct fxl_shader_code *rounded, fxl_model_view *model_view,
+                       struct fxl_rounded_instance *instance);
 };
 
 #ifdef __cplusplus

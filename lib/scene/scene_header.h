@@ -44,6 +44,10 @@ typedef struct {
     fxl_q16_16 x, y;
 } fxl_image_centre;
 
+typedef struct {
+    fxl_q16_16 scale;
+} fxl_image_scale;
+
 #define FXL_AS_DOCUMENTED "docs/formats.md, section 1"
 
 FXL_STATIC_ASSERT(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");

@@ -21,12 +21,25 @@ static __attribute__((noinline)) uint32_t count_of(const fxl_image_header *head,
     return one != NULL ? one->count : 0;
 }
 
-/* An image says where the centre is only if that is not the middle, so a scene has one image. */
-static FXL_COLD fxl_status check_lens(const fxl_image_header *head, fxl_lens *lens)
+/* An image says where the centre is only if that is not the middle, so a scene has one image. The
+ * lens of one with a scale has none: no focal length, with which no renderer takes it. */
+static FXL_COLD fxl_status check_lens(const fxl_image_header *head, fxl_scene_image *opened)
 {
+    const fxl_image_scale *scale = (const fxl_image_scale *)first_of(head, SECTION_LENS_SCALE);
+    fxl_lens *lens = &opened->lens;
     const fxl_image_centre *centre = (const fxl_image_centre *)first_of(head, SECTION_LENS_CENTRE);
     fxl_status status = fxl_lens_from_fov(head->width, head->height, head->fov, head->near_z,
                                           head->far_z, head->inset, lens);
+    opened->scale = 0;
+    if (status == FXL_OK && scale != NULL) {
+        opened->scale = scale->scale;
+        lens->focal = 0;
+        return scale->scale >= FXL_ORTHOGRAPHIC_SCALE_MIN &&
+                       scale->scale <= FXL_ORTHOGRAPHIC_SCALE_MAX && head->inset == 0 &&
+                       centre == NULL
+                   ? FXL_OK
+                   : FXL_E_RANGE;
+    }
     if (status != FXL_OK || centre == NULL) {
         return status;
     }
@@ -40,7 +53,7 @@ static FXL_COLD fxl_status check_lens(const fxl_image_header *head, fxl_lens *le
 static FXL_COLD fxl_status check_settings(const fxl_image_header *head, fxl_scene_image *opened,
                                           fxl_scene_fault *fault)
 {
-    fxl_status status = check_lens(head, &opened->lens);
+    fxl_status status = check_lens(head, opened);
     if (status != FXL_OK) {
         return fxl_fault_at(fault, "lens", 0, status);
     }

@@ -42,7 +42,8 @@ enum {
     SECTION_SPRITE_PIXELS = 30,
     SECTION_LENS_CENTRE = 31,
     SECTION_WHOLE_FACES = 32,
-    SECTION_KINDS = 33 /* one more than the greatest */
+    SECTION_LENS_SCALE = 33,
+    SECTION_KINDS = 34 /* one more than the greatest */
 };
 
 /* Of each kind: bytes of an entry, whether a reader that does not know it must refuse the image, the most
@@ -79,7 +80,8 @@ enum {
     {2, 1, FXL_SCENE_MODELS_MAX, "billboard map"},       \
     {1, 1, FXL_SCENE_IMAGE_MAX, "sprite pixels"},        \
     {8, 1, 1, "lens centre"},                            \
-    {4, 1, FXL_SCENE_FACES_MAX, "whole face table"},
+    {4, 1, FXL_SCENE_FACES_MAX, "whole face table"},     \
+    {4, 1, 1, "lens scale"},
 
 FXL_STATIC_ASSERT(FXL_SCENE_VERTICES_MAX == 1000000, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(FXL_SCENE_INDICES_MAX == 4000000, FXL_AS_DOCUMENTED);
@@ -216,5 +218,7 @@ FXL_STATIC_ASSERT(offsetof(fxl_scene_billboard, reserved) == 15, FXL_AS_DOCUMENT
 FXL_STATIC_ASSERT(offsetof(fxl_scene_billboard, width) == 16, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(sizeof(fxl_image_centre) == 8, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_image_centre, x) == 0, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(sizeof(fxl_image_scale) == 4, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(offsetof(fxl_image_scale, scale) == 0, FXL_AS_DOCUMENTED);
 
 #endif

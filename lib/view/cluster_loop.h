@@ -54,7 +54,7 @@ static inline uint32_t fxl_list_each_cluster(const fxl_cluster_tests *tests, con
         const uint32_t planes = PLANES_OF(cluster, model_view);
         if (planes == FXL_SPHERE_OUTSIDE) {
             *front += cluster->face_count;
-        } else if (!IS_TURNED_AWAY(cluster, &eye)) {
+        } else if (!IS_TURNED_AWAY(cluster, &eye, model_view)) {
             uint32_t found = FIND_FRONT(scene, model, first, cluster->face_count, model_view, &eye,
                                         entries + count);
             *front += found;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#define PLANES_OF      planes_of
+#define PLANES_OF      fxl_still_cluster_planes
 #define IS_TURNED_AWAY fxl_cluster_is_turned_away
 #define FIND_FRONT     order_run
 
@@ -10,20 +10,21 @@
 
 #include "../math/arith.h"
 
-static uint32_t planes_of(const fxl_cluster *cluster, const fxl_model_view *model_view);
 static uint32_t order_run(const fxl_scene *scene, const fxl_model *model, uint32_t first,
                           uint32_t count, const fxl_model_view *model_view, const fxl_point *eye,
                           fxl_draw_entry *entries);
 
 #include "cluster_loop.h"
 
-bool fxl_cluster_is_turned_away(const fxl_cluster *cluster, const fxl_point *eye)
+bool fxl_cluster_is_turned_away(const fxl_cluster *cluster, const fxl_point *eye,
+                                const fxl_model_view *model_view)
 {
+    (void)model_view;
     return fxl_is_in_cone(cluster, eye, 0);
 }
 
 /* The planes that a cluster may cross, of those that its instance may cross. */
-static uint32_t planes_of(const fxl_cluster *cluster, const fxl_model_view *model_view)
+uint32_t fxl_still_cluster_planes(const fxl_cluster *cluster, const fxl_model_view *model_view)
 {
     const fxl_camera *camera = &model_view->view->camera;
     /* Within FXL_COORDINATE_MAX, because the cluster's vertices are, and its centre lies in their

@@ -19,7 +19,8 @@ uint32_t fxl_list_clusters(const fxl_scene *scene, const fxl_model *model,
 typedef uint32_t fxl_cluster_planes(const fxl_cluster *cluster, const fxl_model_view *model_view);
 
 /* Whether no face of a cluster shows its front to an eye, which is less the model view's offset. */
-typedef bool fxl_cluster_cone(const fxl_cluster *cluster, const fxl_point *eye);
+typedef bool fxl_cluster_cone(const fxl_cluster *cluster, const fxl_point *eye,
+                              const fxl_model_view *model_view);
 
 /* fxl_list_front_faces for count faces of the model from first on. */
 typedef uint32_t fxl_cluster_front(const fxl_scene *scene, const fxl_model *model, uint32_t first,
@@ -41,9 +42,12 @@ uint32_t fxl_list_clusters_by(const fxl_cluster_tests *tests, const fxl_scene *s
 /* Whether an eye lies in the cone of a cluster, so that no face shows its front to the eye. The eye
  * is relative to the instance's centre; each coordinate is within 2 FXL_COORDINATE_MAX. The result
  * may be false for an eye that lies in the cone, near its border. */
-bool fxl_cluster_is_turned_away(const fxl_cluster *cluster, const fxl_point *eye);
+fxl_cluster_cone fxl_cluster_is_turned_away;
 
 /* The same for an eye whose coordinates were rounded: true only if the exact eye is in the cone. */
-bool fxl_cluster_is_surely_turned_away(const fxl_cluster *cluster, const fxl_point *eye);
+fxl_cluster_cone fxl_cluster_is_surely_turned_away;
+
+/* The planes that a cluster of an instance that is not turned may cross. */
+fxl_cluster_planes fxl_still_cluster_planes;
 
 #endif

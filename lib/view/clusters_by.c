@@ -14,8 +14,10 @@
  * cone if u . axis - 2 |d| >= sqrt(cutoff) |u|. */
 #define ROUNDED_EYE 1
 
-bool fxl_cluster_is_surely_turned_away(const fxl_cluster *cluster, const fxl_point *eye)
+bool fxl_cluster_is_surely_turned_away(const fxl_cluster *cluster, const fxl_point *eye,
+                                       const fxl_model_view *model_view)
 {
+    (void)model_view;
     return fxl_is_in_cone(cluster, eye, ROUNDED_EYE);
 }
 

@@ -91,4 +91,4 @@ static void set_pose(fxl_view *view)
     shear(&axes->up, &axes->forward, lens, offset_y(lens), focal);
 }
 
-const fxl_off_centre_code fxl_off_centre = {fxl_off_centre_is_valid, set_lens, set_pose};
+const fxl_off_centre_code fxl_off_centre = {fxl_off_centre_is_valid, set_lens, set_pose, NULL};

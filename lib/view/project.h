@@ -24,6 +24,10 @@ extern "C" {
      FXL_BELOW((view)->x, ((int64_t)1 << 61) - 1) && FXL_BELOW((view)->y, ((int64_t)1 << 61) - 1) && \
      FXL_BELOW((view)->z, ((int64_t)1 << 61) - 1))
 
+/* How a point of the view is projected: fxl_project_inside, or another. */
+typedef fxl_status fxl_projector(const fxl_projection *projection, const fxl_view_point *view,
+                                 fxl_screen_point *screen);
+
 /* Projects a point (X, Y, Z) of the view:
  *   x = width/2 + focal X / Z, y = height/2 - focal Y / Z,
  * each rounded once, to the nearest 1/65536 pixel (halves upward, before the centre is

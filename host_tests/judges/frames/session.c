@@ -174,6 +174,15 @@ static fxl_status attach_pictures(session *run, bool without_surfaces)
     return status;
 }
 
+/* The lens of an image with a scale. */
+static fxl_status take_scale(fxl_scene_image *image)
+{
+    const fxl_lens *lens = &image->lens;
+    return image->scale == 0 ? FXL_OK
+                             : fxl_lens_orthographic(lens->width, lens->height, image->scale,
+                                                     lens->near_z, lens->far_z, &image->lens);
+}
+
 fxl_status session_set_up(session *run, const session_settings *settings)
 {
     const fxl_scene *scene = &run->image.scene;
@@ -181,7 +190,10 @@ fxl_status session_set_up(session *run, const session_settings *settings)
     fxl_memory memory = run->memory;
     memory.display_list_capacity = settings->display_list_words;
     memory.cache_capacity = settings->cache_entries;
-    fxl_status status = fxl_renderer_init_with(renderer, scene, &run->image.lens, &memory);
+    fxl_status status = take_scale(&run->image);
+    if (status == FXL_OK) {
+        status = fxl_renderer_init_with(renderer, scene, &run->image.lens, &memory);
+    }
     if (status == FXL_OK) {
         status = fxl_renderer_set_clipper(renderer, settings->clipper, &run->clipper_workspace,
                                           sizeof run->clipper_workspace);

@@ -35,18 +35,27 @@ static viewpoint viewpoint_of(const scene *s, const dump_frame *frame)
     return v;
 }
 
-/* Makes the ray through a point of the screen. The camera was turned by yaw, then, in its own
- * frame, by pitch, then by roll. So a vector in the camera's frame is transformed into the world
- * by roll first and yaw last. */
+/* The camera was turned by yaw, then, in its own frame, by pitch, then by roll. So a vector in the
+ * camera's frame is transformed into the world by roll first and yaw last. */
+static vector in_world(const viewpoint *v, vector along)
+{
+    turn(&along.x, &along.y, v->cosine[2], v->sine[2]); /* the right side towards the up side */
+    turn(&along.z, &along.y, v->cosine[1], v->sine[1]); /* forward towards up */
+    turn(&along.z, &along.x, v->cosine[0], v->sine[0]); /* forward from +z towards +x */
+    return along;
+}
+
+/* Makes the ray through a point of the screen. */
 static world_ray ray_through(const viewpoint *v, double x, double y)
 {
-    double right = (x - v->s->centre_x) / v->s->focal;
-    double up = (v->s->centre_y - y) / v->s->focal;
-    double forward = 1;
-    turn(&right, &up, v->cosine[2], v->sine[2]);      /* the right side towards the up side */
-    turn(&forward, &up, v->cosine[1], v->sine[1]);    /* forward towards up */
-    turn(&forward, &right, v->cosine[0], v->sine[0]); /* forward from +z towards +x */
-    return (world_ray){v->eye, {right, up, forward}, v->s->near, v->s->far};
+    const double right = x - v->s->centre_x, up = v->s->centre_y - y, scale = v->s->scale;
+    if (scale != 0) { /* all rays are parallel */
+        const vector beside = in_world(v, (vector){right / scale, up / scale, 0});
+        return (world_ray){vector_plus(v->eye, beside), in_world(v, (vector){0, 0, 1}), v->s->near,
+                           v->s->far};
+    }
+    return (world_ray){v->eye, in_world(v, (vector){right / v->s->focal, up / v->s->focal, 1}),
+                       v->s->near, v->s->far};
 }
 
 static uint8_t colour_of(const scene *s, world_hit hit)

@@ -30,6 +30,7 @@ typedef struct reader {
     scene_names names;
     table textures, surfaces, mapped, map; /* where faces that let through are left out */
     const uint8_t *centre;                 /* of the lens; null: in the middle */
+    const uint8_t *scale;                  /* of an orthographic lens; null: it has an eye */
 } reader;
 
 static double q16(const uint8_t *at)
@@ -114,6 +115,7 @@ static void open_image(reader *r, const char *path)
         r->map = sections[KIND_FACE_MAP];
     }
     r->centre = sections[KIND_LENS_CENTRE].at;
+    r->scale = sections[KIND_LENS_SCALE].at;
 }
 
 static const uint8_t *model_of(const reader *r, const uint8_t *instance)
@@ -257,6 +259,7 @@ scene scene_read(const char *path, scene_names names)
         s.centre_x = q16(r->centre);
         s.centre_y = q16(r->centre + 4);
     }
+    s.scale = r->scale ? q16(r->scale) : 0;
     if (s.width == 0 || s.height == 0 || !(s.focal > 0) || !(s.near > 0) || !(s.far > s.near))
         unusable("%s: its screen or its depths make no sense", path);
     s.image = r;

@@ -19,6 +19,7 @@ typedef struct {
     double focal;              /* pixels */
     double near, far;          /* the visible depths, with the inset taken off */
     double centre_x, centre_y; /* pixels: where the screen is straight ahead */
+    double scale;              /* pixels a world unit, of an orthographic lens; else 0 */
     uint8_t background;
     world world;
     struct reader *image; /* of which scene_play makes the world anew */

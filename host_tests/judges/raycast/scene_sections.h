@@ -37,7 +37,8 @@ enum {
     KIND_SPRITE_PIXELS = 30,
     KIND_LENS_CENTRE = 31,
     KIND_WHOLE_FACES = 32,
-    KINDS = 33
+    KIND_LENS_SCALE = 33,
+    KINDS = 34
 };
 
 /* A section: its first entry, and how many there are. Null and 0: there is none. */

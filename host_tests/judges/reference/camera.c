@@ -75,6 +75,15 @@ ref_camera ref_camera_from_pose(const ref_pose *pose)
     return camera;
 }
 
+void ref_camera_take_eye(ref_camera *camera)
+{
+    const double forward[3] = {camera->forward.x, camera->forward.y, camera->forward.z};
+    camera->has_no_eye = true;
+    for (int i = 0; i < 3; i++) {
+        camera->forward_30[i] = (int32_t)floor(forward[i] * 0x1p30 + 0.5);
+    }
+}
+
 ref_point ref_forward(ref_angle yaw, ref_angle pitch)
 {
     ref_pose pose = {.yaw = yaw, .pitch = pitch};
@@ -122,6 +131,10 @@ void ref_transform_polygon(const ref_camera *camera, const ref_polygon *polygon,
 
 ref_screen_point ref_project_point(const ref_lens *lens, const ref_view_point *view)
 {
+    if (lens->scale != 0) {
+        return (ref_screen_point){(double)(lens->centre_x + lens->scale * view->x),
+                                  (double)(lens->centre_y - lens->scale * view->y)};
+    }
     return (ref_screen_point){(double)(lens->centre_x + lens->focal * view->x / view->z),
                               (double)(lens->centre_y - lens->focal * view->y / view->z)};
 }

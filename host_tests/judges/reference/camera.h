@@ -18,10 +18,15 @@ double ref_cos(ref_angle angle);
 typedef struct {
     ref_point position;
     ref_point right, up, forward;
+    bool has_no_eye;    /* of an orthographic lens */
+    int32_t forward_30[3]; /* then: forward, each component rounded to 2.30 */
 } ref_camera;
 
 /* Makes the camera: R . P . Y, computed as three turns one after the other. */
 ref_camera ref_camera_from_pose(const ref_pose *pose);
+
+/* The same camera with an orthographic lens (docs/extras/orthographic.md). */
+void ref_camera_take_eye(ref_camera *camera);
 
 /* Returns the direction in which a player looks: the image of (0, 0, 1) under the turns. */
 ref_point ref_forward(ref_angle yaw, ref_angle pitch);
@@ -35,6 +40,7 @@ typedef struct {
     double focal;                /* pixels */
     double near_z, far_z, inset; /* world units */
     double centre_x, centre_y;   /* pixels: where the screen is straight ahead */
+    double scale;                /* pixels a world unit, of an orthographic lens; else 0 */
 } ref_lens;
 
 /* Makes a lens. focal = (width / 2) / tan(fov / 2), rounded to the nearest 1/65536; the
@@ -52,7 +58,7 @@ void ref_transform_polygon(const ref_camera *camera, const ref_polygon *polygon,
 
 /* The projection from the view onto the screen (SPEC.md, section 4.8), in double. */
 
-/* Requires view->z > 0. */
+/* Requires view->z > 0, or an orthographic lens. */
 ref_screen_point ref_project_point(const ref_lens *lens, const ref_view_point *view);
 
 /* A point in the view of those that are seen at a point of the screen; the others are its

@@ -150,10 +150,18 @@ ref_view_frustum ref_view_frustum_from_lens(const ref_lens *lens)
     double x = lens->centre_x, y = lens->centre_y;
     double focal = lens->focal, inset = lens->inset;
     ref_view_frustum frustum;
-    frustum.planes[REF_PLANE_LEFT] = side_plane(false, focal, x, inset);
-    frustum.planes[REF_PLANE_RIGHT] = side_plane(false, -focal, lens->width - x, inset);
-    frustum.planes[REF_PLANE_BOTTOM] = side_plane(true, focal, lens->height - y, inset);
-    frustum.planes[REF_PLANE_TOP] = side_plane(true, -focal, y, inset);
+    if (lens->scale != 0) {
+        const double scale = lens->scale;
+        frustum.planes[REF_PLANE_LEFT] = side_plane(false, 1, 0, -x / scale);
+        frustum.planes[REF_PLANE_RIGHT] = side_plane(false, -1, 0, (x - lens->width) / scale);
+        frustum.planes[REF_PLANE_BOTTOM] = side_plane(true, 1, 0, (y - lens->height) / scale);
+        frustum.planes[REF_PLANE_TOP] = side_plane(true, -1, 0, -y / scale);
+    } else {
+        frustum.planes[REF_PLANE_LEFT] = side_plane(false, focal, x, inset);
+        frustum.planes[REF_PLANE_RIGHT] = side_plane(false, -focal, lens->width - x, inset);
+        frustum.planes[REF_PLANE_BOTTOM] = side_plane(true, focal, lens->height - y, inset);
+        frustum.planes[REF_PLANE_TOP] = side_plane(true, -focal, y, inset);
+    }
     frustum.planes[REF_PLANE_NEAR] = (ref_view_plane){false, 0, 1, lens->near_z + inset};
     frustum.planes[REF_PLANE_FAR] = (ref_view_plane){false, 0, -1, inset - lens->far_z};
     return frustum;

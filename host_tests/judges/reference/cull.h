@@ -12,6 +12,11 @@
 bool ref_face_is_front(const ref_scene *scene, const ref_instance *instance, const ref_face *face,
                        const ref_lattice_point *eye);
 
+/* The same for a camera that may have no eye. */
+bool ref_face_shows_front(const ref_scene *scene, const ref_instance *instance,
+                          const ref_face *face, const ref_lattice_point *eye,
+                          const ref_camera *camera);
+
 /* rounded: the points of a turned instance are rounded in the world. */
 void ref_face_to_polygon(const ref_scene *scene, const ref_instance *instance, const ref_face *face,
                          bool rounded, ref_polygon *polygon);

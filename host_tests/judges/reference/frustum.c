@@ -60,13 +60,21 @@ typedef struct {
     double left, right, top, bottom;
 } ref_sides;
 
-/* Makes the four planes through the eye and these borders. A border at x is centre_x + focal X / Z,
+/* Makes the four planes through the eye, if there is one, and these borders. A border at x is centre_x + focal X / Z,
  * so X along focal and Z along x - centre_x. */
 static void set_sides(const ref_camera *camera, const ref_lens *lens, const ref_sides *sides,
                       ref_plane planes[REF_PLANE_COUNT])
 {
     double focal = lens->focal, inset = lens->inset;
     double x = lens->centre_x, y = lens->centre_y;
+    if (lens->scale != 0) { /* parallel to forward */
+        const double scale = lens->scale;
+        planes[REF_PLANE_LEFT] = view_plane(camera, 1, 0, 0, 0, (sides->left - x) / scale);
+        planes[REF_PLANE_RIGHT] = view_plane(camera, -1, 0, 0, 0, (x - sides->right) / scale);
+        planes[REF_PLANE_BOTTOM] = view_plane(camera, 0, 1, 0, 0, (y - sides->bottom) / scale);
+        planes[REF_PLANE_TOP] = view_plane(camera, 0, -1, 0, 0, (sides->top - y) / scale);
+        return;
+    }
     planes[REF_PLANE_LEFT] = view_plane(camera, focal, 0, x - sides->left, 0, inset);
     planes[REF_PLANE_RIGHT] = view_plane(camera, -focal, 0, sides->right - x, 0, inset);
     planes[REF_PLANE_BOTTOM] = view_plane(camera, 0, focal, sides->bottom - y, 0, inset);
@@ -179,6 +187,20 @@ bool ref_face_is_front(const ref_scene *scene, const ref_instance *instance, con
                     (ref_exact)face->normal[1] * ((int64_t)eye->y - first.y) +
                     (ref_exact)face->normal[2] * ((int64_t)eye->z - first.z);
     return sum > 0;
+}
+
+bool ref_face_shows_front(const ref_scene *scene, const ref_instance *instance,
+                          const ref_face *face, const ref_lattice_point *eye,
+                          const ref_camera *camera)
+{
+    int32_t ahead[3];
+    if (!camera->has_no_eye) {
+        return ref_face_is_front(scene, instance, face, eye);
+    }
+    ref_direction_in_model(scene, instance, camera->forward_30, ahead);
+    return (ref_exact)face->normal[0] * ahead[0] + (ref_exact)face->normal[1] * ahead[1] +
+               (ref_exact)face->normal[2] * ahead[2] <
+           0;
 }
 
 void ref_face_to_polygon(const ref_scene *scene, const ref_instance *instance, const ref_face *face,

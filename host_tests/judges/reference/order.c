@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "reference/cull.h"
 #include "reference/placement.h"
 
 static ref_square square(int64_t value)
@@ -23,8 +24,27 @@ static void widen(int64_t *low, int64_t *high, int32_t value)
     *high = value > *high ? value : *high;
 }
 
-static ref_square face_distance_squared(const ref_lattice_point *eye, const ref_scene *scene,
-                                        const ref_instance *instance, const ref_face *face)
+/* A key that grows with the depth: the product of a direction and a point, moved above 0. */
+static ref_square key_along(const int32_t ahead[3], int64_t x, int64_t y, int64_t z)
+{
+    return (ref_square)(((ref_exact)1 << 80) + (ref_exact)ahead[0] * x + (ref_exact)ahead[1] * y +
+                        (ref_exact)ahead[2] * z);
+}
+
+/* The key of an instance in the order of drawing. */
+static ref_square instance_key(const ref_lattice_point *eye, const ref_camera *camera,
+                               const ref_lattice_point *centre)
+{
+    return camera->has_no_eye
+               ? key_along(camera->forward_30, (int64_t)centre->x - eye->x,
+                           (int64_t)centre->y - eye->y, (int64_t)centre->z - eye->z)
+               : distance_squared(eye, centre);
+}
+
+/* The key of a face of a sorted model. */
+static ref_square face_key(const ref_lattice_point *eye, const ref_camera *camera,
+                           const ref_scene *scene, const ref_instance *instance,
+                           const ref_face *face)
 {
     const ref_placement *placement = ref_placement_of(scene, instance);
     int64_t low[3] = {INT32_MAX, INT32_MAX, INT32_MAX};
@@ -35,6 +55,11 @@ static ref_square face_distance_squared(const ref_lattice_point *eye, const ref_
         widen(&low[0], &high[0], corner.x);
         widen(&low[1], &high[1], corner.y);
         widen(&low[2], &high[2], corner.z);
+    }
+    if (camera->has_no_eye) {
+        int32_t ahead[3];
+        ref_direction_in_model(scene, instance, camera->forward_30, ahead);
+        return key_along(ahead, low[0] + high[0], low[1] + high[1], low[2] + high[2]);
     }
     if (placement) {
         ref_lattice_point at;
@@ -79,7 +104,7 @@ uint32_t ref_order_instances(const ref_scene *scene, const ref_lattice_point *ey
         double radius = ref_instance_radius(scene, instance) / REF_ONE;
         if (ref_sphere_planes(&distances, radius) != REF_SPHERE_OUTSIDE) {
             entries[count++] =
-                (ref_order_entry){distance_squared(eye, &instance->centre), i, instance->layer};
+                (ref_order_entry){instance_key(eye, camera, &instance->centre), i, instance->layer};
         }
     }
     sort_entries(entries, count);
@@ -130,9 +155,9 @@ uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *instance,
         left -= left > 0;
         if (outside) {
             *left_out += 1;
-        } else if (ref_face_is_front(scene, instance, face, eye)) {
+        } else if (ref_face_shows_front(scene, instance, face, eye, camera)) {
             entries[count++] =
-                (ref_order_entry){face_distance_squared(eye, scene, instance, face), i, 0};
+                (ref_order_entry){face_key(eye, camera, scene, instance, face), i, 0};
         }
     }
     if (!by_number) {

@@ -77,6 +77,20 @@ void ref_placement_normal(const ref_placement *placement, const int32_t normal[3
     }
 }
 
+void ref_direction_in_model(const ref_scene *scene, const ref_instance *instance,
+                            const int32_t direction[3], int32_t in_model[3])
+{
+    const ref_placement *placement = ref_placement_of(scene, instance);
+    for (int i = 0; i < 3; i++) {
+        in_model[i] = direction[i];
+        if (placement) {
+            const int32_t column[3] = {placement->rows[0][i], placement->rows[1][i],
+                                       placement->rows[2][i]};
+            in_model[i] = (int32_t)divide_round(sum_of(column, direction), (ref_exact)1 << 30);
+        }
+    }
+}
+
 /* The transpose of the orientation times the eye less the centre, in units of 2^-46. */
 static ref_exact eye_along(const ref_placement *placement, const ref_lattice_point *centre,
                            const ref_lattice_point *eye, int axis)

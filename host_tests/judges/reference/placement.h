@@ -28,6 +28,10 @@ ref_lattice_point ref_placement_rounded(const ref_placement *placement,
                                         const ref_lattice_point *vertex);
 
 /* A normal in the world, each component rounded once to 2.30. */
+/* A direction of the world, in 2.30, in the model of an instance. */
+void ref_direction_in_model(const ref_scene *scene, const ref_instance *instance,
+                            const int32_t direction[3], int32_t in_model[3]);
+
 void ref_placement_normal(const ref_placement *placement, const int32_t normal[3],
                           int32_t turned[3]);
 

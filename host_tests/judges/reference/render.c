@@ -315,7 +315,7 @@ bool ref_submit_instance(ref_renderer *renderer, uint32_t number)
     } else {
         for (uint32_t i = 0; i < model->face_count; i++) {
             const ref_face *face = &scene->faces[model->first_face + i];
-            if (ref_face_is_front(scene, instance, face, &renderer->eye)) {
+            if (ref_face_shows_front(scene, instance, face, &renderer->eye, &renderer->camera)) {
                 renderer->faces[count++].index = i;
             }
         }
@@ -374,6 +374,9 @@ bool ref_frame_begin(ref_renderer *renderer, const ref_pose *pose)
 {
     renderer->eye = pose->position;
     renderer->camera = ref_camera_from_pose(pose);
+    if (renderer->lens.scale != 0) {
+        ref_camera_take_eye(&renderer->camera);
+    }
     set_frusta(renderer);
     renderer->counters = (ref_counters){0};
     renderer->display_list.count = 0;

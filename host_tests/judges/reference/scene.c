@@ -276,6 +276,19 @@ static bool read_centre(const uint8_t *bytes, ref_lens *lens)
     return x <= 1.5 * lens->width && y <= 1.5 * lens->height && fmax(x, y) <= 4 * lens->focal;
 }
 
+/* Makes the lens orthographic, if the image has a scale. */
+static bool read_scale(const uint8_t *bytes, ref_lens *lens)
+{
+    uint32_t count;
+    const uint8_t *scale = ref_section(bytes, REF_LENS_SCALE, &count);
+    if (!scale) {
+        return true;
+    }
+    lens->scale = ref_i32(scale) / REF_ONE;
+    return lens->scale >= 1.0 / 16 && lens->scale <= 4096 && lens->inset == 0 &&
+           !ref_section(bytes, REF_LENS_CENTRE, &count);
+}
+
 static bool read_lens(const uint8_t *bytes, ref_lens *lens)
 {
     int width = ref_u16(bytes + 16), height = ref_u16(bytes + 18);
@@ -285,7 +298,8 @@ static bool read_lens(const uint8_t *bytes, ref_lens *lens)
     *lens = ref_lens_from_fov(width, height, fov, near_z, far_z, inset);
     return width >= 1 && width <= REF_SCREEN_MAX && height >= 1 && height <= REF_SCREEN_MAX &&
            fov >= 119304647u && fov <= 1789569707u && near_z >= 1.0 / 256 && far_z <= 32767 &&
-           inset >= 0 && inset <= 1 && near_z + 2 * inset < far_z && read_centre(bytes, lens);
+           inset >= 0 && inset <= 1 && near_z + 2 * inset < far_z && read_centre(bytes, lens) &&
+           read_scale(bytes, lens);
 }
 
 /* place pixel-format: what the image asks for */

@@ -51,7 +51,8 @@ static const struct {
                               [REF_BILLBOARD_MAP] = {2, 65535},
                               [REF_SPRITE_PIXELS] = {1, 16u << 20},
                               [REF_LENS_CENTRE] = {8, 1},
-                              [REF_WHOLE_FACES] = {4, 1000000}};
+                              [REF_WHOLE_FACES] = {4, 1000000},
+                              [REF_LENS_SCALE] = {4, 1}};
 
 static const uint8_t *entry_at(const uint8_t *bytes, uint32_t number)
 {

@@ -44,7 +44,8 @@ enum {
     REF_SPRITE_PIXELS,
     REF_LENS_CENTRE,
     REF_WHOLE_FACES,
-    REF_LAST_KIND = REF_WHOLE_FACES
+    REF_LENS_SCALE,
+    REF_LAST_KIND = REF_LENS_SCALE
 };
 
 /* Tells what is wrong with the header of an image, with the table of sections, with where they lie,

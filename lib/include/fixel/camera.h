@@ -72,6 +72,26 @@ fxl_status fxl_lens_from_window(uint16_t width, fxl_q16_16 left, fxl_q16_16 righ
                                 fxl_q16_16 bottom, fxl_q16_16 top, fxl_q16_16 near_z,
                                 fxl_q16_16 far_z, fxl_lens *lens);
 
+/* --- orthographic ------------------------------------------------------------------------ */
+
+/* Makes a lens with which a thing has the same size at every depth: `scale` pixels a world unit, in
+ * 16.16. Its centre is the middle of the screen, and it has no inset.
+ * Requires width, height in 1..FXL_SCREEN_MAX; scale in
+ * FXL_ORTHOGRAPHIC_SCALE_MIN..FXL_ORTHOGRAPHIC_SCALE_MAX; near_z >= FXL_NEAR_MIN;
+ * near_z < far_z <= FXL_FAR_MAX.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: a number is out of its range.
+ * With each of these statuses: lens untouched.
+ * Exact. */
+fxl_status fxl_lens_orthographic(uint16_t width, uint16_t height, fxl_q16_16 scale,
+                                 fxl_q16_16 near_z, fxl_q16_16 far_z, fxl_lens *lens);
+
+/* Pitches of the usual poses of maps of tiles, with a yaw of 45 degrees (FXL_ANGLE_QUARTER / 2).
+ * Isometric: the three edges of a cube are equally long, -asin(1 / sqrt(3)). Dimetric: an edge of the
+ * ground goes one pixel down in two, -30 degrees. */
+#define FXL_PITCH_ISOMETRIC FXL_CAST(fxl_angle, 3874246739u)
+#define FXL_PITCH_DIMETRIC  FXL_DEGREES(-30)
+
 /* --- the directions of a pose ------------------------------------------------------------ */
 
 /* A rotation: its rows are the axes that it turns x, y and z of the view to. */

@@ -305,6 +305,16 @@ fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *c
  * With each of these statuses: renderer untouched but for refused_calls. */
 fxl_status fxl_renderer_set_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16_16 y);
 
+/* Makes the lens orthographic (fxl_lens_orthographic), with so many pixels a world unit in 16.16,
+ * on the same screen, between the same near and far, without an inset. Then a frame must begin anew,
+ * and workspaces of other cores must be initialised again. The lens of this renderer stays
+ * orthographic.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: the renderer was never initialised, or something is attached to it.
+ * FXL_E_RANGE: scale is not in FXL_ORTHOGRAPHIC_SCALE_MIN..FXL_ORTHOGRAPHIC_SCALE_MAX.
+ * With each of these statuses: renderer untouched but for refused_calls. */
+fxl_status fxl_renderer_set_orthographic(fxl_renderer *renderer, fxl_q16_16 scale);
+
 /* Begins a frame: camera; cull and sort the instances; then every face is transformed,
  * clipped, projected and appended to the display list, as far as that has room. Zeroes the
  * counters except refused_calls, and counts the faces that it came to. Then draw the frame

@@ -356,7 +356,10 @@ typedef struct {
 /* A scene image: the scene and the settings beside it. */
 typedef struct {
     fxl_scene scene;
+    /* With a scale: its screen, near and far, which fxl_lens_orthographic makes a lens of. No renderer
+     * takes it as it is. */
     fxl_lens lens;
+    fxl_q16_16 scale; /* pixels a world unit of an orthographic lens; 0: the lens has an eye */
     uint8_t background;
     /* What the scene asks for; a program may follow. Order: by its tree if it has one. */
     uint8_t pixel_bits;     /* 8: the palette; 16: RGB565 */

@@ -109,6 +109,10 @@ typedef uint32_t fxl_angle; /* binary angle; a full turn is 2^32, wraps */
 #define FXL_FOV_MIN FXL_CAST(fxl_angle, 119304647u)
 #define FXL_FOV_MAX FXL_CAST(fxl_angle, 1789569707u)
 
+/* Pixels a world unit of an orthographic lens: 1/16..4096. */
+#define FXL_ORTHOGRAPHIC_SCALE_MIN FXL_CAST(fxl_q16_16, 4096)
+#define FXL_ORTHOGRAPHIC_SCALE_MAX FXL_CAST(fxl_q16_16, 4096 * 65536)
+
 /* In world units. Near plane: 1/256 at least. Far plane: 32767 at most. Inset: 0..1. */
 #define FXL_NEAR_MIN  FXL_CAST(fxl_q16_16, 256)
 #define FXL_FAR_MAX   FXL_CAST(fxl_q16_16, 32767 * 65536)
@@ -254,18 +258,20 @@ typedef struct {
     fxl_angle yaw, pitch, roll;
 } fxl_pose;
 
-/* What a view needs of an off-centre lens (fixel/camera.h). Members are internal. */
+/* What a view needs of an off-centre or an orthographic lens (fixel/camera.h). Members are internal. */
 typedef struct fxl_off_centre_code fxl_off_centre_code;
 
 /* The screen, and the part of the world that it shows. fxl_lens_from_fov makes one. Its centre is
- * the middle of the screen; fxl_lens_set_centre moves it. */
+ * the middle of the screen; fxl_lens_set_centre moves it. fxl_lens_orthographic makes one whose
+ * focal length is its scale. */
 typedef struct {
     uint16_t width, height;        /* pixels */
     fxl_q16_16 focal;              /* pixels: screen x = centre_x + focal * X / Z */
     fxl_q16_16 near_z, far_z;      /* world units along forward */
     fxl_q16_16 inset;              /* world units that every plane of the frustum moves inward */
     fxl_q16_16 centre_x, centre_y; /* pixels, y down: the point of the screen straight ahead */
-    const fxl_off_centre_code *off_centre; /* null: the centre is the middle of the screen */
+    /* Null: the centre is the middle of the screen, and the lens has an eye. */
+    const fxl_off_centre_code *off_centre;
 } fxl_lens;
 
 /* A vertex of a polygon in the world. u and v are texture coordinates in texels,

@@ -220,6 +220,8 @@ SECTIONS = (
         Field("I", "", "32 × number of the first index of the whole face that the face is a part of, + its count (3..24); "
                        "0: it is no part"),),
             1_000_000, limit="FXL_SCENE_FACES_MAX", documented="whole faces"),
+    Section("scale of the lens", "lens scale", (Field("i", "scale", "pixels a world unit (16.16): the lens is orthographic"),), 1,
+            record="fxl_image_scale", documented="lens scale"),
 )
 KINDS = {section.name: number for number, section in enumerate(SECTIONS, 1)}
 ALWAYS = ("palette", "vertices", "faces", "models", "objects")

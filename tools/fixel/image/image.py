@@ -46,6 +46,7 @@ class SceneImage:
     beams: list = field(default_factory=list)
     lit: bytes = bytes(range(256))      # for each colour, the one that it has in a beam
     centre: tuple = None                # (x, y) of the lens in 16.16; None: the middle of the screen
+    scale: int = 0                      # pixels a world unit in 16.16: the lens is orthographic; 0: it has an eye
     placements: list = field(default_factory=list)  # of the last objects
     motions: list = field(default_factory=list)     # of the last of those
     light: image_light.Light = None                 # at run time
@@ -83,6 +84,7 @@ def pack(image):
     tables["lit"] = bytes(image.lit) if image.beams else b""
     tables |= image.light.tables() if image.light else {}
     tables["centre of the lens"] = [image_header.CENTRE.pack(*image.centre)] if image.centre else []
+    tables["scale of the lens"] = [image_header.SCALE.pack(image.scale)] if image.scale else []
     count, body = image_tables.pack(tables)
     size = HEAD.size + len(body)
     if size > IMAGE_MAX:
@@ -127,6 +129,15 @@ def _centre(head, tables):
     if centre == image_header.middle(head.width, head.height):
         fail("reserved", "the image gives the middle of the screen as the centre of its lens")
     return centre
+
+
+def _scale(head, tables):
+    """The scale of an orthographic lens; 0: the lens has an eye."""
+    if not tables["scale of the lens"]:
+        return 0
+    ((scale,),) = tables["scale of the lens"]
+    image_header.check_scale(scale, head.inset, bool(tables["centre of the lens"]))
+    return scale
 
 
 def _tree(head, nodes, models, objects, unturned):
@@ -175,7 +186,7 @@ def unpack(blob):
     billboards = image_billboard.read(tables, models, [radius for radius, *_ in extras])
     return SceneImage(head.width, head.height, head.fov, head.near_z, head.far_z, head.inset, head.background,
                       tables["palette"], models, objects, kind, path, (*head.start, *head.start_yaw), gait, tree, beams, lit,
-                      centre, placements, motions, light, surfaces, billboards, image_header.DEPTHS[head.target % image_header.RGB565],
+                      centre, _scale(head, tables), placements, motions, light, surfaces, billboards, image_header.DEPTHS[head.target % image_header.RGB565],
                       pixel_bits, bool(head.target & image_header.BY_DISTANCE), head.dark,
                       size=head.image_size, crc=head.crc, unknown=unknown)
 

@@ -73,6 +73,8 @@ SCREEN_MAX = 1024
 FOV_MIN, FOV_MAX = 119304647, 1789569707
 NEAR_MIN, FAR_MAX, INSET_MAX = 256, 32767 << 16, 1 << 16
 CENTRE = entry("centre of the lens")
+SCALE = entry("scale of the lens")
+SCALE_MIN, SCALE_MAX = 1 << 12, 1 << 28
 
 
 def focal_pixels(width, fov):
@@ -98,6 +100,16 @@ def note_of_inset(scene):
 def middle(width, height):
     """The middle of the screen in the image's integers: the centre of every other lens."""
     return width << 15, height << 15
+
+
+def check_scale(scale, inset, has_centre):
+    """The range of the scale of an orthographic lens, in the image's integers, and what it goes with."""
+    if not SCALE_MIN <= scale <= SCALE_MAX:
+        fail("range", f"scale = {scale / 65536:.6g}: an orthographic lens has 1/16..4096 pixels a unit")
+    if inset:
+        fail("range", f"inset = {inset / 65536:.6g}: an orthographic lens has no inset")
+    if has_centre:
+        fail("range", "an orthographic lens has its centre in the middle of the screen")
 
 
 def check_centre(width, height, fov, inset, centre):

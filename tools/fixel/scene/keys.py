@@ -42,6 +42,7 @@ SCREEN = {"width": Key(Whole(1, image_header.SCREEN_MAX), 320), "height": Key(Wh
 VIEW = {
     "fov": Key(Degrees(10, 150, "degrees"), Fraction(75)),
     "focal": Key(Number(Fraction(1, 1000), 10000, "pixels")),
+    "scale": Key(Number(Fraction(1, 16), 4096, "pixels a world unit"), None, "none: the lens has an eye"),
     "centre": Key(Several(Number(-4096, 4096, "pixels"), 2, "[x, y]"), None, "the middle of the screen"),
     "near": Key(Number(SMALL, 32767, "world units"), Fraction(1, 4)),
     "far": Key(Number(SMALL, 32767, "world units"), Fraction(256)),

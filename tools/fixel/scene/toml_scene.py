@@ -38,8 +38,20 @@ def _centre(view, width, height, fov, inset):
     return centre
 
 
+def _scale(view):
+    """The scale of an orthographic lens in the image's integers; 0: the lens has an eye."""
+    if "scale" not in view:
+        return 0
+    for key in ("fov", "focal", "centre"):
+        if key in view:
+            raise ToolError(f"{view.where}: scale and {key} do not go together: an orthographic lens has no eye; keep one")
+    if view["inset"]:
+        raise ToolError(f"{view.at('inset')}: an orthographic lens has no inset; leave it out")
+    return quantity.q16(view["scale"])
+
+
 def _lens(top):
-    """width, height, fov, near, far, inset, centre in the image's integers."""
+    """width, height, fov, near, far, inset, scale, centre in the image's integers."""
     screen, view = top.table("screen"), top.table("view")
     width, height = screen["width"], screen["height"]
     if "focal" in view and "fov" in view:
@@ -57,7 +69,7 @@ def _lens(top):
     if near + 2 * inset >= far:
         raise ToolError(f"{view.where}: near + 2 inset = {(near + 2 * inset) / 65536:g} is not "
                         f"below far = {far / 65536:g}")
-    return width, height, fov, near, far, inset, _centre(view, width, height, fov, inset)
+    return width, height, fov, near, far, inset, _scale(view), _centre(view, width, height, fov, inset)
 
 
 # place field: a field of the header: who uses it in the tools
@@ -85,12 +97,12 @@ def _is_565(top):
 def _on_screen(lens, screen):
     """The lens on a screen of another width and height, with the same field of view. As the focal length, the centre's
     distance from the middle grows with the width."""
-    width, height, centre = *lens[:2], lens[-1]
+    width, height, scale, centre = *lens[:2], *lens[-2:]
     if centre:
         before, after = image_header.middle(width, height), image_header.middle(*screen)
         centre = tuple(at + (value - old) * screen[0] // width for value, old, at in zip(centre, before, after))
         centre = None if centre == after else centre
-    return (*screen, *lens[2:-1], centre)
+    return (*screen, *lens[2:-2], scale * screen[0] // width, centre)
 
 
 def _check_poses(count, where):
@@ -354,8 +366,8 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
         notes.append(f"{name}: {_merged_text(merged, palette.ENTRIES - 1 - len(reserved), _is_565(top), isinstance(light, toml_light.RunTime))}")
     records = Records(indices)
     models, placed, boards = _models(instances, indices, records)
-    scene = SceneImage(*lens[:-1], 0, colours, models, placed, kind, entries, start, gait)
-    scene.centre = lens[-1]
+    scene = SceneImage(*lens[:-2], 0, colours, models, placed, kind, entries, start, gait)
+    scene.scale, scene.centre = lens[-2:]
     _target(top, scene)
     scene.layers = top["tree"]
     scene.beams, scene.placements, scene.motions, scene.surfaces = beams, placements, motions, records.result(

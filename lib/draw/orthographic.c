@@ -1,0 +1,317 @@
+/* SPDX-License-Identifier: MIT */
+/* The orthographic lens, its view, and how scenes are drawn with it: a clipper and an order in which
+ * no eye stands (docs/extras/orthographic.md). Only what makes such a lens names this file's record. */
+#include "../clip/clip_by_view.h"
+#include "../math/arith.h"
+#include "../scene/face_bounds.h"
+#include "../scene/lens.h"
+#include "../scene/placement_code.h"
+#include "../view/order.h"
+#include "../view/placement.h"
+#include "fixel/camera.h"
+#include "renderer.h"
+#include "rounded_faces.h"
+#include "submit.h"
+#include "submit_instance.h"
+
+/* --- the lens -------------------------------------------------------------------------------- */
+
+/* The view's planes are those of any view (fxl_view_frustum) with an inset below 0: a point is inside
+ * left and right if +-x_side x >= inset. The smaller extent of the screen says the inset, and the
+ * larger one has a normal that is as much shorter. So sphere test, outcode and clip are those of any
+ * view. */
+
+/* orthographic 1.1 */
+static bool is_valid(const fxl_lens *lens)
+{
+    return lens->inset == 0 && lens->focal >= FXL_ORTHOGRAPHIC_SCALE_MIN &&
+           lens->focal <= FXL_ORTHOGRAPHIC_SCALE_MAX &&
+           lens->centre_x == (int32_t)lens->width * 32768 &&
+           lens->centre_y == (int32_t)lens->height * 32768;
+}
+
+fxl_status fxl_lens_orthographic(uint16_t width, uint16_t height, fxl_q16_16 scale,
+                                 fxl_q16_16 near_z, fxl_q16_16 far_z, fxl_lens *lens)
+{
+    if (lens == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    const fxl_lens made = {
+        width, height, scale, near_z, far_z, 0, width * 32768, height * 32768, &fxl_orthographic};
+    if (!fxl_lens_is_valid(&made)) {
+        return FXL_E_RANGE;
+    }
+    *lens = made;
+    return FXL_OK;
+}
+
+/* The part that the smaller extent is of this one, at most 1. Below 2^41 / 1. */
+static fxl_q2_30 side_of(uint32_t smaller, uint32_t extent)
+{
+    return fxl_divide_round((int64_t)smaller * FXL_Q2_30_ONE, extent);
+}
+
+/* m / (2 scale) world units, rounded downward: m 2^61 / scale in units of 2^-46, at most 2^59. The
+ * scale is at least 2^12, so 8 times it is above m, and below 2^32. */
+/* orthographic 2.1 */
+static void set_lens(fxl_view *view)
+{
+    const fxl_lens *lens = &view->lens;
+    fxl_view_frustum *frustum = &view->view_frustum;
+    const uint32_t smaller = lens->width < lens->height ? lens->width : lens->height;
+    frustum->x_side = side_of(smaller, lens->width);
+    frustum->y_side = side_of(smaller, lens->height);
+    frustum->x_depth = frustum->y_depth = 0;
+    frustum->inset = -(int64_t)fxl_fraction(smaller, 8 * (uint64_t)(uint32_t)lens->focal);
+}
+
+/* The axes are those of the pose. */
+static void set_pose(fxl_view *view)
+{
+    (void)view;
+}
+
+/* scale * across, rounded. The scale is at most 2^28, so what is summed is below 2^58, in units of
+ * 2^-30 pixel. The 32 bits that the sum leaves out are below the half that rounding adds: a floor of
+ * a floor. */
+static int64_t pixels_of(uint32_t scale, fxl_q18_46 across)
+{
+    const uint64_t low = fxl_multiply_u32(scale, fxl_low_32(fxl_bits_64(across)));
+    const int64_t high =
+        fxl_multiply_s32((int32_t)scale, (int32_t)(across >> 32)) + (int64_t)(low >> 32);
+    return fxl_round_shift(high, 14);
+}
+
+/* A centre is below 2^26. */
+/* orthographic 2.6 */
+fxl_status fxl_project_orthographic(const fxl_projection *projection, const fxl_view_point *view,
+                                    fxl_screen_point *screen)
+{
+    const uint32_t scale = projection->factor >> 2;
+    const int64_t x = projection->centre_x + pixels_of(scale, view->x);
+    const int64_t y = projection->centre_y - pixels_of(scale, view->y);
+    if (!fxl_within(x, FXL_SCREEN_COORDINATE_MAX) || !fxl_within(y, FXL_SCREEN_COORDINATE_MAX)) {
+        return FXL_E_RANGE;
+    }
+    screen->x = (fxl_q16_16)x;
+    /* SPEC 1.1 */
+    screen->y = (fxl_q16_16)y;
+    return FXL_OK;
+}
+
+/* --- clip and project ------------------------------------------------------------------------ */
+
+static fxl_clip_result clip_assembled(const fxl_model_view *model_view, const fxl_face *face,
+                                      fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    return fxl_clip_assembled_by(model_view, face, work, screen, fxl_project_orthographic);
+}
+
+/* orthographic 2.2 */
+static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *face,
+                            fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    return fxl_clip_by(model_view, face, work, screen, fxl_project_orthographic, clip_assembled);
+}
+
+static const fxl_clipper clipper = {.clip = clip, .by_clip_flags = true};
+
+/* --- an instance ----------------------------------------------------------------------------- */
+
+/* The model view of an instance, turned or not, and forward in its model. */
+typedef struct {
+    fxl_turned_view turned; /* of one that is not turned its model_view, and a null placement */
+    fxl_direction forward;
+    const fxl_scene *scene;
+} orthographic_view;
+
+static const orthographic_view *view_of(const fxl_model_view *model_view)
+{
+    return (const orthographic_view *)(const void *)model_view;
+}
+
+/* The sum of three products, below 2^62: a box is below 2^31.8 long, and forward at most
+ * 1 + 2^-25. */
+static int64_t along(const fxl_direction *forward, int32_t x, int32_t y, int32_t z)
+{
+    return fxl_multiply_s32(forward->x, x) + fxl_multiply_s32(forward->y, y) +
+           fxl_multiply_s32(forward->z, z);
+}
+
+/* orthographic 2.4 */
+static bool is_front(const fxl_model_view *model_view, const fxl_face *face)
+{
+    return along(&view_of(model_view)->forward, face->normal.x, face->normal.y, face->normal.z) < 0;
+}
+
+/* Keys are unsigned: what is below 2^62 in magnitude is moved above 0. */
+static uint64_t key_of(int64_t depth)
+{
+    return (uint64_t)(depth + ((int64_t)1 << 62));
+}
+
+/* Of fxl_cluster_tests: the faces from first on that are fronts, by number. */
+/* orthographic 2.4, 2.5 */
+static uint32_t find_front(const fxl_scene *scene, const fxl_model *model, uint32_t first,
+                           uint32_t count, const fxl_model_view *model_view, const fxl_point *eye,
+                           fxl_draw_entry *entries)
+{
+    const fxl_direction *forward = &view_of(model_view)->forward;
+    const fxl_face_bounds *known =
+        scene->face_bounds != NULL ? &scene->face_bounds[model->first_face_bounds] : NULL;
+    uint32_t found = 0;
+    (void)eye;
+    for (uint32_t i = first; i < first + count; i++) {
+        const fxl_face *face = &scene->faces[model->first_face + i];
+        if (!is_front(model_view, face)) {
+            continue;
+        }
+        fxl_point box;
+        if (known != NULL) {
+            box.x = known[i].box_x;
+            box.y = known[i].box_y;
+            box.z = known[i].box_z;
+        } else {
+            box = fxl_face_box(model_view->vertices, fxl_face_indices(model_view->indices, face),
+                               face->count);
+        }
+        entries[found++] =
+            fxl_draw_entry_of(key_of(along(forward, box.x, box.y, box.z)), (uint16_t)i, 0);
+    }
+    return found;
+}
+
+static uint32_t find_all_front(const fxl_scene *scene, const fxl_model *model,
+                               const fxl_model_view *model_view, fxl_draw_entry *entries)
+{
+    return find_front(scene, model, 0, model->face_count, model_view, NULL, entries);
+}
+
+/* The test of an eye that is as far as the cone's apex less forward: u = forward. */
+/* orthographic 2.4 */
+static bool is_turned_away(const fxl_cluster *cluster, const fxl_point *eye,
+                           const fxl_model_view *model_view)
+{
+    static const fxl_point origin = {0, 0, 0};
+    const fxl_direction *forward = &view_of(model_view)->forward;
+    fxl_cluster at_origin = *cluster;
+    (void)eye;
+    at_origin.apex.x = forward->x;
+    at_origin.apex.y = forward->y;
+    at_origin.apex.z = forward->z;
+    return view_of(model_view)->scene->cluster_code->is_turned_away(&at_origin, &origin, model_view);
+}
+
+static void find_clusters(const fxl_traversal *traversal, const fxl_model_view *model_view,
+                          const fxl_model *model)
+{
+    const fxl_scene *scene = traversal->renderer->scene;
+    const fxl_cluster_code *by = scene->cluster_code;
+    const bool is_turned = view_of(model_view)->turned.placement != NULL;
+    const fxl_cluster_tests tests = {is_turned ? scene->placement_code->cluster_planes : by->planes,
+                                     is_turned_away, find_front};
+    by->find_faces_by(traversal, model_view, model, &tests);
+}
+
+/* fxl_list_model. */
+static void order_faces(const fxl_traversal *traversal, const fxl_model_view *model_view,
+                        const fxl_model *model)
+{
+    fxl_list_found_faces(traversal, model_view, model, find_clusters, find_all_front);
+}
+
+/* Sets up the view of an instance, with its shader. rounded: room for one. Answers its model. */
+/* orthographic 2.3 */
+static const fxl_model *view_instance(const fxl_traversal *traversal, const fxl_draw_entry *entry,
+                                      orthographic_view *view, fxl_rounded_instance *rounded)
+{
+    const fxl_renderer *renderer = traversal->renderer;
+    const fxl_scene *scene = renderer->scene;
+    const fxl_axes *axes = &renderer->frame.view.camera.axes;
+    const fxl_placement_code *turned = fxl_placement_code_of(scene, entry->index);
+    fxl_model_view *model_view = &view->turned.model_view;
+    view->scene = scene;
+    if (turned == NULL) {
+        const fxl_instance *instance = fxl_view_instance(traversal, entry, model_view);
+        view->turned.placement = NULL;
+        view->forward = axes->forward;
+        return &scene->models[instance->model];
+    }
+    const fxl_model *model =
+        turned->view(&view->turned, scene, entry->index, &renderer->frame.view,
+                     &traversal->workspace->cache, entry->instance.planes);
+    fxl_axes rows;
+    turned->rows(axes, &view->turned.placement->orientation, &rows);
+    view->forward = rows.forward;
+    turned->set_shader(traversal, entry, NULL, model_view, rounded);
+    return model;
+}
+
+static bool submit_instance(const fxl_traversal *traversal, const fxl_draw_entry *entry)
+{
+    FXL_ALIGN_8 orthographic_view view;
+    fxl_rounded_instance rounded;
+    const fxl_model *model = view_instance(traversal, entry, &view, &rounded);
+    const fxl_model_view *model_view = &view.turned.model_view;
+    return fxl_lists_faces(traversal->renderer, model)
+               ? fxl_submit_sorted_once(traversal, model_view, model, order_faces)
+               : fxl_submit_convex(traversal, model_view, model, is_front);
+}
+
+/* --- the order ------------------------------------------------------------------------------- */
+
+/* The instances in sight were sorted by distance. A difference of two points of the world is below
+ * 2^30, so a depth is below 2^61. */
+/* orthographic 2.5 */
+static void begin(const fxl_traversal *traversal)
+{
+    const fxl_renderer *renderer = traversal->renderer;
+    const fxl_scene *scene = renderer->scene;
+    const fxl_frame *frame = &renderer->frame;
+    const fxl_camera *camera = &frame->view.camera;
+    if (traversal->display_list == NULL) {
+        return;
+    }
+    for (uint32_t i = 0; i < frame->visible_count; i++) {
+        fxl_draw_entry *entry = &frame->draw_list[i];
+        const fxl_draw_instance kept = entry->instance;
+        fxl_point from_eye;
+        fxl_subtract(&scene->instances[entry->index].centre, &camera->position, &from_eye);
+        *entry = fxl_draw_entry_of(
+            key_of(along(&camera->axes.forward, from_eye.x, from_eye.y, from_eye.z)), entry->index,
+            kept.layer);
+        entry->instance = kept;
+    }
+    fxl_sort_instances(frame->draw_list, frame->visible_count);
+    if (scene->placements != NULL) {
+        traversal->counters->rounded =
+            (uint16_t)scene->placement_code->count_rounded(traversal, 0, 0);
+    }
+}
+
+static bool submit(const fxl_traversal *traversal)
+{
+    begin(traversal);
+    return fxl_submit_all(traversal, submit_instance);
+}
+
+static const fxl_order order = {.submit = submit};
+
+/* --- the renderer ---------------------------------------------------------------------------- */
+
+/* orthographic 1.3 */
+static void take(fxl_renderer *renderer)
+{
+    if (renderer->clipper == &fxl_clipper_view) {
+        renderer->clipper = &clipper;
+    }
+    if (renderer->order == &fxl_by_distance) {
+        renderer->order = &order;
+    }
+    renderer->check = fxl_check_combination;
+}
+
+static const fxl_orthographic_code code = {
+    fxl_project_orthographic, &clipper, &order, take, begin, submit_instance};
+
+const fxl_off_centre_code fxl_orthographic = {is_valid, set_lens, set_pose, &code};
