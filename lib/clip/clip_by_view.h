@@ -71,8 +71,7 @@ fxl_clip_by(const fxl_model_view *model_view, const fxl_face *face, fxl_clipper_
                            ? FXL_CLIP_OUTSIDE
                            : assembled(model_view, face, work, screen);
             }
-            if (project(&model_view->view->projection, &vertex->position, &vertex->screen) !=
-                FXL_OK) {
+            if (project(model_view->view, &vertex->position, &vertex->screen) != FXL_OK) {
                 return FXL_CLIP_RANGE;
             }
             state = fxl_vertex_place_flags(&vertex->screen);
@@ -89,42 +88,6 @@ fxl_clip_by(const fxl_model_view *model_view, const fxl_face *face, fxl_clipper_
     return (differing & FXL_VERTEX_COLUMN) == 0 || (differing & FXL_VERTEX_ROW) == 0
                ? FXL_CLIP_BETWEEN
                : FXL_CLIP_INSIDE;
-}
-
-/* fxl_clip_assembled by a projector. */
-static inline __attribute__((always_inline)) fxl_clip_result
-fxl_clip_assembled_by(const fxl_model_view *model_view, const fxl_face *face,
-                      fxl_clipper_work *workspace, fxl_screen_polygon *screen,
-                      fxl_projector *project)
-{
-    fxl_clip_view_work *work = &workspace->by_view;
-    const uint16_t *indices = fxl_face_indices(model_view->indices, face);
-    const fxl_view *view = model_view->view;
-    fxl_view_polygon *assembled = &work->polygons[0];
-    const fxl_view_polygon *clipped;
-    unsigned of_any = 0;
-    for (uint32_t i = 0; i < face->count; i++) {
-        const fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, indices[i]);
-        of_any |= vertex->clip_flags;
-        fxl_copy_point(&vertex->position, &assembled->vertices[i].position);
-    }
-    assembled->colour = face->material;
-    assembled->count = face->count;
-    fxl_clip_result result = fxl_clip_view_by_planes(
-        assembled, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL), work,
-        (fxl_clip_stats *)model_view->clipper_workspace, &clipped);
-    if (clipped == NULL) {
-        return result;
-    }
-    screen->colour = clipped->colour;
-    screen->count = clipped->count;
-    for (uint32_t i = 0; i < clipped->count; i++) {
-        fxl_screen_point *point = &screen->points[i];
-        if (project(&view->projection, &clipped->vertices[i].position, point) != FXL_OK) {
-            return FXL_CLIP_RANGE;
-        }
-    }
-    return result;
 }
 
 #ifdef __cplusplus

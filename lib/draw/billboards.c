@@ -35,12 +35,19 @@ static fxl_q18_46 scaled(fxl_q16_16 length, fxl_q16_16 scale)
 static fxl_q18_46 in_view(const fxl_view *view, fxl_q18_46 length)
 {
     const fxl_q16_16 focal = view->lens.focal, drawn = fxl_view_drawn_focal(view);
-    if (focal == drawn) {
+    if (focal == drawn || fxl_orthographic_of(&view->lens) != NULL) {
         return length;
     }
     const int32_t ratio = fxl_divide_round((int64_t)focal * FXL_Q2_30_ONE, (uint32_t)drawn);
     return fxl_multiply_s32(ratio, (int32_t)(length >> 32)) * 4 +
            (int64_t)(fxl_multiply_u32((uint32_t)ratio, (uint32_t)length) >> 30);
+}
+
+/* fxl_projector of a lens with an eye. */
+static fxl_status project_by_eye(const fxl_view *view, const fxl_view_point *point,
+                                 fxl_screen_point *screen)
+{
+    return fxl_project_visible(&view->projection, point, screen);
 }
 
 /* Left and top, right and bottom. False where a corner is out of the range of screen coordinates.
@@ -51,7 +58,7 @@ static bool find_corners(const fxl_view *view, const fxl_view_point *centre,
                          fxl_screen_point *corners)
 {
     const fxl_orthographic_code *code = fxl_orthographic_of(&view->lens);
-    fxl_projector *project = code != NULL ? code->project : fxl_project_visible;
+    fxl_projector *project = code != NULL ? code->project : project_by_eye;
     const int64_t limit = ((int64_t)1 << 61) - 1; /* of what is projected */
     fxl_view_point left_top, right_bottom;
     left_top.x = centre->x - in_view(view, scaled(billboard->anchor_x, scale));
@@ -61,8 +68,8 @@ static bool find_corners(const fxl_view *view, const fxl_view_point *centre,
     left_top.z = right_bottom.z = centre->z;
     return fxl_within(left_top.x, limit) && fxl_within(left_top.y, limit) &&
            fxl_within(right_bottom.x, limit) && fxl_within(right_bottom.y, limit) &&
-           project(&view->projection, &left_top, &corners[0]) == FXL_OK &&
-           project(&view->projection, &right_bottom, &corners[1]) == FXL_OK;
+           project(view, &left_top, &corners[0]) == FXL_OK &&
+           project(view, &right_bottom, &corners[1]) == FXL_OK;
 }
 
 /* billboards 2.2 */

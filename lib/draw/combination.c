@@ -38,7 +38,7 @@ static const fxl_conflict conflicts[] = {
     {FXL_HAS_OUTLINES, FXL_HAS_MOVERS},  {FXL_HAS_TEXELS_565, FXL_HAS_BEAMS},
     {FXL_HAS_COLOURS, FXL_HAS_BEAMS},    {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET},
     {FXL_HAS_TREE, FXL_HAS_ORTHOGRAPHIC}, {FXL_HAS_DEPTH, FXL_HAS_ORTHOGRAPHIC},
-    {FXL_HAS_SURFACES, FXL_HAS_ORTHOGRAPHIC}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_OTHER_CLIPPER},
+    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_SPLIT}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_OTHER_CLIPPER},
 };
 
 /* Whether another instance is on the layer of the tree's, which cuts it. */
@@ -101,6 +101,8 @@ static uint32_t parts_of(const fxl_renderer *renderer)
            bit_if(fxl_renderer_shader(renderer, FXL_SHADER_BEAMS) != NULL, FXL_HAS_BEAMS) |
            bit_if(fxl_renderer_shader(renderer, FXL_SHADER_OUTLINES) != NULL, FXL_HAS_OUTLINES) |
            bit_if(orthographic != NULL, FXL_HAS_ORTHOGRAPHIC) |
+           bit_if(surfaces != NULL && fxl_renderer_shader(renderer, FXL_SHADER_BEAMS) != NULL,
+                  FXL_HAS_SPLIT) |
            bit_if(orthographic != NULL && renderer->clipper != orthographic->clipper,
                   FXL_HAS_OTHER_CLIPPER) |
            bit_if((surfaces != NULL && surfaces->painter->target != target) ||

@@ -19,6 +19,7 @@ bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2])
         "beams", /* FXL_HAS_BEAMS */
         "outlines", /* FXL_HAS_OUTLINES */
         "an orthographic lens", /* FXL_HAS_ORTHOGRAPHIC */
+        "surfaces and beams", /* FXL_HAS_SPLIT */
         "a clipper of the study", /* FXL_HAS_OTHER_CLIPPER */
         "surfaces or billboards of another target", /* FXL_HAS_OTHER_PAINTER */
         "the renderer's target", /* FXL_HAS_TARGET */
@@ -71,8 +72,8 @@ static const struct {
     {FXL_HAS_DEPTH, FXL_HAS_ORTHOGRAPHIC,
      "a depth buffer and an orthographic lens do not go together: config.target must be "
      "&fxl_palette or &fxl_rgb565"},
-    {FXL_HAS_SURFACES, FXL_HAS_ORTHOGRAPHIC,
-     "surfaces and an orthographic lens do not go together: detach the surfaces, by a null set"},
+    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_SPLIT,
+     "an orthographic lens and surfaces and beams do not go together: detach the beams, by a null set"},
     {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_OTHER_CLIPPER,
      "an orthographic lens and a clipper of the study do not go together: the clipper must be "
      "&fxl_clipper_view"},

@@ -51,6 +51,25 @@ static fxl_q2_30 side_of(uint32_t smaller, uint32_t extent)
     return fxl_divide_round((int64_t)smaller * FXL_Q2_30_ONE, extent);
 }
 
+/* Surfaces find attributes by the corners' view points and the focal length. With an orthographic
+ * lens these are those of corners in the plane z = C, seen with the focal length scale C: C is a power
+ * of two, from which the screen is at most 2 C wide and high, and at least 1. So where surfaces are
+ * attached, a vertex has this depth in the cache, once its clip flags were found. */
+static unsigned flat_shift(const fxl_lens *lens)
+{
+    const uint32_t larger = lens->width > lens->height ? lens->width : lens->height;
+    unsigned shift = 0;
+    while ((uint64_t)(uint32_t)lens->focal << (shift + 1) < (uint64_t)larger << 16) {
+        shift++;
+    }
+    return shift;
+}
+
+static fxl_q18_46 flat_depth(const fxl_lens *lens)
+{
+    return (fxl_q18_46)1 << (46 + flat_shift(lens));
+}
+
 /* m / (2 scale) world units, rounded downward: m 2^61 / scale in units of 2^-46, at most 2^59. The
  * scale is at least 2^12, so 8 times it is above m, and below 2^32. */
 /* orthographic 2.1 */
@@ -63,6 +82,9 @@ static void set_lens(fxl_view *view)
     frustum->y_side = side_of(smaller, lens->height);
     frustum->x_depth = frustum->y_depth = 0;
     frustum->inset = -(int64_t)fxl_fraction(smaller, 8 * (uint64_t)(uint32_t)lens->focal);
+    fxl_lens flat = *lens;
+    flat.focal = lens->focal << flat_shift(lens);
+    fxl_projection_from_lens(&flat, &view->projection);
 }
 
 /* The axes are those of the pose. */
@@ -84,12 +106,12 @@ static int64_t pixels_of(uint32_t scale, fxl_q18_46 across)
 
 /* A centre is below 2^26. */
 /* orthographic 2.6 */
-fxl_status fxl_project_orthographic(const fxl_projection *projection, const fxl_view_point *view,
+fxl_status fxl_project_orthographic(const fxl_view *view, const fxl_view_point *point,
                                     fxl_screen_point *screen)
 {
-    const uint32_t scale = projection->factor >> 2;
-    const int64_t x = projection->centre_x + pixels_of(scale, view->x);
-    const int64_t y = projection->centre_y - pixels_of(scale, view->y);
+    const uint32_t scale = (uint32_t)view->lens.focal;
+    const int64_t x = view->lens.centre_x + pixels_of(scale, point->x);
+    const int64_t y = view->lens.centre_y - pixels_of(scale, point->y);
     if (!fxl_within(x, FXL_SCREEN_COORDINATE_MAX) || !fxl_within(y, FXL_SCREEN_COORDINATE_MAX)) {
         return FXL_E_RANGE;
     }
@@ -99,30 +121,15 @@ fxl_status fxl_project_orthographic(const fxl_projection *projection, const fxl_
     return FXL_OK;
 }
 
-/* --- clip and project ------------------------------------------------------------------------ */
-
-static fxl_clip_result clip_assembled(const fxl_model_view *model_view, const fxl_face *face,
-                                      fxl_clipper_work *work, fxl_screen_polygon *screen)
-{
-    return fxl_clip_assembled_by(model_view, face, work, screen, fxl_project_orthographic);
-}
-
-/* orthographic 2.2 */
-static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *face,
-                            fxl_clipper_work *work, fxl_screen_polygon *screen)
-{
-    return fxl_clip_by(model_view, face, work, screen, fxl_project_orthographic, clip_assembled);
-}
-
-static const fxl_clipper clipper = {.clip = clip, .by_clip_flags = true};
-
-/* --- an instance ----------------------------------------------------------------------------- */
+/* --- the view of an instance ------------------------------------------------------------------ */
 
 /* The model view of an instance, turned or not, and forward in its model. */
 typedef struct {
     fxl_turned_view turned; /* of one that is not turned its model_view, and a null placement */
     fxl_direction forward;
     const fxl_scene *scene;
+    /* Where surfaces are attached: what scales a vertex; null: nothing. */
+    uint32_t (*scale_vertex)(const fxl_model_view *model_view, fxl_cached_vertex *entry);
 } orthographic_view;
 
 static const orthographic_view *view_of(const fxl_model_view *model_view)
@@ -137,6 +144,90 @@ static int64_t along(const fxl_direction *forward, int32_t x, int32_t y, int32_t
     return fxl_multiply_s32(forward->x, x) + fxl_multiply_s32(forward->y, y) +
            fxl_multiply_s32(forward->z, z);
 }
+
+/* --- vertices ---------------------------------------------------------------------------------- */
+
+/* fxl_model_view.scale_vertex */
+/* orthographic 2.10 */
+static uint32_t flatten(const fxl_model_view *model_view, fxl_cached_vertex *entry)
+{
+    const orthographic_view *view = view_of(model_view);
+    const fxl_planes planes = model_view->planes & FXL_PLANES_ALL;
+    if (view->scale_vertex != NULL) {
+        (void)view->scale_vertex(model_view, entry);
+    } else {
+        entry->clip_flags =
+            FXL_VERTEX_UNPROJECTED |
+            (planes != 0 ? (uint32_t)fxl_outcode(&model_view->view->view_frustum, planes,
+                                                 &entry->position)
+                         : 0u);
+    }
+    entry->position.z = flat_depth(&model_view->view->lens);
+    return entry->clip_flags;
+}
+
+static bool is_flat(const fxl_model_view *model_view)
+{
+    return (model_view->planes & FXL_MODEL_VIEW_SCALED) != 0 && model_view->scale_vertex == flatten;
+}
+
+/* The depth of a vertex of a flat model view: as fxl_model_view_position, and as a scaled vertex. */
+static fxl_q18_46 depth_of(const fxl_model_view *model_view, uint32_t number)
+{
+    const fxl_point *vertex = &model_view->vertices[number];
+    const fxl_q18_46 ahead = fxl_dot(&model_view->axes->forward, vertex->x, vertex->y, vertex->z);
+    const unsigned shift = view_of(model_view)->scale_vertex != NULL ? model_view->shift : 0;
+    return model_view->translation.z + (fxl_q18_46)((uint64_t)ahead << shift);
+}
+
+/* --- clip and project ------------------------------------------------------------------------ */
+
+static fxl_clip_result clip_assembled(const fxl_model_view *model_view, const fxl_face *face,
+                                      fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    const uint16_t *indices = fxl_face_indices(model_view->indices, face);
+    const fxl_view *view = model_view->view;
+    fxl_view_polygon *assembled = &work->by_view.polygons[0];
+    const fxl_view_polygon *clipped;
+    unsigned of_any = 0;
+    for (uint32_t i = 0; i < face->count; i++) {
+        const fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, indices[i]);
+        fxl_view_point *to = &assembled->vertices[i].position;
+        of_any |= vertex->clip_flags;
+        fxl_copy_point(&vertex->position, to);
+        if (is_flat(model_view)) {
+            to->z = depth_of(model_view, indices[i]);
+        }
+    }
+    assembled->colour = face->material;
+    assembled->count = face->count;
+    const fxl_clip_result result = fxl_clip_view_by_planes(
+        assembled, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL), &work->by_view,
+        (fxl_clip_stats *)model_view->clipper_workspace, &clipped);
+    if (clipped == NULL) {
+        return result;
+    }
+    screen->colour = clipped->colour;
+    screen->count = clipped->count;
+    for (uint32_t i = 0; i < clipped->count; i++) {
+        if (fxl_project_orthographic(view, &clipped->vertices[i].position, &screen->points[i]) !=
+            FXL_OK) {
+            return FXL_CLIP_RANGE;
+        }
+    }
+    return result;
+}
+
+/* orthographic 2.2 */
+static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *face,
+                            fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    return fxl_clip_by(model_view, face, work, screen, fxl_project_orthographic, clip_assembled);
+}
+
+static const fxl_clipper clipper = {.clip = clip, .by_clip_flags = true};
+
+/* --- which faces are drawn ------------------------------------------------------------------- */
 
 /* orthographic 2.4 */
 static bool is_front(const fxl_model_view *model_view, const fxl_face *face)
@@ -220,6 +311,20 @@ static void order_faces(const fxl_traversal *traversal, const fxl_model_view *mo
     fxl_list_found_faces(traversal, model_view, model, find_clusters, find_all_front);
 }
 
+/* Has vertices made flat, if the renderer has surfaces. */
+static void make_flat(orthographic_view *view, const fxl_renderer *renderer)
+{
+    fxl_model_view *model_view = &view->turned.model_view;
+    if (fxl_renderer_shader(renderer, FXL_SHADER_SURFACES) == NULL) {
+        return;
+    }
+    if ((model_view->planes & FXL_MODEL_VIEW_SCALED) != 0) {
+        view->scale_vertex = model_view->scale_vertex;
+    }
+    model_view->planes |= FXL_MODEL_VIEW_SCALED;
+    model_view->scale_vertex = flatten;
+}
+
 /* Sets up the view of an instance, with its shader. rounded: room for one. Answers its model. */
 /* orthographic 2.3 */
 static const fxl_model *view_instance(const fxl_traversal *traversal, const fxl_draw_entry *entry,
@@ -231,10 +336,12 @@ static const fxl_model *view_instance(const fxl_traversal *traversal, const fxl_
     const fxl_placement_code *turned = fxl_placement_code_of(scene, entry->index);
     fxl_model_view *model_view = &view->turned.model_view;
     view->scene = scene;
+    view->scale_vertex = NULL;
     if (turned == NULL) {
         const fxl_instance *instance = fxl_view_instance(traversal, entry, model_view);
         view->turned.placement = NULL;
         view->forward = axes->forward;
+        make_flat(view, renderer);
         return &scene->models[instance->model];
     }
     const fxl_model *model =
@@ -244,6 +351,7 @@ static const fxl_model *view_instance(const fxl_traversal *traversal, const fxl_
     turned->rows(axes, &view->turned.placement->orientation, &rows);
     view->forward = rows.forward;
     turned->set_shader(traversal, entry, NULL, model_view, rounded);
+    make_flat(view, renderer);
     return model;
 }
 

@@ -16,7 +16,7 @@ static bool is_on_screen(const fxl_lens *lens, const fxl_screen_point *at)
 static fxl_status project(const fxl_view *view, const fxl_view_point *position, fxl_screen_point *at)
 {
     const fxl_orthographic_code *code = fxl_orthographic_of(&view->lens);
-    return code != NULL ? code->project(&view->projection, position, at)
+    return code != NULL ? code->project(view, position, at)
                         : fxl_project_visible(&view->projection, position, at);
 }
 

@@ -65,7 +65,7 @@ extern const fxl_off_centre_code fxl_orthographic;
 
 /* Projects a point (X, Y, Z) of the view: x = width/2 + scale X, y = height/2 - scale Y, each product
  * rounded once, to the nearest 1/65536 pixel (halves upward, before the centre is added). Requires
- * |X|, |Y| < 2^61 units and a projection that an orthographic lens set up.
+ * |X|, |Y| < 2^61 units and a view with an orthographic lens.
  * FXL_E_RANGE: a coordinate would exceed FXL_SCREEN_COORDINATE_MAX; screen untouched.
  * Error, given the view point: half a unit of 1/65536 pixel. */
 fxl_projector fxl_project_orthographic;

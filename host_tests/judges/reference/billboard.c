@@ -217,6 +217,9 @@ ref_billboard_result ref_billboard_look(const ref_scene *scene, const ref_camera
         left_top.y >= lens->height) {
         return REF_BILLBOARD_OUTSIDE;
     }
+    if (lens->scale != 0) {
+        look->corner.z = 1;
+    }
     find_look(board, &left_top, &right_bottom, look);
     drawn->depth = (ref_depth_plane){.normal = {0, 0, 1}, .height = at.z, .slack = 0x1p-26};
     drawn->in_doubt = inside < bound;

@@ -142,7 +142,8 @@ ref_screen_point ref_project_point(const ref_lens *lens, const ref_view_point *v
 ref_view_point ref_ray_through(const ref_lens *lens, const ref_screen_point *screen)
 {
     return (ref_view_point){(long double)screen->x - lens->centre_x,
-                            (long double)lens->centre_y - screen->y, lens->focal};
+                            (long double)lens->centre_y - screen->y,
+                            lens->scale != 0 ? lens->scale : lens->focal};
 }
 
 void ref_project_polygon(const ref_lens *lens, const ref_view_polygon *view,

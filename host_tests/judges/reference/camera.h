@@ -62,7 +62,7 @@ void ref_transform_polygon(const ref_camera *camera, const ref_polygon *polygon,
 ref_screen_point ref_project_point(const ref_lens *lens, const ref_view_point *view);
 
 /* A point in the view of those that are seen at a point of the screen; the others are its
- * multiples. */
+ * multiples. With an orthographic lens: of a view whose depths are all 1. */
 ref_view_point ref_ray_through(const ref_lens *lens, const ref_screen_point *screen);
 void ref_project_polygon(const ref_lens *lens, const ref_view_polygon *view,
                          ref_screen_polygon *screen);

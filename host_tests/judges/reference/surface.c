@@ -59,7 +59,7 @@ static ref_view_point cross(const ref_view_point *a, const ref_view_point *b)
 static bool is_on_screen(const ref_lens *lens, const ref_view_point *corner,
                          ref_screen_point *point)
 {
-    if (!(corner->z > 0)) {
+    if (!(corner->z > 0) && lens->scale == 0) {
         return false;
     }
     *point = ref_project_point(lens, corner);
@@ -84,10 +84,11 @@ static double texels_a_pixel(const ref_surface_view *view, const ref_lens *lens,
     if (view->is_affine) {
         return texels / fabs(area_of(view->points));
     }
+    const double focal = lens->scale != 0 ? lens->scale : lens->focal;
     const ref_view_point normal = cross(&view->sides[0], &view->sides[1]);
     const double volume = (double)fabsl(product(&normal, &corners[0]));
     return near > 0 && volume > 0
-               ? texels * near * near * near / (lens->focal * lens->focal * volume)
+               ? texels * near * near * near / (focal * focal * volume)
                : 0;
 }
 
@@ -228,7 +229,10 @@ void ref_surface_look(const ref_scene *scene, const ref_camera *camera, const re
     for (int i = 0; i < 3; i++) {
         corners[i] = vertex_in_view(scene, camera, instance, (uint32_t)mapped->vertices[i]);
         on_screen = is_on_screen(lens, &corners[i], &view->points[i]) && on_screen;
-        view->is_in_front = view->is_in_front && corners[i].z > 0;
+        view->is_in_front = view->is_in_front && (corners[i].z > 0 || lens->scale != 0);
+    }
+    for (int i = 0; i < 3 && lens->scale != 0; i++) {
+        corners[i].z = 1;
     }
     view->corner = corners[0];
     view->sides[0] = difference(&corners[1], &corners[0]);
@@ -239,7 +243,9 @@ void ref_surface_look(const ref_scene *scene, const ref_camera *camera, const re
     if (view->surface->texture) {
         view->texture = &surfaces->textures[view->surface->texture - 1];
         choose_level(view, lens, corners,
-                     least_depth(scene, camera, instance, &scene->faces[number], corners));
+                     lens->scale != 0
+                         ? 1
+                         : least_depth(scene, camera, instance, &scene->faces[number], corners));
     }
 }
 
