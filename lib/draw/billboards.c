@@ -132,7 +132,10 @@ static fxl_outcome submit_sprite(const fxl_traversal *traversal, uint32_t number
     if (is_beside_screen(&view->lens, corners)) {
         return 1u << FXL_CLIP_OUTSIDE;
     }
-    return 1u << FXL_CLIP_INSIDE | emit(traversal, model, corners, centre.z);
+    const fxl_orthographic_code *code = fxl_orthographic_of(&view->lens);
+    return 1u << FXL_CLIP_INSIDE |
+           emit(traversal, model, corners,
+                code != NULL ? code->distance_of(&view->lens, centre.z) : centre.z);
 }
 
 /* fxl_instance_submit. The one face of a model with a billboard is done or not. */

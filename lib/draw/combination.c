@@ -24,6 +24,7 @@ const fxl_shader_code fxl_mark = {.reaches = reaches_nothing};
 void fxl_renderer_attach(fxl_renderer *renderer, uint32_t rank, fxl_shader *shader)
 {
     fxl_renderer_set_shader(renderer, rank, shader);
+    fxl_take_lens(renderer);
     renderer->check = fxl_check_combination;
 }
 
@@ -37,7 +38,7 @@ static const fxl_conflict conflicts[] = {
     {FXL_HAS_OUTLINES, FXL_HAS_DEPTH},   {FXL_HAS_OUTLINES, FXL_HAS_BEAMS},
     {FXL_HAS_OUTLINES, FXL_HAS_MOVERS},  {FXL_HAS_TEXELS_565, FXL_HAS_BEAMS},
     {FXL_HAS_COLOURS, FXL_HAS_BEAMS},    {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET},
-    {FXL_HAS_TREE, FXL_HAS_ORTHOGRAPHIC}, {FXL_HAS_DEPTH, FXL_HAS_ORTHOGRAPHIC},
+    {FXL_HAS_TREE, FXL_HAS_ORTHOGRAPHIC}, 
     {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_SPLIT}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_OTHER_CLIPPER},
 };
 
@@ -103,7 +104,7 @@ static uint32_t parts_of(const fxl_renderer *renderer)
            bit_if(orthographic != NULL, FXL_HAS_ORTHOGRAPHIC) |
            bit_if(surfaces != NULL && fxl_renderer_shader(renderer, FXL_SHADER_BEAMS) != NULL,
                   FXL_HAS_SPLIT) |
-           bit_if(orthographic != NULL && renderer->clipper != orthographic->clipper,
+           bit_if(orthographic != NULL && !orthographic->has_clipper(renderer),
                   FXL_HAS_OTHER_CLIPPER) |
            bit_if((surfaces != NULL && surfaces->painter->target != target) ||
                       (billboards != NULL && billboards->painter->target != target),

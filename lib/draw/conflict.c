@@ -69,9 +69,6 @@ static const struct {
     {FXL_HAS_TREE, FXL_HAS_ORTHOGRAPHIC,
      "the order by tree and an orthographic lens do not go together: config.order must be "
      "&fxl_by_distance"},
-    {FXL_HAS_DEPTH, FXL_HAS_ORTHOGRAPHIC,
-     "a depth buffer and an orthographic lens do not go together: config.target must be "
-     "&fxl_palette or &fxl_rgb565"},
     {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_SPLIT,
      "an orthographic lens and surfaces and beams do not go together: detach the beams, by a null set"},
     {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_OTHER_CLIPPER,

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The depth of a face by its normal, and the parts in which a band with a depth buffer is drawn. */
+#include "../scene/lens.h"
 #include "../view/view.h"
 #include "surface_polygon.h"
 
@@ -76,6 +77,8 @@ void fxl_find_depth_by_normal(const fxl_model_view *model_view, const fxl_face *
     const fxl_view_point *first = first_corner(model_view, face, traversal, &other);
     if (view->lens.off_centre == NULL) {
         fxl_find_depth_plane(&face->normal, model_view->axes, first, view, plane);
+    } else if (view->lens.off_centre->orthographic != NULL) {
+        view->lens.off_centre->orthographic->find_depth(model_view, face, plane);
     } else {
         const fxl_block_vector n = sheared(model_view->axes, &face->normal);
         const fxl_direction normal = {n.x, n.y, n.z};
@@ -177,6 +180,14 @@ static void draw_part(const fxl_renderer *renderer, fxl_workspace *workspace, co
     }
 }
 
+/* Depths of an orthographic lens have one octave. */
+/* orthographic 2.11 */
+static fxl_depth_scale scale_of(const fxl_lens *lens)
+{
+    static const fxl_depth_scale one_octave = {1, 15};
+    return fxl_orthographic_of(lens) != NULL ? one_octave : fxl_depth_scale_of(lens);
+}
+
 void fxl_depth_draw_parts(const fxl_renderer *renderer, fxl_workspace *workspace,
                           const fxl_band *band, uint32_t cell_bytes, uint32_t pixel_bytes)
 {
@@ -187,7 +198,7 @@ void fxl_depth_draw_parts(const fxl_renderer *renderer, fxl_workspace *workspace
     fxl_band part = *band;
     uint32_t left = band->rows;
     FXL_ASSERT(room > 0);
-    head->scale = fxl_depth_scale_of(&renderer->frame.view.lens);
+    head->scale = scale_of(&renderer->frame.view.lens);
     head->or_equal = !renderer->near_first;
     for (;;) {
         part.rows = (uint16_t)(left < room ? left : room);

@@ -14,7 +14,7 @@
 #include "gradients.h"
 
 /* The plane of a face, as its depth on the screen. */
-typedef struct {
+typedef struct fxl_depth_plane {
     fxl_gradient gradient;
     int32_t one; /* at z = near_z the gradient's 64 bits are 2^one */
 } fxl_depth_plane;

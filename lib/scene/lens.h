@@ -17,6 +17,7 @@ extern "C" {
  * less than 2/1000. False if lens is null. */
 bool fxl_lens_is_valid(const fxl_lens *lens);
 
+struct fxl_depth_plane;
 struct fxl_order;
 struct fxl_renderer;
 struct fxl_traversal;
@@ -36,15 +37,20 @@ struct fxl_off_centre_code {
 /* What an orthographic lens is drawn with (docs/extras/orthographic.md). */
 typedef struct fxl_orthographic_code {
     fxl_projector *project; /* fxl_project_orthographic */
-    /* The default clipper, and the order by distance. */
-    const fxl_clipper *clipper;
+    /* Whether a renderer has the default clipper in a form of this lens, and the order by distance. */
+    bool (*has_clipper)(const struct fxl_renderer *renderer);
     const struct fxl_order *order;
-    /* Gives a renderer without attachments these two in the place of those of other lenses. */
+    /* Gives a renderer these two in the place of those of other lenses. */
     void (*take)(struct fxl_renderer *renderer);
     /* Puts the instances in sight in order, when a frame begins. */
     void (*begin)(const struct fxl_traversal *traversal);
     /* fxl_submit_any_instance. */
     bool (*submit)(const struct fxl_traversal *traversal, const struct fxl_draw_entry *entry);
+    /* fxl_find_depth_by_normal */
+    void (*find_depth)(const fxl_model_view *model_view, const fxl_face *face,
+                       struct fxl_depth_plane *plane);
+    /* For billboards: the distance of a lens with an eye that has the depth of this one. */
+    fxl_q18_46 (*distance_of)(const fxl_lens *lens, fxl_q18_46 depth);
 } fxl_orthographic_code;
 
 /* That of a lens; null: it has an eye. */

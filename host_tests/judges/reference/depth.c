@@ -92,13 +92,35 @@ void ref_depth_plane_find(const ref_scene *scene, const ref_camera *camera,
     }
     plane->height = product(&plane->normal, &middle);
     const double length = sqrt((double)product(&plane->normal, &plane->normal));
+    plane->moved = (2 * PLANARITY_MAX + 0x1p-26 * size) * length / fabs((double)plane->normal.z);
     plane->slack =
         (2 * PLANARITY_MAX + 0x1p-26 * size) * length / fabs((double)plane->height) + 0x1p-26;
+}
+
+void ref_depth_plane_take_eye(ref_depth_plane *plane, const ref_lens *lens)
+{
+    plane->slack = plane->moved / (lens->far_z - lens->near_z) + 0x1p-26;
+}
+
+/* docs/extras/orthographic.md, 2.11 */
+static double nearness_along(const ref_depth_plane *plane, const ref_lens *lens, double x, double y)
+{
+    const long double across = (x - lens->centre_x) / lens->scale;
+    const long double upright = (lens->centre_y - y) / lens->scale;
+    if (plane->normal.z == 0) {
+        return 0;
+    }
+    const long double z =
+        (plane->height - plane->normal.x * across - plane->normal.y * upright) / plane->normal.z;
+    return (double)(1 - (z - lens->near_z) / (2 * (lens->far_z - lens->near_z)));
 }
 
 double ref_nearness(const ref_depth_plane *plane, const ref_lens *lens, double x, double y)
 {
     const ref_screen_point at = {x, y};
+    if (lens->scale != 0) {
+        return nearness_along(plane, lens, x, y);
+    }
     const ref_view_point ray = ref_ray_through(lens, &at);
     return (double)(product(&plane->normal, &ray) / (plane->height * ray.z));
 }
@@ -106,7 +128,7 @@ double ref_nearness(const ref_depth_plane *plane, const ref_lens *lens, double x
 double ref_depth_resolution(const ref_lens *lens, int bits)
 {
     const double range = lens->far_z / lens->near_z * 257 / 256;
-    const int octaves = (int)fmax(1, ceil(log2(range)));
+    const int octaves = lens->scale != 0 ? 1 : (int)fmax(1, ceil(log2(range)));
     int mantissa = 16;
     while (octaves * pow(2, mantissa) >= 65536) {
         mantissa--;

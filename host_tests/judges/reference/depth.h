@@ -32,6 +32,7 @@ typedef struct {
     ref_view_point normal;
     long double height;
     double slack; /* by how much of itself a nearness of the library may be off */
+    double moved; /* by how much a depth may be off, in world units */
 } ref_depth_plane;
 
 /* Finds the plane of a face of an instance through its vertices: the middle of them, and the sum of
@@ -41,7 +42,11 @@ void ref_depth_plane_find(const ref_scene *scene, const ref_camera *camera,
                           const ref_instance *instance, const ref_face *face,
                           ref_depth_plane *plane);
 
-/* 1 / z, where z is the distance at which the plane is seen at a point of the screen. */
+/* Makes the slack that of an orthographic lens. */
+void ref_depth_plane_take_eye(ref_depth_plane *plane, const ref_lens *lens);
+
+/* With an orthographic lens the depth of docs/extras/orthographic.md, 2.11; else
+ * 1 / z, where z is the distance at which the plane is seen at a point of the screen. */
 double ref_nearness(const ref_depth_plane *plane, const ref_lens *lens, double x, double y);
 
 /* The ratio of nearnesses, less 1, from which on a buffer of so many bits tells two faces apart. */

@@ -160,6 +160,9 @@ static bool submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uin
     }
     if (renderer->method.depth_bits != 0) {
         ref_depth_plane_find(renderer->scene, &renderer->camera, of, shown, &drawn.depth);
+        if (renderer->lens.scale != 0) {
+            ref_depth_plane_take_eye(&drawn.depth, &renderer->lens);
+        }
     }
     drawn.rows = ref_scan_rows(&drawn.polygon, renderer->lens.height);
     return ref_display_list_append(&renderer->display_list, &drawn);
