@@ -52,7 +52,7 @@ static fxl_status project_by_eye(const fxl_view *view, const fxl_view_point *poi
 
 /* Left and top, right and bottom. False where a corner is out of the range of screen coordinates.
  * A coordinate of the view is below 2^61, a side below 2^60: sums are below 2^62. */
-/* billboards 2.1 */
+/* billboards 2.1, orthographic 2.8 */
 static bool find_corners(const fxl_view *view, const fxl_view_point *centre,
                          const fxl_billboard *billboard, fxl_q16_16 scale,
                          fxl_screen_point *corners)

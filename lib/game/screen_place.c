@@ -13,6 +13,7 @@ static bool is_on_screen(const fxl_lens *lens, const fxl_screen_point *at)
     return at->x >= 0 && at->x < lens->width * 65536 && at->y >= 0 && at->y < lens->height * 65536;
 }
 
+/* orthographic 2.7 */
 static fxl_status project(const fxl_view *view, const fxl_view_point *position, fxl_screen_point *at)
 {
     const fxl_orthographic_code *code = fxl_orthographic_of(&view->lens);

@@ -94,6 +94,7 @@ bool fxl_off_centre_is_valid(const fxl_lens *lens)
 }
 
 /* *lens = *made with the centre (x, y), if that is a valid lens. An orthographic one stays so. */
+/* orthographic 1.2 */
 static fxl_status set_if_valid(const fxl_lens *made, fxl_q16_16 x, fxl_q16_16 y, fxl_lens *lens)
 {
     fxl_lens moved = *made;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#define PLANES_OF      fxl_still_cluster_planes
-#define IS_TURNED_AWAY fxl_cluster_is_turned_away
-#define FIND_FRONT     order_run
+#define PLANES_OF fxl_still_cluster_planes
+#define IS_TURNED_AWAY(cluster, eye, model_view) fxl_cluster_is_turned_away(cluster, eye)
+#define FIND_FRONT order_run
 
 #include "clusters.h"
 #include "cull.h"
@@ -16,10 +16,8 @@ static uint32_t order_run(const fxl_scene *scene, const fxl_model *model, uint32
 
 #include "cluster_loop.h"
 
-bool fxl_cluster_is_turned_away(const fxl_cluster *cluster, const fxl_point *eye,
-                                const fxl_model_view *model_view)
+bool fxl_cluster_is_turned_away(const fxl_cluster *cluster, const fxl_point *eye)
 {
-    (void)model_view;
     return fxl_is_in_cone(cluster, eye, 0);
 }
 

@@ -42,7 +42,7 @@ uint32_t fxl_list_clusters_by(const fxl_cluster_tests *tests, const fxl_scene *s
 /* Whether an eye lies in the cone of a cluster, so that no face shows its front to the eye. The eye
  * is relative to the instance's centre; each coordinate is within 2 FXL_COORDINATE_MAX. The result
  * may be false for an eye that lies in the cone, near its border. */
-fxl_cluster_cone fxl_cluster_is_turned_away;
+bool fxl_cluster_is_turned_away(const fxl_cluster *cluster, const fxl_point *eye);
 
 /* The same for an eye whose coordinates were rounded: true only if the exact eye is in the cone. */
 fxl_cluster_cone fxl_cluster_is_surely_turned_away;

@@ -1,0 +1,368 @@
+/* SPDX-License-Identifier: MIT */
+/* The orthographic lens: its planes and projection by exact integers, which faces and in which order
+ * they come, depths against double, and what it does not go with. Frames are judged elsewhere. */
+#include <math.h>
+
+#include "choices.h"
+#include "frame_bands.h"
+#include "paint/depth_code.h"
+#include "scene/lens.h"
+#include "study/clippers.h"
+#include "tiny.h"
+#include "tiny_frames.h"
+#include "view/placement.h"
+
+enum {
+    WIDTH = 48,
+    HEIGHT = 32,
+    PIXELS = WIDTH * HEIGHT,
+    BACKGROUND = 200,
+    LIST_WORDS = 40 * FXL_DISPLAY_LIST_WORDS(8)
+};
+
+static fxl_draw_entry order[64];
+static uint32_t list[LIST_WORDS];
+static fxl_cached_vertex cache[9];
+static uint64_t room[1024];
+static uint8_t frames[2][PIXELS];
+static fxl_renderer renderer;
+static fxl_placement placements[TINY_INSTANCES];
+static tiny_scene *tiny;
+
+static fxl_lens any_lens(void)
+{
+    const fxl_q16_16 near_z = unit_between(FXL_NEAR_MIN, Q16(100));
+    const unsigned bits = (unsigned)unit_between(12, 27);
+    fxl_lens lens;
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_lens_orthographic((uint16_t)unit_between(1, 1024), (uint16_t)unit_between(1, 1024),
+                                      unit_between(1 << bits, 2 << bits), near_z,
+                                      unit_between(near_z + 1, Q16(30000)), &lens));
+    return lens;
+}
+
+/* orthographic 1.1a-f, 1.2b */
+void test_a_lens_is_taken_within_its_range(void)
+{
+    const struct {
+        int32_t width, height, scale, near_z, far_z;
+        fxl_status status;
+    } cases[] = {{48, 32, 4096, 256, 257, FXL_OK},
+                 {1024, 1024, 4096 * 65536, 256, 32767 * 65536, FXL_OK},
+                 {48, 32, 4095, 256, 257, FXL_E_RANGE},
+                 {48, 32, 4096 * 65536 + 1, 256, 257, FXL_E_RANGE},
+                 {48, 32, -65536, 256, 257, FXL_E_RANGE},
+                 {48, 32, 65536, 255, 257, FXL_E_RANGE},
+                 {48, 32, 65536, 256, 256, FXL_E_RANGE},
+                 {0, 32, 65536, 256, 257, FXL_E_RANGE},
+                 {48, 1025, 65536, 256, 257, FXL_E_RANGE}};
+    for (uint32_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        fxl_lens lens, before;
+        memset(&lens, 0x5A, sizeof lens);
+        before = lens;
+        TEST_ASSERT_EQUAL(cases[i].status,
+                          fxl_lens_orthographic((uint16_t)cases[i].width, (uint16_t)cases[i].height,
+                                                cases[i].scale, cases[i].near_z, cases[i].far_z,
+                                                &lens));
+        if (cases[i].status != FXL_OK) {
+            TEST_ASSERT_EQUAL_MEMORY(&before, &lens, sizeof lens);
+            continue;
+        }
+        TEST_ASSERT_TRUE(fxl_lens_is_valid(&lens));
+        before = lens;
+        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_lens_set_centre(&lens, lens.centre_x + 1, lens.centre_y));
+        TEST_ASSERT_EQUAL_MEMORY(&before, &lens, sizeof lens);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_set_centre(&lens, lens.centre_x, lens.centre_y));
+        TEST_ASSERT_EQUAL_PTR(&fxl_orthographic, lens.off_centre);
+        lens.inset = 1;
+        TEST_ASSERT_FALSE(fxl_lens_is_valid(&lens));
+    }
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_lens_orthographic(48, 32, 65536, 256, 257, NULL));
+}
+
+/* floor(scale across / 2^46 + 1/2) by words, as the definition has it. */
+static int64_t rounded(int32_t scale, int64_t across)
+{
+    const int64_t high = (across >> 31) * scale, low = (across & 0x7FFFFFFF) * scale;
+    return (high + (low >> 31) + (1 << 14)) >> 15;
+}
+
+/* orthographic 2.6a, 2.6b, 2.7a, 1.2a */
+void test_each_product_is_rounded_once(void)
+{
+    uint32_t on_screen = 0;
+    for (int round = 0; round < UNIT_REPEAT; round++) {
+        const fxl_lens lens = any_lens();
+        const fxl_pose pose = unit_pose();
+        fxl_view view;
+        fxl_view_set_lens(&view, &lens);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
+        const unsigned bits = (unsigned)unit_between(20, 61);
+        const fxl_view_point at = {unit_wide(bits), unit_wide(bits), unit_wide(bits)};
+        fxl_screen_point screen = {7, 7};
+        const int64_t x = lens.centre_x + rounded(lens.focal, at.x);
+        const int64_t y = lens.centre_y - rounded(lens.focal, at.y);
+        const bool fits = x >= -4095 * 65536 && x <= 4095 * 65536 && y >= -4095 * 65536 &&
+                          y <= 4095 * 65536;
+        TEST_ASSERT_EQUAL(fits ? FXL_OK : FXL_E_RANGE, fxl_project_orthographic(&view, &at, &screen));
+        TEST_ASSERT_EQUAL_INT32(fits ? x : 7, screen.x);
+        TEST_ASSERT_EQUAL_INT32(fits ? y : 7, screen.y);
+
+        const fxl_point point = unit_point(FXL_COORDINATE_MAX);
+        fxl_view_point seen;
+        fxl_screen_place place;
+        fxl_transform_point(&view.camera, &point, &seen);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_find_on_screen(&view, &point, &place));
+        if (place.place == FXL_POINT_VISIBLE) {
+            on_screen++;
+            TEST_ASSERT_EQUAL_INT32(lens.centre_x + rounded(lens.focal, seen.x), place.at.x);
+            TEST_ASSERT_EQUAL_INT32(lens.centre_y - rounded(lens.focal, seen.y), place.at.y);
+        }
+    }
+    TEST_ASSERT_TRUE(on_screen > 0);
+}
+
+/* A point is outside of a side if it is more than 1/65536 pixel outside of the screen, and not if it
+ * is so far inside. */
+/* orthographic 2.1a-d, 2.2a */
+void test_planes_are_the_borders_of_the_screen(void)
+{
+    for (int round = 0; round < UNIT_REPEAT; round++) {
+        const fxl_lens lens = any_lens();
+        const double scale = lens.focal / 65536.0 * 0x1p-46;
+        fxl_view view;
+        fxl_view_set_lens(&view, &lens);
+        const double half_x = lens.width / 2.0 / scale, half_y = lens.height / 2.0 / scale;
+        const fxl_view_point at = {
+            (int64_t)(unit_between(-70000, 70000) / 65536.0 * half_x) + unit_between(-9, 9),
+            (int64_t)(unit_between(-70000, 70000) / 65536.0 * half_y) + unit_between(-9, 9),
+            unit_between(0, 1) ? (int64_t)lens.near_z * FXL_Q2_30_ONE - unit_between(0, 1)
+                               : (int64_t)lens.far_z * FXL_Q2_30_ONE + unit_between(0, 1)};
+        const unsigned outside = fxl_outcode(&view.view_frustum, FXL_PLANES_ALL, &at);
+        const double x = (double)at.x * scale, y = (double)at.y * scale;
+        const double beyond[4] = {-x - lens.width / 2.0, x - lens.width / 2.0,
+                                  -y - lens.height / 2.0, y - lens.height / 2.0};
+        TEST_ASSERT_EQUAL((at.z < (int64_t)lens.near_z * FXL_Q2_30_ONE) << FXL_PLANE_NEAR |
+                              (at.z > (int64_t)lens.far_z * FXL_Q2_30_ONE) << FXL_PLANE_FAR,
+                          outside & 3u);
+        for (unsigned i = 0; i < 4; i++) {
+            if (fabs(beyond[i]) > 0x1p-16) {
+                TEST_ASSERT_EQUAL(beyond[i] > 0, outside >> (FXL_PLANE_LEFT + i) & 1u);
+            }
+        }
+    }
+}
+
+/* --- frames ---------------------------------------------------------------------------------- */
+
+static fxl_lens tiny_lens(void)
+{
+    fxl_lens lens;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_orthographic(WIDTH, HEIGHT, Q16(3), Q16(0.0625), Q16(100),
+                                                    &lens));
+    return lens;
+}
+
+/* The tiny scene, of which the instances from first on are turned. */
+static void start(uint32_t first, uint32_t list_words)
+{
+    const fxl_memory memory = {order, 64, list, list_words, cache, 9};
+    const fxl_lens lens = tiny_lens();
+    fxl_scene_fault fault = {"", 0};
+    tiny = tiny_make();
+    tiny_place_from(tiny, placements, first);
+    for (uint32_t i = first; i < TINY_INSTANCES; i++) {
+        placements[i - first].orientation = unit_orientation();
+        placements[i - first].scale = unit_between(Q16(0.25), Q16(2));
+    }
+    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+}
+
+static bool is_front(uint32_t instance, const fxl_face *face, const fxl_direction *forward)
+{
+    const fxl_scene *scene = &tiny->scene;
+    int64_t ahead[3] = {forward->x, forward->y, forward->z};
+    if (scene->placements != NULL && instance >= scene->first_turned) {
+        const fxl_orientation *of = &placements[instance - scene->first_turned].orientation;
+        const fxl_direction rows[3] = {of->x, of->y, of->z};
+        int64_t sums[3] = {1 << 29, 1 << 29, 1 << 29};
+        for (int i = 0; i < 3; i++) {
+            sums[0] += ahead[i] * rows[i].x;
+            sums[1] += ahead[i] * rows[i].y;
+            sums[2] += ahead[i] * rows[i].z;
+        }
+        for (int i = 0; i < 3; i++) {
+            ahead[i] = sums[i] >> 30;
+        }
+    }
+    return face->normal.x * ahead[0] + face->normal.y * ahead[1] + face->normal.z * ahead[2] < 0;
+}
+
+static int64_t depth_of(uint32_t instance)
+{
+    const fxl_camera *camera = &renderer.frame.view.camera;
+    const fxl_point *centre = &tiny->scene.instances[instance].centre;
+    return (int64_t)camera->axes.forward.x * (centre->x - camera->position.x) +
+           (int64_t)camera->axes.forward.y * (centre->y - camera->position.y) +
+           (int64_t)camera->axes.forward.z * (centre->z - camera->position.z);
+}
+
+/* Of a cube that no plane cuts all faces are counted as backfacing or drawn. */
+/* orthographic 2.3a, 2.3b, 2.4a, 2.4b, 2.5a, 2.5c */
+void test_faces_and_instances_come_by_forward(void)
+{
+    uint32_t fronts = 0;
+    for (int round = 0; round < UNIT_REPEAT / 20; round++) {
+        const fxl_pose pose = tiny_pose_before();
+        uint32_t backs = 0;
+        start((uint32_t)unit_between(0, TINY_INSTANCES), LIST_WORDS);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        const fxl_frame *frame = &renderer.frame;
+        for (uint32_t i = 0; i < frame->visible_count; i++) {
+            const uint32_t number = frame->draw_list[i].index;
+            const fxl_model *model = &tiny->scene.models[tiny->scene.instances[number].model];
+            for (uint32_t k = 0; k < model->face_count; k++) {
+                backs += !is_front(number, &tiny->scene.faces[model->first_face + k],
+                                   &frame->view.camera.axes.forward);
+            }
+            if (i > 0) {
+                TEST_ASSERT_TRUE(depth_of(frame->draw_list[i - 1].index) >= depth_of(number));
+            }
+        }
+        TEST_ASSERT_EQUAL_UINT32(backs, renderer.workspace.counters.backfacing);
+        fronts += renderer.workspace.counters.drawn;
+    }
+    TEST_ASSERT_TRUE(fronts > 0);
+}
+
+/* A renderer of any target, whole and in bands, shows one picture, and a pick names its faces. */
+/* orthographic 1.3a */
+void test_bands_and_picks_are_of_the_frame(void)
+{
+    static const choice *const choices[] = {&choice_sorted, &choice_depth_16, &choice_depth_32};
+    uint32_t drawn = 0;
+    for (int round = 0; round < UNIT_REPEAT / 500; round++) {
+        const fxl_pose pose = tiny_pose_before();
+        const uint32_t seed = unit_random();
+        const choice *pair = choices[round % 3];
+        for (int i = 0; i < 2; i++) {
+            unit_seed(seed | 1);
+            start((uint32_t)round % 4u, i == 0 ? 0 : LIST_WORDS);
+            TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, pair, room, sizeof room));
+            frame_draw_pose(&renderer, &pose, frames[i], i == 0 ? HEIGHT : 5, BACKGROUND);
+        }
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], PIXELS);
+        for (int i = 0; i < 20; i++) {
+            const uint16_t x = (uint16_t)unit_between(0, WIDTH - 1);
+            const uint16_t y = (uint16_t)unit_between(0, HEIGHT - 1);
+            fxl_picked picked;
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_pick_face(&renderer, x, y, &picked));
+            const uint8_t pixel = frames[1][y * WIDTH + x];
+            drawn += pixel != BACKGROUND;
+            TEST_ASSERT_EQUAL(pixel == BACKGROUND, picked.instance == FXL_PICK_NONE);
+            if (pixel != BACKGROUND) {
+                TEST_ASSERT_EQUAL_HEX8(pixel, picked.colour);
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(drawn > 0);
+}
+
+/* The depth of a face's plane at any pixel of the screen, where that is between near and far. */
+/* orthographic 2.11a */
+void test_depths_are_linear_between_near_and_far(void)
+{
+    uint32_t checked = 0;
+    for (int round = 0; round < UNIT_REPEAT / 10; round++) {
+        const fxl_lens lens = any_lens();
+        const fxl_pose pose = unit_pose();
+        const fxl_point corner = unit_point(FXL_COORDINATE_MAX);
+        fxl_face face = {.normal = unit_direction(), .count = 3, .indices = {0, 0, 0}};
+        fxl_vertex_cache own;
+        fxl_model_view model_view;
+        fxl_view view;
+        fxl_depth_plane plane;
+        fxl_view_set_lens(&view, &lens);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
+        fxl_vertex_cache_init(&own, NULL, 0);
+        fxl_model_view_of_polygon(&model_view, &corner, &view, &own);
+        lens.off_centre->orthographic->find_depth(&model_view, &face, &plane);
+        const fxl_axes *axes = &view.camera.axes;
+        const fxl_direction *rows[3] = {&axes->right, &axes->up, &axes->forward};
+        fxl_view_point p;
+        double n[3];
+        fxl_transform_point(&view.camera, &corner, &p);
+        for (int i = 0; i < 3; i++) {
+            n[i] = ((double)rows[i]->x * face.normal.x + (double)rows[i]->y * face.normal.y +
+                    (double)rows[i]->z * face.normal.z) *
+                   0x1p-60;
+        }
+        if (n[2] > -0.01) {
+            continue;
+        }
+        const double scale = lens.focal / 65536.0, range = (lens.far_z - lens.near_z) / 65536.0;
+        const int x = unit_between(0, lens.width - 1), y = unit_between(0, lens.height - 1);
+        const double across = (x + 0.5 - lens.width / 2.0) / scale - (double)p.x * 0x1p-46,
+                     upright = (lens.height / 2.0 - y - 0.5) / scale - (double)p.y * 0x1p-46;
+        const double z = (double)p.z * 0x1p-46 - (n[0] * across + n[1] * upright) / n[2];
+        const double expected = 1 - (z - lens.near_z / 65536.0) / (2 * range);
+        if (expected < 0.5 || expected > 1) {
+            continue;
+        }
+        checked++;
+        const int64_t found =
+            plane.gradient.at + plane.gradient.along * x + plane.gradient.down * y;
+        /* Of all that is added up, and of what the normal's 30 bits move the plane. */
+        const double far_away = fabs(across) + fabs(upright) + fabs(z) + lens.near_z / 65536.0;
+        TEST_ASSERT_TRUE(fabs(ldexp((double)found, -plane.one) - expected) <
+                         0x1p-26 + 0x1p-24 * far_away / range / -n[2]);
+    }
+    TEST_ASSERT_TRUE(checked > 0);
+}
+
+/* --- what is refused --------------------------------------------------------------------------- */
+
+static void expect_conflict(const fxl_pose *pose, const char *first, const char *second)
+{
+    const char *names[2];
+    TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_frame_begin(&renderer, pose));
+    TEST_ASSERT_TRUE(fxl_renderer_conflict(&renderer, names));
+    TEST_ASSERT_EQUAL_STRING(first, names[0]);
+    TEST_ASSERT_EQUAL_STRING(second, names[1]);
+    const char *sentence = fxl_render_explain(&renderer, pose, frames[0], WIDTH, NULL);
+    TEST_ASSERT_NOT_NULL(sentence);
+    TEST_ASSERT_NOT_NULL(strstr(sentence, first));
+    TEST_ASSERT_NOT_NULL(strstr(sentence, second));
+}
+
+/* orthographic 1.3a, 1.3b */
+void test_what_does_not_go_with_the_lens_is_refused(void)
+{
+    const fxl_pose pose = tiny_pose_before();
+    fxl_wire wire;
+    fxl_config config;
+    start(TINY_INSTANCES, LIST_WORDS);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &fxl_clipper_world, NULL, 0));
+    expect_conflict(&pose, "an orthographic lens", "a clipper of the study");
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &fxl_clipper_view, NULL, 0));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_tree, room, sizeof room));
+    expect_conflict(&pose, "the order by tree", "an orthographic lens");
+    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_wire_init(&wire, &tiny->scene, &renderer.frame.view.lens,
+                                                    fxl_line_by_planes));
+
+    config = fxl_config_default(WIDTH, HEIGHT);
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_orthographic(NULL, Q16(3)));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_init(&renderer, &tiny->scene, &config, room, sizeof room));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_renderer_set_orthographic(&renderer, 4095));
+    TEST_ASSERT_NULL(renderer.frame.view.lens.off_centre);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_orthographic(&renderer, Q16(3)));
+    TEST_ASSERT_EQUAL(Q16(3), renderer.frame.view.lens.focal);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.refused_calls);
+    memset(&renderer, 0, sizeof renderer);
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_set_orthographic(&renderer, Q16(3)));
+}
