@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../view/project.h"
 #include "clip_by_view.h"
 
 #if !FXL_KERNELS_ARMV7M

@@ -6,9 +6,9 @@
 #include "../math/arith.h"
 #include "../math/family.h"
 #include "../math/pixel_centre.h"
+#include "../scene/lens.h"
 #include "../view/model_view.h"
 #include "../view/outcode.h"
-#include "../view/project.h"
 #include "clip_view.h"
 #include "fixel/records.h"
 

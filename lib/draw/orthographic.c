@@ -8,6 +8,7 @@
 #include "../scene/placement_code.h"
 #include "../view/order.h"
 #include "../view/placement.h"
+#include "../view/project.h"
 #include "fixel/camera.h"
 #include "renderer.h"
 #include "rounded_faces.h"

@@ -85,6 +85,10 @@ static FXL_COLD fxl_status begin(fxl_setup *setup, const fxl_setup_plan *plan,
         setup->step = FXL_SETUP_CENTRE;
         status = plan->set_centre(&setup->renderer, plan->centre_x, plan->centre_y);
     }
+    if (status == FXL_OK && plan->set_orthographic != NULL) {
+        setup->step = FXL_SETUP_CENTRE;
+        status = plan->set_orthographic(&setup->renderer, plan->scale);
+    }
     return status;
 }
 

@@ -5,7 +5,6 @@
 #ifndef FXL_LENS_H
 #define FXL_LENS_H
 
-#include "../view/project.h"
 #include "fixel/records.h"
 
 #ifdef __cplusplus
@@ -33,6 +32,10 @@ struct fxl_off_centre_code {
     void (*set_pose)(fxl_view *view);
     const struct fxl_orthographic_code *orthographic; /* null: the lens has an eye */
 };
+
+/* How a point of a view is projected: as fxl_project_inside does, or another function. */
+typedef fxl_status fxl_projector(const fxl_view *view, const fxl_view_point *point,
+                                 fxl_screen_point *screen);
 
 /* What an orthographic lens is drawn with (docs/extras/orthographic.md). */
 typedef struct fxl_orthographic_code {

@@ -24,10 +24,6 @@ extern "C" {
      FXL_BELOW((view)->x, ((int64_t)1 << 61) - 1) && FXL_BELOW((view)->y, ((int64_t)1 << 61) - 1) && \
      FXL_BELOW((view)->z, ((int64_t)1 << 61) - 1))
 
-/* How a point of a view is projected: as fxl_project_inside does, or another function. */
-typedef fxl_status fxl_projector(const fxl_view *view, const fxl_view_point *point,
-                                 fxl_screen_point *screen);
-
 /* Projects a point (X, Y, Z) of the view:
  *   x = width/2 + focal X / Z, y = height/2 - focal Y / Z,
  * each rounded once, to the nearest 1/65536 pixel (halves upward, before the centre is

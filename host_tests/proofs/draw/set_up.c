@@ -57,6 +57,7 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
 void prove_renderer_init_with(void)
 {
     fxl_renderer renderer;
+    renderer.frame.view.lens.off_centre = NULL; /* an orthographic lens: unit tests */
     const fxl_status status = fxl_renderer_init_with(&renderer, NULL, NULL, NULL);
     ASSERT("set up, it has all three", status != FXL_OK || (renderer.clipper == &fxl_clipper_view && renderer.order == &fxl_by_distance &&
                                                            renderer.target == &fxl_palette));

@@ -2,7 +2,7 @@
 #include "scene/lens.c"
 #include "proof.h"
 
-const fxl_off_centre_code fxl_off_centre = {fxl_off_centre_is_valid, NULL, NULL};
+const fxl_off_centre_code fxl_off_centre = {fxl_off_centre_is_valid, NULL, NULL, NULL};
 
 /* Any lens: what makes one sets off_centre to null or to the code of off-centre lenses. */
 static fxl_lens any_lens(void)

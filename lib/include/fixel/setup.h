@@ -33,6 +33,8 @@ typedef struct {
     uint32_t pieces_size;     /* bytes: of the memory of fxl_by_tree for pieces of what moves */
     fxl_q16_16 centre_x, centre_y; /* of an off-centre lens, in pixels */
     fxl_status (*set_centre)(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16_16 y);
+    fxl_q16_16 scale; /* of an orthographic lens, pixels a world unit */
+    fxl_status (*set_orthographic)(fxl_renderer *renderer, fxl_q16_16 scale);
     const fxl_motion_set *motions;
     fxl_status (*begin_motions)(fxl_motion_player *player, const fxl_motion_set *set,
                                 fxl_scene *scene, const fxl_motion_memory *memory);
@@ -103,7 +105,7 @@ typedef struct {
  * FXL_E_CAPACITY: memory_size is too small, and setup->memory_missing has the missing bytes.
  * With each of these statuses: nothing else is written.
  * Any other status is that of a step, which setup->step names: fxl_motion_begin, init_renderer,
- * fxl_renderer_set_centre or an attach function refused the plan's tables. Then the setup cannot
+ * fxl_renderer_set_centre, fxl_renderer_set_orthographic or an attach function refused the plan's tables. Then the setup cannot
  * draw. */
 fxl_status fxl_setup_init(fxl_setup *setup, const fxl_setup_plan *plan, uint16_t rows, void *memory,
                           size_t memory_size);

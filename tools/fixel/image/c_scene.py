@@ -221,6 +221,10 @@ def _view(scene, name, frames):
                                         f"{name.upper()}_CENTRE_Y)."),
                                f"#define {name.upper()}_CENTRE_X {_signed(scene.centre[0])}",
                                f"#define {name.upper()}_CENTRE_Y {_signed(scene.centre[1])}", ""]))
+    if scene.scale:
+        made.append("\n".join([*comment("The scene's lens is orthographic. After fxl_renderer_init call "
+                                        f"fxl_renderer_set_orthographic(&renderer, {name.upper()}_SCALE)."),
+                               f"#define {name.upper()}_SCALE {scene.scale}", ""]))
     if frames:
         made += [f"#define {name.upper()}_FRAMES {len(scene.path)}\n",
                  table("fxl_pose", f"{name}_path", [braces(_pose(pose)) for pose in scene.path],

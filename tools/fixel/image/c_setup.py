@@ -87,6 +87,11 @@ def _memory(scene, name):
     return "\n".join(lines)
 
 
+def scale_of(scene, name):
+    """The scale of an orthographic lens, by its constant."""
+    return f"{name.upper()}_SCALE" if scene.scale else "0"
+
+
 def text(scene, name, frames):
     """The plan of a scene, the sizes of its memory, and its palette in RGB565. frames: whether the header has the path."""
     lit = scene.light is not None and scene.surfaces is not None and any(
@@ -101,6 +106,7 @@ def text(scene, name, frames):
             f"{name}_path, {len(scene.path)}" if frames else "NULL, 0",
             str(_tree(scene)[1] if order else 0),
             f"{centre[0]}, {centre[1]}, {'fxl_renderer_set_centre' if scene.centre else 'NULL'}",
+            f"{scale_of(scene, name)}, {'fxl_renderer_set_orthographic' if scene.scale else 'NULL'}",
             part(scene.motions, f"&{name}_motion", "fxl_motion_begin", "fxl_motion_play"),
             part(scene.beams, "fxl_beam_light_workspace_size", "fxl_attach_beams"),
             part(scene.light is not None, f"&{name}_light", "fxl_attach_light"),
@@ -112,7 +118,7 @@ def text(scene, name, frames):
     return [*palette, _memory(scene, name),
             record("fxl_setup_plan", f"{name}_setup", rows,
                    "For fxl_setup_init: scene, configuration, order, renderer, palette, first pose; path; memory for pieces; centre of "
-                   "the lens; motions, beams, light, surfaces, light at corners, billboards, each with what sets it up.")]
+                   "the lens, scale of an orthographic one; motions, beams, light, surfaces, light at corners, billboards, each with what sets it up.")]
 
 
 PROGRAM = """/* Written by tools/scene.py export --c --program: draws %(source)s. It is yours to change. */

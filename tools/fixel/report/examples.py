@@ -28,7 +28,7 @@ WIDTH, HEIGHT = 320, 240
 # draw one), and whether their palette is their own.
 PICTURES = {"cube": (None, False), "turn": (24, False), "look": (31, False), "text": (None, True), "label": (None, True),
             "outline": (37, True), "lamp": (25, True), "depth": (26, False), "crowd": (None, True), "crate": (CRATE_FRAMES, True),
-            "maze": (60, True)}
+            "maze": (60, True), "isometric": (145, True)}
 # Those that draw bands, of entries of their scene's palette: the frame that is their picture.
 BAND_PICTURES = {"attitude": 35}
 # Those whose pixels are RGB565: the frame that is their picture.

@@ -24,6 +24,7 @@ def summary(scene):
         "fov_degrees": round(scene.fov * 360 / 2 ** 32, 6),
         "focal_pixels": round(image_header.focal_pixels(scene.width, scene.fov), 6),
         "centre": [value / 65536 for value in scene.centre or image_header.middle(scene.width, scene.height)],
+        "scale": scene.scale / 65536 or None,
         "near": scene.near / 65536, "far": scene.far / 65536, "inset": scene.inset / 65536,
         "objects": len(scene.objects), "convex_objects": kinds.count(image.CONVEX),
         "sorted_objects": kinds.count(image.SORTED), "layers": layers,
@@ -59,8 +60,9 @@ def info(file, as_json, name=None):
         print(json.dumps(data, indent=1))
         return
     print(f"{one_line(name or file)}: {data['bytes']:,} bytes, CRC-32 {data['crc32']}")
-    print(f"  screen   {data['width']}x{data['height']}, field of view {data['fov_degrees']:g} "
-          f"degrees (focal {data['focal_pixels']:g} pixels)")
+    seen = (f"{data['scale']:g} pixels a world unit: the lens is orthographic" if data["scale"] else
+            f"field of view {data['fov_degrees']:g} degrees (focal {data['focal_pixels']:g} pixels)")
+    print(f"  screen   {data['width']}x{data['height']}, {seen}")
     if data["centre"] != [data["width"] / 2, data["height"] / 2]:
         print(f"  centre   {data['centre'][0]:g}, {data['centre'][1]:g} pixels: the lens is off-centre")
     print(f"  depth    near {data['near']:g}, far {data['far']:g}, inset {data['inset']:g}")
