@@ -103,6 +103,16 @@ def test_the_reference_explains_each_pixel_in_bands_too(parts, target, lens, bui
         assert pixels(host_frames.drawn(build, image, "bands", *options)) == whole
 
 
+@pytest.mark.parametrize("more, parts", [('tree = "all"\n', (FLAT,)), ("", (BEAM, TEXTURED))])
+def test_what_does_not_go_with_the_lens_is_refused_by_the_tool(more, parts, tmp_path):
+    file = tmp_path / "scene.toml"
+    textures = [(name, name, 64) for name in ("crate", "stones")]
+    file.write_text(more + head(120, 72, ["scale = 9"], textures) + "".join(parts) + PATH)
+    made = run_cli("build", file, "-o", tmp_path / "scene.fxls")
+    assert made.returncode == 2 and not (tmp_path / "scene.fxls").exists()
+    assert "orthographic" in made.stderr and ("tree" if more else "beams") in made.stderr
+
+
 @pytest.mark.parametrize("key", ["fov = 60", "focal = 100", "centre = [1, 2]", "inset = 0.5", "scale = 5000"])
 def test_a_lens_of_two_kinds_is_refused(key, tmp_path):
     file = tmp_path / "scene.toml"

@@ -39,7 +39,7 @@ NOT_DRAWN = {"surfaces": "surfaces (VISIBILITY=surfaces builds a program that dr
              "depth": "with a depth buffer (VISIBILITY=sorted builds a program that draws by distance)",
              "depth_32": "with a depth buffer of 32 bits (depth = 16 asks for one of 16)",
              "rgb565": "in RGB565",
-             "billboards": "billboards"}
+             "billboards": "billboards", "orthographic": "with an orthographic lens"}
 
 
 def parser():
@@ -118,7 +118,7 @@ def count(options, scene, size, board, file):
     if needed > options.order:
         raise frame_costs.NoRoom(f"the scene needs {needed:,} order entries, the board has {options.order:,}")
     wanted = {"surfaces": scene.surfaces, "depth": by_depth(scene), "depth_32": scene.depth_bits == 32,
-              "rgb565": scene.pixel_bits == 16, "billboards": scene.billboards}
+              "rgb565": scene.pixel_bits == 16, "billboards": scene.billboards, "orthographic": scene.scale}
     for name in options.without.lower().split(","):
         if wanted.get(name):
             raise frame_costs.NoRoom(f"the board has no room to draw {NOT_DRAWN[name]}")

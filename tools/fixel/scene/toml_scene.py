@@ -86,6 +86,8 @@ def _target(top, scene):
         scene.depth_bits = 16
     if view["order"] == "tree" and top["tree"] == "none":
         raise ToolError(f'{view.at("order")}: "tree" needs a tree; give tree = "all" at the top of the file')
+    if scene.scale and top["tree"] != "none" and view["order"] != "distance":
+        raise ToolError(f'{view.at("scale")}: an orthographic lens and the order by tree do not go together; give order = "distance"')
     scene.by_distance = view["order"] == "distance"
 
 
@@ -372,6 +374,8 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
     scene.layers = top["tree"]
     scene.beams, scene.placements, scene.motions, scene.surfaces = beams, placements, motions, records.result(
         colours, top.table("palette")["blend"], light.image.ramp if isinstance(light, toml_light.RunTime) else [], in_beam)
+    if scene.scale and beams and scene.surfaces:
+        raise ToolError(f"{name}: view.scale: an orthographic lens and surfaces and beams do not go together; leave out the beams or the textures")
     scene.billboards = toml_billboard.result(boards, indices)
     scene.lit = in_beam
     scene.light = light.image if isinstance(light, toml_light.RunTime) else None

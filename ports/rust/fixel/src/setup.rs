@@ -281,6 +281,10 @@ unsafe fn plan<T: Target>(parts: *mut Parts, scene: &Scene<'_>) {
         plan.centre_y = image.lens.centre_y;
         plan.set_centre = Some(sys::fxl_renderer_set_centre);
     }
+    if image.scale != 0 {
+        plan.scale = image.scale;
+        plan.set_orthographic = Some(sys::fxl_renderer_set_orthographic);
+    }
     if !image.scene.bsp_nodes.is_null() && !image.by_distance {
         plan.order = &raw const sys::fxl_by_tree;
     }
