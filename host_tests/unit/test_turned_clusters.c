@@ -43,7 +43,7 @@ void test_a_rounded_eye_in_a_cone(void)
         const double exact[3] = {u.x + unit_between(-512, 512) / 1024.0,
                                  u.y + unit_between(-512, 512) / 1024.0,
                                  u.z + unit_between(-512, 512) / 1024.0};
-        if (fxl_cluster_is_surely_turned_away(&cluster, &eye)) {
+        if (fxl_cluster_is_surely_turned_away(&cluster, &eye, NULL)) {
             TEST_ASSERT_TRUE(in_cone(&cluster, exact));
             inside++;
         } else {
