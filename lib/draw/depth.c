@@ -68,6 +68,22 @@ static inline const fxl_view_point *first_corner(const fxl_model_view *model_vie
     return &other->position;
 }
 
+/* By an off-centre or an orthographic lens. Not inline: what it has would be on the stack of others. */
+static __attribute__((noinline)) void find_by_other_lens(const fxl_model_view *model_view,
+                                                         const fxl_face *face,
+                                                         const fxl_view_point *first,
+                                                         fxl_depth_plane *plane)
+{
+    const fxl_view *view = model_view->view;
+    if (view->lens.off_centre->orthographic != NULL) {
+        view->lens.off_centre->orthographic->find_depth(model_view, face, plane);
+        return;
+    }
+    const fxl_block_vector n = sheared(model_view->axes, &face->normal);
+    const fxl_direction normal = {n.x, n.y, n.z};
+    fxl_find_depth_plane(&normal, NULL, first, view, plane);
+}
+
 /* SPEC 10.1 */
 void fxl_find_depth_by_normal(const fxl_model_view *model_view, const fxl_face *face,
                               const fxl_traversal *traversal, fxl_depth_plane *plane)
@@ -77,12 +93,8 @@ void fxl_find_depth_by_normal(const fxl_model_view *model_view, const fxl_face *
     const fxl_view_point *first = first_corner(model_view, face, traversal, &other);
     if (view->lens.off_centre == NULL) {
         fxl_find_depth_plane(&face->normal, model_view->axes, first, view, plane);
-    } else if (view->lens.off_centre->orthographic != NULL) {
-        view->lens.off_centre->orthographic->find_depth(model_view, face, plane);
     } else {
-        const fxl_block_vector n = sheared(model_view->axes, &face->normal);
-        const fxl_direction normal = {n.x, n.y, n.z};
-        fxl_find_depth_plane(&normal, NULL, first, view, plane);
+        find_by_other_lens(model_view, face, first, plane);
     }
 }
 

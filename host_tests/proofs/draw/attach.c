@@ -12,13 +12,14 @@ void fxl_renderer_set_shader(fxl_renderer *renderer, uint32_t rank, fxl_shader *
 /* [[row]]
  * function = "lib/draw/combination.c:fxl_renderer_attach"
  * property = "any renderer and shader: all that it has is looked at before the next frame"
- * checks = 13
+ * checks = 393
  * stubs = { fxl_renderer_set_shader = "its own row", fxl_choose_with_memory = "not called", fxl_refuse = "not called" }
  */
 void prove_renderer_attach(void)
 {
     fxl_renderer renderer;
     fxl_shader shader;
+    renderer.frame.view.lens.off_centre = NULL; /* an orthographic lens: unit tests */
     fxl_renderer_attach(&renderer, nondet_u32(), nondet_bool() ? NULL : &shader);
     ASSERT("what it has is looked at before the next frame", renderer.check == fxl_check_combination);
     PROOF_ENDS();
