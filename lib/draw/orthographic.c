@@ -543,7 +543,7 @@ static bool submit(const fxl_traversal *traversal)
     return fxl_submit_all(traversal, submit_instance);
 }
 
-static const fxl_order order = {.submit = submit};
+static const fxl_order by_depth = {.submit = submit};
 
 /* --- the renderer ---------------------------------------------------------------------------- */
 
@@ -561,13 +561,13 @@ static void take(fxl_renderer *renderer)
         renderer->clipper = is_deep ? &deep_clipper : &clipper;
     }
     if (renderer->order == &fxl_by_distance) {
-        renderer->order = &order;
+        renderer->order = &by_depth;
     }
     renderer->check = fxl_check_combination;
 }
 
 static const fxl_orthographic_code code = {
-    fxl_project_orthographic, has_clipper, &order, take, begin, submit_instance, find_depth,
+    fxl_project_orthographic, has_clipper, &by_depth, take, begin, submit_instance, find_depth,
     distance_of};
 
 const fxl_off_centre_code fxl_orthographic = {is_valid, set_lens, set_pose, &code};
