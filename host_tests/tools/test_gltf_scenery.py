@@ -3,6 +3,7 @@
 
 import json
 import math
+import re
 
 import numpy
 import pytest
@@ -108,8 +109,19 @@ def test_a_camera_makes_the_path_where_it_is_asked_for(tmp_path):
     assert plain.fov != made.fov
     with pytest.raises(ToolError, match='--camera: no camera has a name like "side"; the file\'s: front, dolly, plan'):
         compiled(path, camera="side")
-    with pytest.raises(ToolError, match="orthographic"):
-        compiled(path, camera="plan")
+
+
+@pytest.mark.parametrize("near", [0, 0.5])
+def test_an_orthographic_camera_makes_an_orthographic_lens(tmp_path, near):
+    made = car()
+    made.data["cameras"] = [{"type": "orthographic", "orthographic": {"xmag": 4, "ymag": 3, "znear": near, "zfar": 50}}]
+    made.data["nodes"].append({"name": "plan", "camera": 0, "translation": [0, 0, 12]})
+    made.data["scenes"][0]["nodes"].append(9)
+    path = made.write(tmp_path / "m.glb")
+    seen, notes = compiled(path, None, camera="plan")
+    (scale,) = {float(found) for note in notes for found in re.findall(r"scaled by ([\d.]+)", note)}
+    assert seen.scale / 65536 == pytest.approx(seen.width / (2 * 4 * scale), rel=1e-3)
+    assert said(notes, "znear is 0") == (near == 0) and (seen.near == 256) == (near == 0)
 
 
 @pytest.mark.parametrize("table", [{}, {"yfov": 0}, {"yfov": 4}, {"yfov": "wide"}, {"yfov": 1, "znear": -1}])

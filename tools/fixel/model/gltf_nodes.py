@@ -304,14 +304,19 @@ def _number(checked, table, key, default, where, least=0.0):
 
 
 def camera(checked, number, name, world):
-    """The Camera at a node; None where it has none, or one without perspective."""
+    """The Camera at a node; None where it has none."""
     node = checked.rows("nodes")[number]
     if "camera" not in node:
         return None
     chosen, entry = checked.entry("cameras", node, "camera", checked.label("node", number))
     table, where = entry.get("perspective"), checked.label("camera", chosen)
     if not isinstance(table, dict):
-        return Camera(name, None, None, _placed(world))
+        flat = entry.get("orthographic")
+        try:
+            half, near = (_number(checked, flat, key, 0.0, where) for key in ("xmag", "znear")) if isinstance(flat, dict) else (0.0, None)
+        except ToolError:
+            half, near = 0.0, None
+        return Camera(name, None, near, _placed(world), half or None)
     try:
         angle, near = (_number(checked, table, key, 0.0, where) for key in ("yfov", "znear"))
     except ToolError:

@@ -50,11 +50,13 @@ class _Placed:
 
 @dataclass(frozen=True)
 class Camera(_Placed):
-    """name: of its node. angle: of its view, from top to bottom in degrees; None without perspective. near: in the file's units."""
+    """name: of its node. angle: of its view, from top to bottom in degrees; None without perspective. near: in the file's units.
+    half: of an orthographic one, half of the width that it sees, in the file's units; else None."""
     name: str
     angle: float
     near: float
     matrix: object
+    half: float = None
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from fixel.base.vectors import dot
 from fixel.model.mesh import UNIT, newell, open_edges
 from fixel.model.surface import MEAN_NOTE, MISSING_NOTE, TINT_NOTE
 from fixel.base.notes import Usual
-from fixel.base.reading import shortened
+from fixel.base.reading import quoted, shortened
 from fixel.scene.look import NO_ANIMATION, PLAIN
 from fixel.scene.corner_normals import OWN_COSINE
 
@@ -235,6 +235,8 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN, p
         seen, path = model_scenery.camera_keys(camera, played.poses.get(camera.name), place, (width, height),
                                                frames or played.frames or FRAMES, float(reach))
         played.uses.add("cameras")
+        if camera.half is not None and camera.near == 0:
+            notes.append(f"camera {quoted(camera.name)}: its znear is 0, and near is the least that a lens has")
     more = ({"simplify": look.simplify} if look.simplify else {}) | ({} if look.colours else {"vertex_colours": "none"})
     return {
         "screen": {"width": width, "height": height},

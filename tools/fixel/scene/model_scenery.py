@@ -60,8 +60,9 @@ def chosen(cameras, pattern, name):
     if not found:
         there = shortened(", ".join(camera.name for camera in cameras)) or "none"
         raise ToolError(f"{name}: --camera: no camera has a name like {quoted(pattern)}; the file's: {there}")
-    if found[0].angle is None:
-        raise ToolError(f"{name}: --camera: {quoted(found[0].name)} has no perspective (orthographic, or without an angle of view); take another one")
+    if found[0].angle is None and found[0].half is None:
+        raise ToolError(f"{name}: --camera: {quoted(found[0].name)} has no perspective (without an angle of view), and is not orthographic with a "
+                        "width; take another one")
     return found[0]
 
 
@@ -81,8 +82,11 @@ def camera_keys(camera, poses, place, screen, frames, reach):
         keys.append({"position": row.get("offset", [0, 0, 0]), "yaw": turn[0], "pitch": turn[1], "roll": turn[2], "frames": row.get("frames", 1)})
         frame += keys[-1]["frames"]
     keys[-1]["frames"] += frames - frame
-    slope = math.tan(math.radians(camera.angle / 2)) * width / height
-    fov = Fraction(min(max(round(2 * math.degrees(math.atan(slope)) * 100), 1000), 15000), 100)
-    near = max(_NEAR_MIN, *_exact([camera.near * place.scale]))
+    if camera.half is not None:
+        lens = {"scale": min(max(*_exact([width / (2 * camera.half * place.scale)]), Fraction(1, 16)), 4096)}
+    else:
+        slope = math.tan(math.radians(camera.angle / 2)) * width / height
+        lens = {"fov": Fraction(min(max(round(2 * math.degrees(math.atan(slope)) * 100), 1000), 15000), 100)}
+    near = max(_NEAR_MIN if camera.half is None else Fraction(1, 256), *_exact([camera.near * place.scale]))
     far = max(near * 2, *_exact([(float(np.sqrt((places ** 2).sum(axis=1)).max()) + reach) * 1.1]))
-    return {"fov": fov, "near": near, "far": far}, {"interpolation": "linear", "keys": keys}
+    return {**lens, "near": near, "far": far}, {"interpolation": "linear", "keys": keys}
