@@ -20,7 +20,7 @@ BOARD_OWN_FLAGS := -Os
 
 # Beside the game and the driver of a display, RGB565 with a depth buffer would take 3 to 4 KiB of flash more than there is.
 # Depth buffers of 32 bits a pixel would take 7 KiB of flash more than there is.
-BOARD_SETTINGS := BOARD_SYSTICK_HZ=16000000u WALK_WITHOUT_ORTHOGRAPHIC WALK_WITHOUT_DEPTH_32 GAME_WITHOUT_RGB565_DEPTH
+BOARD_SETTINGS := BOARD_SYSTICK_HZ=16000000u WALK_WITHOUT_ORTHOGRAPHIC WALK_WITHOUT_DEPTH_32 WALK_WITHOUT_LINES GAME_WITHOUT_RGB565_DEPTH
 
 # Flash has pages of 1 KiB.
 BOARD_MEMORY := flash_base=0x00000000 flash_size=256K flash_sector=1K program_size=194K \

@@ -68,6 +68,11 @@ bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image)
     if (image->billboards.model_map != NULL && draws->sprites == NULL) {
         return false;
     }
+#if defined WALK_WITHOUT_LINES
+    if (image->lines.line_map != NULL) {
+        return false;
+    }
+#endif
     methods->draws = *draws;
 #if !defined WALK_FLAT
     if (image->surfaces.face_map != NULL && draws->surfaces == NULL) {

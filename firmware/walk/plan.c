@@ -229,6 +229,12 @@ static fxl_status open_parts(walk_plan *of, fxl_setup_plan *plan)
         plan->attach_billboards = fxl_attach_billboards;
     }
 #endif
+#if !defined WALK_WITHOUT_LINES
+    if (image->lines.line_map != NULL) {
+        plan->lines = &image->lines;
+        plan->attach_lines = fxl_attach_lines;
+    }
+#endif
     (void)draws;
     of->clipper_memory = memory;
     return status;
@@ -260,6 +266,7 @@ fxl_status walk_plan_open(walk_plan *of, fxl_setup_plan *plan, fxl_setup *setup)
     plan->config = NULL;
     plan->motions = NULL;
     plan->light = NULL;
+    plan->lines = NULL;
     under_way = NULL;
     return status;
 }

@@ -31,6 +31,7 @@ static fxl_lit_surfaces lit;
 static fxl_surfaces surfaces;
 static fxl_billboards billboards;
 static fxl_outlines outlines;
+static fxl_lines lines;
 static fxl_workspace second;
 static fxl_motion_player motions;
 static fxl_display display;
@@ -53,6 +54,8 @@ static const fxl_billboard_set boards = {.model_map = model_map};
 static const fxl_beam beam = {.plane_count = 1};
 static const fxl_light_settings day = {.ambient = FXL_Q2_30_ONE, .ramp = ramp, .levels = 2};
 static const fxl_outline_style ink = {.line = 1};
+static const uint32_t line_map[2];
+static const fxl_line_set line_set = {NULL, 0, line_map};
 static bool send(void *user, bool is_data, const uint8_t *bytes, size_t size) { (void)user; (void)is_data; (void)bytes; return size > 0; }
 static void wait_for(void *user, uint32_t milliseconds) { (void)user; (void)milliseconds; }
 static bool start(void *user, uint16_t first, uint16_t rows, const uint8_t *bytes, size_t size)
@@ -105,6 +108,7 @@ int main(void)
     CALL(fxl_attach_billboards, &renderer, &billboards, &boards, FXL_SPRITES_OF(fxl_palette));
     CALL(fxl_attach_beams, &renderer, &beams, beam_memory, sizeof beam_memory);
     CALL(fxl_attach_outlines, &renderer, &outlines, &ink);
+    CALL(fxl_attach_lines, &renderer, &lines, &line_set);
     CALL(fxl_workspace_init, &second, &renderer, second_memory, sizeof second_memory);
     CALL(fxl_display_place, &display, 16, 16);
     CALL(fxl_pump_init, &pump, &(fxl_pump_config){&pixels, 320, 240, 8, NULL}, &no_sink, pump_memory, sizeof pump_memory);
@@ -132,6 +136,7 @@ int main(void)
     CALL(fxl_attach_light, &renderer, &light, &day);
     CALL(fxl_attach_billboards, &renderer, &billboards, &boards, FXL_SPRITES_OF(fxl_palette));
     CALL(fxl_attach_outlines, &renderer, &outlines, &ink);
+    CALL(fxl_attach_lines, &renderer, &lines, &line_set);
     CALL(fxl_workspace_init, &second, &renderer, second_memory, sizeof second_memory);
     CALL(fxl_display_open, &display, &glass, &port, cube_palette[0]);
     CALL(fxl_pixels_init, &pixels, &fxl_pixels_rgb565, cube_palette[0]);

@@ -97,6 +97,7 @@ ATTRIBUTES = {
     "billboards": ('[[billboards]]\nname = "b"\npattern = "tree"\npixels = [16, 24]\nsize = [2, 3]\n'
                    '[[objects]]\nbillboard = "b"\nposition = [-1.2, -2, -2]\n', ""),
     "outlines": ("", ""),
+    "lines": ("", 'edges = { colour = "white", width = 4 }'),
 }
 
 # What only frames of RGB565 show, and how the tool calls it.
@@ -112,6 +113,11 @@ def is_refused(order, target, name):
     """docs/extras/combinations.md, section 2, says so by FXL_E_COMBINATION. Of the outlines: the scene's subject moves, and a tree
     would cut it."""
     return name == "outlines" and (TARGETS[target][1] > 0 or order == "tree")
+
+
+def is_cut(order, name):
+    """Whether the scene would have lines and a tree, of which the tool makes no image."""
+    return order == "tree" and name == "lines"
 
 
 def is_of_rgb565(target, name):
@@ -243,6 +249,10 @@ def cells_of(build, folder):
                 with pytest.raises(ToolError, match=f"frames of a palette cannot show .*{OF_RGB565[name]}"):
                     build_image(folder, order, target, name)
                 found[order, target, name] = Cell(None, b"", False)
+            elif is_cut(order, name):
+                with pytest.raises(ToolError, match="lines and a tree do not go together"):
+                    build_image(folder, order, target, name)
+                found[order, target, name] = Cell(None, b"", False)
             elif is_refused(order, target, name):
                 scene = build_image(folder, order, target, name)
                 done = run(build, "frames", scene, folder / "none.fxld", "--outlines", LINE)
@@ -266,7 +276,7 @@ def fixture_cells(build, tmp_path_factory):
 
 def test_each_attribute_changes_the_frame(cells):
     assert {key: cell.per_cent for key, cell in cells.items() if cell.per_cent is not None and cell.per_cent < LEAST} == {}
-    assert sum(cell.per_cent is None for cell in cells.values()) == 6 + 4 * len(OF_RGB565)
+    assert sum(cell.per_cent is None for cell in cells.values()) == 8 + 4 * len(OF_RGB565)
 
 
 def test_the_page_has_the_table(cells):
@@ -307,9 +317,9 @@ def test_each_core_draws_the_cells_of_the_host(cells, program, tmp_path):
     assert lines == [*expected, f"done {len(expected)}"]
 
 
-# Beams go neither with outlines nor with texels of RGB565 nor with colours at corners, which have no texture, and a face is either
+# Beams go neither with outlines nor with lines nor with texels of RGB565 nor with colours at corners, which have no texture, and a face is either
 # blended or added.
-NOT_DRAWN = {("beams", "outlines"), ("colours at corners", "beams"), *((name, "colours at corners") for name in ATTRIBUTES if name.startswith("texture")),
+NOT_DRAWN = {("beams", "outlines"), ("beams", "lines"), ("colours at corners", "beams"), *((name, "colours at corners") for name in ATTRIBUTES if name.startswith("texture")),
              ("texture of RGB565", "beams"), ("texture of RGB565 with holes", "beams"), ("blend", "added")}
 
 
@@ -329,7 +339,7 @@ def pairs():
     for first, second in itertools.combinations([name for name in ATTRIBUTES if name != "flat"], 2):
         if is_pair(first, second):
             yield from ((order, target, first, second) for order, target in WAYS
-                        if not is_refused(order, target, second) and not any(is_of_rgb565(target, name) for name in (first, second)))
+                        if not any(is_refused(order, target, name) or is_cut(order, name) or is_of_rgb565(target, name) for name in (first, second)))
 
 
 def test_pairs_of_attributes_are_those_of_the_reference(build, tmp_path):

@@ -42,6 +42,9 @@ void test_extras_of_a_zeroed_renderer(void)
     static fxl_billboards billboards;
     static fxl_lit_surfaces lit;
     static fxl_outlines outlines;
+    static fxl_lines lines;
+    static const uint32_t line_map[2];
+    static const fxl_line_set line_set = {NULL, 0, line_map};
     const fxl_outline_style style = {.line = 1};
     const fxl_light_settings settings = {.ramp = memory, .levels = 2};
     const fxl_surface_set surface_set = {.surface_count = 0};
@@ -60,6 +63,8 @@ void test_extras_of_a_zeroed_renderer(void)
     expect(FXL_E_ORDER, fxl_attach_beams(&renderer, NULL, NULL, 0));
     expect(FXL_E_ORDER, fxl_attach_outlines(&renderer, &outlines, &style));
     expect(FXL_E_ORDER, fxl_attach_outlines(&renderer, NULL, NULL));
+    expect(FXL_E_ORDER, fxl_attach_lines(&renderer, &lines, &line_set));
+    expect(FXL_E_ORDER, fxl_attach_lines(&renderer, NULL, NULL));
 }
 
 /* A world counts the calls that it refuses in itself. */

@@ -173,7 +173,7 @@ static bool submit(const fxl_traversal *traversal)
     return fxl_submit_all(traversal, traversal->renderer->billboards->code->instance);
 }
 
-static const fxl_billboard_code with_eye = {submit, submit_any};
+static const fxl_billboard_code with_eye = {submit, submit_any, &fxl_by_distance_with_billboards};
 const fxl_order fxl_by_distance_with_billboards = {.submit = submit};
 
 static const fxl_orthographic_code *orthographic_of(const fxl_renderer *renderer)
@@ -193,7 +193,7 @@ static bool submit_flat(const fxl_traversal *traversal)
 }
 
 /* Those of an orthographic lens. */
-static const fxl_billboard_code without_eye = {submit_flat, submit_any_flat};
+static const fxl_billboard_code without_eye = {submit_flat, submit_any_flat, NULL};
 static const fxl_order by_depth = {.submit = submit_flat};
 
 /* --- attaching -------------------------------------------------------------------------- */

@@ -36,10 +36,12 @@ static const fxl_conflict conflicts[] = {
     {FXL_HAS_TREE, FXL_HAS_DEPTH},       {FXL_HAS_STUDY, FXL_HAS_SURFACES},
     {FXL_HAS_STUDY, FXL_HAS_BILLBOARDS}, {FXL_HAS_STUDY, FXL_HAS_OUTLINES},
     {FXL_HAS_OUTLINES, FXL_HAS_DEPTH},   {FXL_HAS_OUTLINES, FXL_HAS_BEAMS},
-    {FXL_HAS_OUTLINES, FXL_HAS_MOVERS},  {FXL_HAS_TEXELS_565, FXL_HAS_BEAMS},
+    {FXL_HAS_OUTLINES, FXL_HAS_MOVERS},  {FXL_HAS_TREE, FXL_HAS_LINES},
+    {FXL_HAS_STUDY, FXL_HAS_LINES},      {FXL_HAS_BEAMS, FXL_HAS_LINES},
+    {FXL_HAS_LINES, FXL_HAS_WORLD_CLIPPER}, {FXL_HAS_TEXELS_565, FXL_HAS_BEAMS},
     {FXL_HAS_COLOURS, FXL_HAS_BEAMS},    {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET},
     {FXL_HAS_TREE, FXL_HAS_ORTHOGRAPHIC}, 
-    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_SPLIT}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_OTHER_CLIPPER},
+    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_LINES}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_SPLIT}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_OTHER_CLIPPER},
 };
 
 /* Whether another instance is on the layer of the tree's, which cuts it. */
@@ -99,13 +101,15 @@ static uint32_t parts_of(const fxl_renderer *renderer)
            bit_if(has_texels_565(surfaces), FXL_HAS_TEXELS_565) |
            bit_if(have_flag(surfaces, FXL_SURFACE_COLOURS), FXL_HAS_COLOURS) |
            bit_if(billboards != NULL, FXL_HAS_BILLBOARDS) |
-           bit_if(fxl_renderer_shader(renderer, FXL_SHADER_BEAMS) != NULL, FXL_HAS_BEAMS) |
-           bit_if(fxl_renderer_shader(renderer, FXL_SHADER_OUTLINES) != NULL, FXL_HAS_OUTLINES) |
+           bit_if(fxl_find_shader(renderer, FXL_SHADER_BEAMS) != NULL, FXL_HAS_BEAMS) |
+           bit_if(fxl_find_shader(renderer, FXL_SHADER_OUTLINES) != NULL, FXL_HAS_OUTLINES) |
            bit_if(orthographic != NULL, FXL_HAS_ORTHOGRAPHIC) |
-           bit_if(surfaces != NULL && fxl_renderer_shader(renderer, FXL_SHADER_BEAMS) != NULL,
+           bit_if(surfaces != NULL && fxl_find_shader(renderer, FXL_SHADER_BEAMS) != NULL,
                   FXL_HAS_SPLIT) |
            bit_if(orthographic != NULL && !orthographic->has_clipper(renderer),
                   FXL_HAS_OTHER_CLIPPER) |
+           bit_if(fxl_find_shader(renderer, FXL_SHADER_LINES) != NULL, FXL_HAS_LINES) |
+           bit_if(renderer->clipper->by_points != NULL, FXL_HAS_WORLD_CLIPPER) |
            bit_if((surfaces != NULL && surfaces->painter->target != target) ||
                       (billboards != NULL && billboards->painter->target != target),
                   FXL_HAS_OTHER_PAINTER) |
@@ -130,19 +134,19 @@ FXL_COLD const fxl_conflict *fxl_find_conflict(const fxl_renderer *renderer)
 fxl_status fxl_check_combination(fxl_renderer *renderer)
 {
     fxl_surfaces *surfaces = (fxl_surfaces *)(uintptr_t)fxl_surfaces_of(renderer);
-    const fxl_shader *light = fxl_renderer_shader(renderer, FXL_SHADER_LIGHT);
+    const fxl_light *light = (const fxl_light *)fxl_find_shader(renderer, FXL_SHADER_LIGHT);
     const fxl_lit_surfaces *lit =
-        (const fxl_lit_surfaces *)(const void *)fxl_renderer_shader(renderer, FXL_SHADER_LIT);
+        (const fxl_lit_surfaces *)fxl_find_shader(renderer, FXL_SHADER_LIT);
     if (fxl_find_conflict(renderer) != NULL) {
         return FXL_E_COMBINATION;
     }
     if (surfaces != NULL) {
-        surfaces->beams = fxl_renderer_shader(renderer, FXL_SHADER_BEAMS);
+        surfaces->beams = (const fxl_shader *)fxl_find_shader(renderer, FXL_SHADER_BEAMS);
         const bool is_lit = lit != NULL && light != NULL;
-        surfaces->light = is_lit ? (const fxl_light *)(const void *)light : NULL;
+        surfaces->light = is_lit ? light : NULL;
         surfaces->light_code = is_lit ? lit->code : NULL;
     }
-    renderer->dark = light != NULL ? ((const fxl_light *)(const void *)light)->settings.dark : 0;
+    renderer->dark = light != NULL ? light->settings.dark : 0;
     fxl_set_direction(renderer, renderer->target->near_first &&
                                     !(renderer->target->depth_bits != 0 &&
                                       have_flag(surfaces, FXL_SURFACE_BLEND | FXL_SURFACE_ADD)));

@@ -21,6 +21,8 @@ bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2])
         "an orthographic lens", /* FXL_HAS_ORTHOGRAPHIC */
         "surfaces and beams", /* FXL_HAS_SPLIT */
         "a clipper of the study", /* FXL_HAS_OTHER_CLIPPER */
+        "lines", /* FXL_HAS_LINES */
+        "a clipper of the study", /* FXL_HAS_WORLD_CLIPPER */
         "surfaces or billboards of another target", /* FXL_HAS_OTHER_PAINTER */
         "the renderer's target", /* FXL_HAS_TARGET */
     };
@@ -61,6 +63,16 @@ static const struct {
     {FXL_HAS_OUTLINES, FXL_HAS_MOVERS,
      "outlines and instances that the tree cuts do not go together: these must be on another layer "
      "than the tree's instance"},
+    {FXL_HAS_TREE, FXL_HAS_LINES,
+     "the order by tree and lines do not go together: config.order must be &fxl_by_distance, or the "
+     "set of lines null"},
+    {FXL_HAS_STUDY, FXL_HAS_LINES,
+     "a target of the study and lines do not go together: config.target must be one of target.h"},
+    {FXL_HAS_BEAMS, FXL_HAS_LINES,
+     "beams and lines do not go together: detach one, by a null set"},
+    {FXL_HAS_LINES, FXL_HAS_WORLD_CLIPPER,
+     "lines and a clipper of the study do not go together: the clipper must be "
+     "&fxl_clipper_view"},
     {FXL_HAS_TEXELS_565, FXL_HAS_BEAMS,
      "textures of RGB565 and beams do not go together: a beam lights colours of the palette, so "
      "textures must be of 8 or 4 bits"},
@@ -69,6 +81,8 @@ static const struct {
     {FXL_HAS_TREE, FXL_HAS_ORTHOGRAPHIC,
      "the order by tree and an orthographic lens do not go together: config.order must be "
      "&fxl_by_distance"},
+    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_LINES,
+     "an orthographic lens and lines do not go together: detach the lines, by a null set"},
     {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_SPLIT,
      "an orthographic lens and surfaces and beams do not go together: detach the beams, by a null set"},
     {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_OTHER_CLIPPER,

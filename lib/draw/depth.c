@@ -181,14 +181,25 @@ static void draw_pass(const fxl_renderer *renderer, fxl_workspace *workspace, co
     (void)fxl_draw_band(renderer, workspace, band);
 }
 
+/* What is drawn over the faces that are not blended. The pass is that of all faces, so that the
+ * depth of any is found. */
+/* lines 2.6 */
+static void draw_over(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
+{
+    const fxl_overdraw *lines =
+        (const fxl_overdraw *)fxl_find_shader(renderer, FXL_SHADER_LINES);
+    if (lines != NULL) {
+        ((fxl_depth_head *)workspace->target_memory)->pass = FXL_DEPTH_ALL;
+        lines->draw_over(renderer, workspace, band);
+    }
+}
+
 static void draw_part(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
 {
-    if (renderer->near_first) {
-        draw_pass(renderer, workspace, band, FXL_DEPTH_ALL);
-        return;
-    }
-    for (uint8_t pass = FXL_DEPTH_OPAQUE; pass <= FXL_DEPTH_BLENDED; pass++) {
-        draw_pass(renderer, workspace, band, pass);
+    draw_pass(renderer, workspace, band, renderer->near_first ? FXL_DEPTH_ALL : FXL_DEPTH_OPAQUE);
+    draw_over(renderer, workspace, band);
+    if (!renderer->near_first) {
+        draw_pass(renderer, workspace, band, FXL_DEPTH_BLENDED);
     }
 }
 

@@ -4,6 +4,11 @@
 #include "display_list.h"
 #include "surface_polygon.h"
 
+const void *fxl_find_shader(const fxl_renderer *renderer, uint32_t rank)
+{
+    return fxl_renderer_shader(renderer, rank);
+}
+
 bool fxl_mixed_draw_list(const fxl_traversal *traversal)
 {
     const fxl_renderer *renderer = traversal->renderer;
@@ -23,6 +28,10 @@ bool fxl_mixed_draw_list(const fxl_traversal *traversal)
             fxl_outline_polygon(traversal, record->points, fxl_surface_polygon_points(record));
         } else if (record->kind == FXL_POLYGON_DEPTH) {
             renderer->target->extras->flat(traversal->workspace, record, band);
+        } else if (record->kind == FXL_POLYGON_LINE) {
+            const fxl_overdraw *lines =
+                (const fxl_overdraw *)fxl_find_shader(renderer, FXL_SHADER_LINES);
+            lines->draw_record(traversal->workspace, record, band);
         } else {
             const fxl_billboards *billboards = renderer->billboards;
             billboards->painter->paint(renderer, traversal->workspace, record->points, band);

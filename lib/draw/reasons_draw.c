@@ -3,6 +3,7 @@
 #include "fixel/beams.h"
 #include "fixel/billboards.h"
 #include "fixel/light.h"
+#include "fixel/lines.h"
 #include "fixel/render.h"
 #include "fixel/surfaces.h"
 #include "../scene/reasons.h"
@@ -41,6 +42,22 @@ const char fxl_billboards_reasons[] =
     "bits 0\0"
     ON_RADIUS "radius of a model with a billboard must reach all corners of the billboard "
     "from its anchor\0";
+
+const char fxl_lines_reasons[] =
+    ON_ARGUMENT "renderer, lines, set->line_map, set->lines, line and band must not be null\0"
+    ON_RANGE "width of a line must be 1..FXL_LINE_WIDTH_MAX, the ends of a line of the world within "
+    "FXL_UNITS(-8191)..FXL_UNITS(8191), band within the screen\0"
+    ON_CAPACITY "the depth buffer must hold all rows of the band: give config.depth "
+    "FXL_DEPTH_BYTES of so many, or draw bands of fewer\0"
+    ON_ORDER "fxl_renderer_init must come before fxl_attach_lines, and fxl_frame_draw of the band "
+    "before fxl_frame_draw_line\0"
+    ON_ALIGNMENT "lines must be aligned to 8 bytes, set->line_map to 4, set->lines and pixels of "
+    "RGB565 to 2\0"
+    ON_COMBINATION "the lens must not be orthographic: lines are drawn in perspective alone\0"
+    ON_COUNT "set->count must be at most FXL_SCENE_FACES_MAX, and set->line_map rise from 0 to it\0"
+    ON_INDEX "from and to of a line must be below vertex_count of its model, faces at most "
+    "face_count\0"
+    ON_RESERVED "reserved of each line must be 0\0";
 
 /* place light: a new setting: the sentence about its range */
 const char fxl_light_reasons[] =

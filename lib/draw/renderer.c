@@ -227,6 +227,10 @@ fxl_status fxl_frame_release_scene(fxl_renderer *renderer)
     if (frame->resume.instances < frame->visible_count) {
         return fxl_refuse(&renderer->workspace, FXL_E_CAPACITY);
     }
+    if (renderer->target->depth_bits != 0 &&
+        fxl_renderer_shader(renderer, FXL_SHADER_LINES) != NULL) { /* which the list has not */
+        return fxl_refuse(&renderer->workspace, FXL_E_CAPACITY);
+    }
     frame->state = FXL_FRAME_RELEASED;
     return FXL_OK;
 }

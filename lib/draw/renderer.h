@@ -119,6 +119,8 @@ enum {
     FXL_HAS_ORTHOGRAPHIC,  /* the lens is orthographic */
     FXL_HAS_SPLIT,         /* surfaces, and beams that split their faces */
     FXL_HAS_OTHER_CLIPPER, /* than what the lens draws with */
+    FXL_HAS_LINES,
+    FXL_HAS_WORLD_CLIPPER, /* a clipper of the study that takes rounded points of the world */
     FXL_HAS_OTHER_PAINTER, /* surfaces or billboards of another target */
     FXL_HAS_TARGET,        /* always */
     FXL_HAS_COUNT

@@ -200,6 +200,7 @@ enum {
     FXL_SHADER_SURFACES, /* faces with surfaces, which go no further */
     FXL_SHADER_LIT,      /* takes no face: surfaces are lit at their corners */
     FXL_SHADER_OUTLINES, /* takes no face: it is drawn with outlines */
+    FXL_SHADER_LINES,    /* takes no face: lines are drawn beside it (fxl_overdraw) */
     FXL_SHADER_RECOLOUR, /* an instance's own colours */
     FXL_SHADER_LIGHT,    /* light and fog */
     FXL_SHADER_BEAMS,

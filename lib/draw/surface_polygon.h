@@ -8,6 +8,7 @@
 #include "../raster/scan.h"
 #include "submit_sorted.h"
 #include "submit.h"
+#include "fixel/lines.h"
 #include "fixel/surfaces.h"
 #include "../paint/corner_planes.h"
 #include "../paint/depth_row.h"
@@ -149,6 +150,9 @@ static inline void fxl_find_mapped_corners(const fxl_surface_set *set, const fxl
         corners[i] = &first[mapped->corners[i]];
     }
 }
+
+/* fxl_renderer_shader, once in a program: the record that begins with the shader. */
+const void *fxl_find_shader(const fxl_renderer *renderer, uint32_t rank);
 
 /* fxl_target_extras.draw_display_list. */
 bool fxl_mixed_draw_list(const fxl_traversal *traversal);

@@ -49,7 +49,11 @@ FXL_COLD fxl_status fxl_setup_divide(const fxl_setup *setup, const fxl_setup_pla
     if (depth_bits != 0) {
         shares->depth = FXL_DEPTH_BYTES(config->width, rows, depth_bits);
     }
-    shares->before_renderer = shares->motions + shares->beams + shares->tree + shares->depth;
+    if (plan->attach_lines != NULL) {
+        shares->lines = aligned(sizeof(fxl_lines));
+    }
+    shares->before_renderer =
+        shares->motions + shares->beams + shares->tree + shares->lines + shares->depth;
     if (!plan->has_tables) {
         shares->renderer = aligned(scene->draw_list_needed * sizeof(fxl_draw_entry));
     }
@@ -92,16 +96,16 @@ static FXL_COLD fxl_status begin(fxl_setup *setup, const fxl_setup_plan *plan,
     return status;
 }
 
-/* Attaches what the plan has to the renderer. beams: memory for them. */
-static FXL_COLD fxl_status attach(fxl_setup *setup, const fxl_setup_plan *plan, void *beams,
-                                  uint32_t beams_size)
+/* Attaches what the plan has to the renderer. block: as that of begin. */
+static FXL_COLD fxl_status attach(fxl_setup *setup, const fxl_setup_plan *plan,
+                                  const fxl_setup_shares *shares, uint8_t *block)
 {
     fxl_renderer *renderer = &setup->renderer;
     fxl_status status = FXL_OK;
     if (plan->attach_beams != NULL) {
         const fxl_beam_set set = {setup->scene.beams, setup->scene.beam_count, setup->scene.lit};
         setup->step = FXL_SETUP_BEAMS;
-        status = plan->attach_beams(renderer, &set, beams, beams_size);
+        status = plan->attach_beams(renderer, &set, block + shares->motions, shares->beams);
     }
     if (status == FXL_OK && plan->attach_light != NULL) {
         setup->step = FXL_SETUP_LIGHT;
@@ -120,6 +124,11 @@ static FXL_COLD fxl_status attach(fxl_setup *setup, const fxl_setup_plan *plan, 
         setup->step = FXL_SETUP_BILLBOARDS;
         status = plan->attach_billboards(renderer, &setup->billboards, plan->billboards,
                                          plan->sprite_painter);
+    }
+    if (status == FXL_OK && plan->attach_lines != NULL) {
+        setup->step = FXL_SETUP_LINES;
+        fxl_lines *lines = (fxl_lines *)(void *)(block + shares->motions + shares->beams + shares->tree);
+        status = plan->attach_lines(renderer, lines, plan->lines);
     }
     return status;
 }
@@ -143,7 +152,7 @@ FXL_COLD fxl_status fxl_setup_init(fxl_setup *setup, const fxl_setup_plan *plan,
     setup->config = *plan->config;
     status = begin(setup, plan, &shares, block, memory_size);
     if (status == FXL_OK) {
-        status = attach(setup, plan, block + shares.motions, shares.beams);
+        status = attach(setup, plan, &shares, block);
     }
     setup->status = status;
     if (status == FXL_OK) {

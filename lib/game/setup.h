@@ -9,7 +9,7 @@
  * takes what is left, at least `renderer`, 0 with tables of the program's own. */
 typedef struct {
     uint32_t instances, motions; /* the copies; the first of the two is a part of the second */
-    uint32_t beams, tree, depth;
+    uint32_t beams, tree, lines, depth;
     uint32_t before_renderer; /* the sum of these */
     uint32_t renderer;
 } fxl_setup_shares;

@@ -45,6 +45,34 @@ typedef struct {
     bool upright;   /* the major axis is y */
 } fxl_line_pixels;
 
+/* The places along the major axis that a line has: first <= place < end. Where first is not below
+ * end there are none. */
+typedef struct {
+    int32_t begin;      /* the first of the whole line, within the band or before it */
+    int32_t first, end; /* those within the band along that axis */
+} fxl_line_extent;
+
+/* The pixels of a line, of which *pixels is at extent.first where there are any: by the rule of
+ * docs/extras/wire.md, section 2. Exact, so a line has the same pixels in either direction.
+ * Requires points within FXL_SCREEN_COORDINATE_MAX and 8 pixels, and a band of a screen of at most
+ * FXL_SCREEN_MAX by FXL_SCREEN_MAX pixels. */
+fxl_line_extent fxl_find_line_pixels(const fxl_screen_point *start, const fxl_screen_point *end,
+                                     const fxl_band *band, fxl_line_pixels *pixels);
+
+/* The line at the next place along its major axis. */
+/* wire 2.2, 2.3 */
+static inline void fxl_step_line_pixels(fxl_line_pixels *line)
+{
+    line->left += line->step;
+    if (line->left >= line->pixel) {
+        line->left -= line->pixel;
+        line->across++;
+    } else if (line->left < 0) {
+        line->left += line->pixel;
+        line->across--;
+    }
+}
+
 /* Sets the pixels from place `first` (included) to `end` (not included) along the major axis. The
  * line is at `first`. Both must lie within the band along that axis. */
 void fxl_draw_line_pixels(fxl_line_pixels *line, int32_t first, int32_t end, uint8_t colour,

@@ -187,6 +187,9 @@ static void open_sections(const fxl_image_header *head, fxl_scene_image *opened)
     opened->billboards.model_map = (const uint16_t *)first_of(head, SECTION_BILLBOARD_MAP);
     opened->billboards.pixels = (const uint8_t *)first_of(head, SECTION_SPRITE_PIXELS);
     opened->billboards.pixel_bytes = count_of(head, SECTION_SPRITE_PIXELS);
+    opened->lines.lines = (const fxl_line *)first_of(head, SECTION_LINES);
+    opened->lines.count = count_of(head, SECTION_LINES);
+    opened->lines.line_map = (const uint32_t *)first_of(head, SECTION_LINE_MAP);
 }
 
 /* formats 1.5 */

@@ -160,6 +160,7 @@ static FXL_COLD fxl_status check_presence(const fxl_image_header *head, fxl_scen
         {SECTION_BILLBOARDS,
          SECTION_SPRITE_PIXELS,
          {SECTION_BILLBOARDS, SECTION_BILLBOARD_MAP, SECTION_SPRITE_PIXELS, 0}},
+        {SECTION_LINES, SECTION_LINE_MAP, {SECTION_LINES, SECTION_LINE_MAP, 0, 0}},
     };
     for (uint32_t kind = SECTION_PALETTE; kind <= SECTION_INSTANCES; kind++) {
         if (kind != SECTION_INDICES && count_of(head, kind) == 0) {
@@ -188,6 +189,14 @@ static FXL_COLD fxl_status check_presence(const fxl_image_header *head, fxl_scen
 /* formats 1.2 */
 static FXL_COLD fxl_status check_counts(const fxl_image_header *head, fxl_scene_fault *fault)
 {
+    static const struct {
+        uint8_t map, of, more; /* a map has an entry for each entry of the other section, and more */
+    } maps[] = {
+        {SECTION_FACE_MAP, SECTION_FACES, 0},
+        {SECTION_WHOLE_FACES, SECTION_FACES, 0},
+        {SECTION_BILLBOARD_MAP, SECTION_MODELS, 0},
+        {SECTION_LINE_MAP, SECTION_MODELS, 1},
+    };
     if (count_of(head, SECTION_PALETTE) != 256) {
         return missing(SECTION_PALETTE, fault);
     }
@@ -197,17 +206,11 @@ static FXL_COLD fxl_status check_counts(const fxl_image_header *head, fxl_scene_
     if (count_of(head, SECTION_MOTIONS) > count_of(head, SECTION_PLACEMENTS)) {
         return missing(SECTION_MOTIONS, fault);
     }
-    if (count_of(head, SECTION_FACE_MAP) != 0 &&
-        count_of(head, SECTION_FACE_MAP) != count_of(head, SECTION_FACES)) {
-        return missing(SECTION_FACE_MAP, fault);
-    }
-    if (count_of(head, SECTION_WHOLE_FACES) != 0 &&
-        count_of(head, SECTION_WHOLE_FACES) != count_of(head, SECTION_FACES)) {
-        return missing(SECTION_WHOLE_FACES, fault);
-    }
-    if (count_of(head, SECTION_BILLBOARD_MAP) != 0 &&
-        count_of(head, SECTION_BILLBOARD_MAP) != count_of(head, SECTION_MODELS)) {
-        return missing(SECTION_BILLBOARD_MAP, fault);
+    for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
+        const uint32_t count = count_of(head, maps[i].map);
+        if (count != 0 && count != count_of(head, maps[i].of) + maps[i].more) {
+            return missing(maps[i].map, fault);
+        }
     }
     if (count_of(head, SECTION_BSP_NODES) == 0 && head->bsp_instance != 0) {
         return fxl_fault_at(fault, "BSP node table", 0, FXL_E_RESERVED);

@@ -43,7 +43,9 @@ enum {
     SECTION_LENS_CENTRE = 31,
     SECTION_WHOLE_FACES = 32,
     SECTION_LENS_SCALE = 33,
-    SECTION_KINDS = 34 /* one more than the greatest */
+    SECTION_LINES = 34,
+    SECTION_LINE_MAP = 35,
+    SECTION_KINDS = 36 /* one more than the greatest */
 };
 
 /* Of each kind: bytes of an entry, whether a reader that does not know it must refuse the image, the most
@@ -81,7 +83,9 @@ enum {
     {1, 1, FXL_SCENE_IMAGE_MAX, "sprite pixels"},        \
     {8, 1, 1, "lens centre"},                            \
     {4, 1, FXL_SCENE_FACES_MAX, "whole face table"},     \
-    {4, 1, 1, "lens scale"},
+    {4, 1, 1, "lens scale"},                             \
+    {12, 1, FXL_SCENE_FACES_MAX, "line table"},          \
+    {4, 1, 65536, "line map"},
 
 FXL_STATIC_ASSERT(FXL_SCENE_VERTICES_MAX == 1000000, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(FXL_SCENE_INDICES_MAX == 4000000, FXL_AS_DOCUMENTED);
@@ -220,5 +224,11 @@ FXL_STATIC_ASSERT(sizeof(fxl_image_centre) == 8, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_image_centre, x) == 0, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(sizeof(fxl_image_scale) == 4, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_image_scale, scale) == 0, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(sizeof(fxl_line) == 12, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(offsetof(fxl_line, from) == 0, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(offsetof(fxl_line, faces) == 4, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(offsetof(fxl_line, colour) == 8, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(offsetof(fxl_line, width) == 9, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(offsetof(fxl_line, reserved) == 10, FXL_AS_DOCUMENTED);
 
 #endif

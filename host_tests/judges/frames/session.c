@@ -171,6 +171,9 @@ static fxl_status attach_pictures(session *run, bool without_surfaces)
         status = fxl_attach_billboards(renderer, &run->billboards, &run->billboard_set,
                                        painters[number].sprites);
     }
+    if (status == FXL_OK && run->image.lines.line_map) {
+        status = fxl_attach_lines(renderer, &run->lines, &run->image.lines);
+    }
     return status;
 }
 

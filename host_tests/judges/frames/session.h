@@ -34,6 +34,7 @@ typedef struct {
     fxl_lit_surfaces lit;
     fxl_billboard_set billboard_set; /* if the image has billboards */
     fxl_billboards billboards;
+    fxl_lines lines;
     uint8_t ramp[FXL_LIGHT_RAMP_BYTES(FXL_LIGHT_LEVELS_MAX)];
     void *tree, *depth, *beam_light; /* memory of the order, the target, the beams */
     fxl_outlines outlines;

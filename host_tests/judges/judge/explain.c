@@ -299,7 +299,7 @@ static double explain_by_order(const ref_lens *lens, const ref_drawn *drawn, con
 /* A polygon about the pixel. */
 typedef struct {
     const ref_drawn *drawn;
-    double nearness;
+    double nearness, most, slack; /* most: where what is shown may be no nearer than it */
     judge_choice made;
     judge_showing found;
 } candidate;
@@ -311,7 +311,9 @@ static candidate candidate_of(const ref_lens *lens, const ref_drawn *drawn, cons
     const ref_screen_polygon *least = least_of(drawn, question->doubt);
     const ref_screen_polygon *most = most_of(drawn, question->doubt);
     const bool near = box_holds(box, cx, cy);
-    candidate one = {.drawn = drawn, .nearness = ref_nearness(&drawn->depth, lens, cx, cy)};
+    candidate one = {.drawn = drawn, .nearness = ref_drawn_nearness(drawn, lens, cx, cy),
+                     .most = ref_drawn_nearness_most(drawn, lens, cx, cy),
+                     .slack = ref_drawn_slack(drawn, lens, cx, cy)};
     find_showing(lens, drawn, question, &one.found);
     const bool is_in = near && ref_scan_covers(most, cx, cy);
     const bool is_out = one.found.clear || !near || !ref_scan_covers(least, cx, cy);
@@ -344,8 +346,7 @@ static candidate *candidates_of(const ref_lens *lens, const ref_drawn *drawn,
 /* Whether one is nearer than another, which may be null: the background, for sure. */
 static bool is_nearer(const candidate *one, const candidate *other, double resolution)
 {
-    return !other || one->nearness > other->nearness * (1 + resolution + one->drawn->depth.slack +
-                                                        other->drawn->depth.slack);
+    return !other || one->nearness > other->most * (1 + resolution + one->slack + other->slack);
 }
 
 /* What it costs that an opaque polygon, or the background, explains the pixel. */
@@ -358,7 +359,9 @@ static double explain_by(const candidate *near, size_t count, const candidate *s
     for (size_t i = count; i-- > 0;) {
         const candidate *one = &near[i];
         if (!ref_is_blended(one->drawn)) {
-            if (one != shown && is_nearer(one, shown, resolution)) {
+            /* A line is as near as its face, and drawn over it. */
+            if (one != shown && (is_nearer(one, shown, resolution) ||
+                                 (shown && ref_lies_on(one->drawn, shown->drawn)))) {
                 cost = fmax(cost, one->made.out);
             }
         } else if (!shown || !is_nearer(shown, one, resolution)) {

@@ -90,6 +90,9 @@ static bool is_tied(const judge_task *asked, const ref_renderer *renderer, const
             box->top - y > asked->distance || y - box->bottom > asked->distance) {
             continue;
         }
+        if (renderer->display_list.drawn[i].line.is_line) {
+            continue;
+        }
         const ref_instance *instance = &scene->instances[renderer->display_list.drawn[i].instance];
         if (ref_placement_of(scene, instance) && !renderer->method.by_points) {
             continue; /* its vertices are no integers */

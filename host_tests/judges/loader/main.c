@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "fixel/billboards.h"
+#include "fixel/lines.h"
 #include "fixel/surfaces.h"
 #include "fixel/scene.h"
 #include "frames/input.h"
@@ -56,7 +57,12 @@ static fxl_status open_all(const uint8_t *image, uint32_t size, fxl_scene_fault 
     if (status == FXL_OK) {
         status = open_surfaces(&opened, fault);
     }
-    return status == FXL_OK ? open_billboards(&opened, fault) : status;
+    if (status == FXL_OK) {
+        status = open_billboards(&opened, fault);
+    }
+    return status == FXL_OK && opened.lines.line_map != NULL
+               ? fxl_lines_check(&opened.lines, &opened.scene, fault)
+               : status;
 }
 
 /* place field: images that all refuse alike */

@@ -8,12 +8,13 @@
 /* Of each kind: bytes of an entry, and the most entries. */
 static const uint32_t bytes_of[KINDS] = {0,   3,   12, 2,  20, 28,  16, 24, 4,   20, 48,
                                          176, 256, 48, 40, 76, 32,  28, 20, 256, 16, 1,
-                                         12,  8,   12, 2,  12, 256, 32, 2,  1,   8,  4,  4};
+                                         12,  8,   12, 2,  12, 256, 32, 2,  1,   8,  4,
+                                         4,   12,  4};
 static const uint32_t most_of[KINDS] = {
     0,     256,   1000000, 4000000, 1000000, 65535,   65535, 1000000, 1000000, 1000000, 65535,
     4,     1,     65535,   65535,   65535,   1000000, 1,     4,       64,      65535,   1 << 24,
     65535, 65535, 196605,  1000000, 65535,   256,     65535, 65535,   1 << 24, 1,       1000000,
-    1};
+    1,     1000000, 65536};
 
 /* Takes the entry of one section, whose bytes may begin at `from`, or later if `gap`. Returns where
  * it ends. */
@@ -72,6 +73,9 @@ static void check_set(const char *path, const uint8_t *bytes, const table *s)
          "a part of the billboards is missing");
     need(path, !some_billboards || s[KIND_BILLBOARD_MAP].count == s[KIND_MODELS].count,
          "the billboard map has not an entry for each model");
+    need(path, !s[KIND_LINES].count == !s[KIND_LINE_MAP].count, "lines without their map");
+    need(path, !s[KIND_LINES].count || s[KIND_LINE_MAP].count == s[KIND_MODELS].count + 1,
+         "the line map has not an entry for each model, and one more");
     need(path, s[KIND_BSP_NODES].count || get_u32(bytes + 84) == 0,
          "a BSP instance without a tree");
     need(path, s[KIND_BLEND_TABLE].count || get_u32(bytes + 88) == 0, "a colour of no blend table");

@@ -38,7 +38,9 @@ enum {
     KIND_LENS_CENTRE = 31,
     KIND_WHOLE_FACES = 32,
     KIND_LENS_SCALE = 33,
-    KINDS = 34
+    KIND_LINES = 34,
+    KIND_LINE_MAP = 35,
+    KINDS = 36
 };
 
 /* A section: its first entry, and how many there are. Null and 0: there is none. */

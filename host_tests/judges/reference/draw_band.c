@@ -3,6 +3,7 @@
 #include "reference/depth.h"
 #include "reference/scan.h"
 #include "reference/render.h"
+#include "reference/wire.h"
 
 uint16_t ref_pixel_of(const ref_renderer *renderer, uint8_t colour)
 {
@@ -22,10 +23,11 @@ uint8_t ref_face_name(uint32_t instance, uint32_t face)
     return (uint8_t)(1 + (mixed >> 16) % 255);
 }
 
-/* Names are those of what is opaque. */
+/* Names are those of what is opaque, and of no line. */
 static bool is_left_out(const ref_renderer *renderer, const ref_drawn *drawn)
 {
-    return renderer->draws_names && ref_lets_through(drawn);
+    return (renderer->draws_names && ref_lets_through(drawn)) ||
+           (drawn->line.is_line && (renderer->draws_names || renderer->shown));
 }
 
 static bool is_plain(const ref_renderer *renderer, const ref_drawn *drawn)
@@ -80,7 +82,7 @@ static void draw_near_span(const ref_renderer *renderer, const ref_drawn *drawn,
     double *near_row = renderer->nearness + (ptrdiff_t)span->y * renderer->lens.width;
     for (int x = span->x0; x < span->x1; x++) {
         const double nearness =
-            ref_nearness(&drawn->depth, &renderer->lens, x + 0.5, span->y + 0.5);
+            ref_drawn_nearness(drawn, &renderer->lens, x + 0.5, span->y + 0.5);
         const int colour =
             nearness < near_row[x] ? REF_CLEAR
             : is_plain(renderer, drawn)
@@ -125,7 +127,13 @@ static void clear_depth(const ref_renderer *renderer, ref_rows rows)
     }
 }
 
-/* By depth in two passes: what is opaque, then what is blended over what is behind it. */
+/* The pass by depth in which something is drawn. */
+static int pass_of(const ref_drawn *drawn)
+{
+    return ref_is_blended(drawn) ? 2 : drawn->line.is_line;
+}
+
+/* By depth in three passes: faces that are opaque, lines, and what is blended over what is behind it. */
 void ref_frame_draw(const ref_renderer *renderer, const ref_band *band)
 {
     const ref_rows rows = {band->first_row, band->first_row + band->rows};
@@ -133,11 +141,11 @@ void ref_frame_draw(const ref_renderer *renderer, const ref_band *band)
     if (by_depth) {
         clear_depth(renderer, rows);
     }
-    for (int pass = 0; pass <= by_depth; pass++) {
+    for (int pass = 0; pass <= (by_depth ? 2 : 0); pass++) {
         const ref_drawn *drawn;
         for (size_t place = 0;
              (drawn = ref_display_list_next(&renderer->display_list, rows, &place)) != NULL;) {
-            if (!is_left_out(renderer, drawn) && (!by_depth || ref_is_blended(drawn) == pass)) {
+            if (!is_left_out(renderer, drawn) && (!by_depth || pass_of(drawn) == pass)) {
                 draw_polygon(renderer, drawn, band);
             }
         }

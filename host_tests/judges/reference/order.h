@@ -30,6 +30,19 @@ uint32_t ref_order_faces(const ref_scene *scene, const ref_instance *instance,
 
 /* The display list of a frame (SPEC.md, section 7), in double and of any length. */
 
+/* What a line or a point that was drawn has, beside the outline of its pixels. */
+typedef struct {
+    bool is_line, upright;
+    int plane_count; /* of the faces on which it lies, and which face the eye */
+    uint32_t faces[2];
+    ref_depth_plane planes[2];
+    ref_screen_point corners[2]; /* of each face, on the screen */
+    double heights[2];           /* how thin each face is there, in pixels; 0: not known */
+    double octaves[2][2];        /* the least power of two above the least and above the greatest
+                                    depth near / z of each face */
+    double from, to, nearness[2]; /* of one on no face: both ends along its major axis */
+} ref_line_look;
+
 /* A polygon that was drawn: its outline in the reference renderer, the rows that it reaches, and
  * the face that it came from. */
 typedef struct {
@@ -40,6 +53,7 @@ typedef struct {
     uint32_t instance, face; /* numbers in the scene and in the model */
     ref_surface_view look;   /* of the face */
     ref_depth_plane depth;   /* of the face, where the renderer's depth_bits is not 0 */
+    ref_line_look line;      /* where it is a line, whose outline is that of its pixels */
 
     /* Whether the rounding of depths may decide what near and far leave of the polygon
      * (docs/accuracy.md, section 4). If so, least and most are the least and the most that they

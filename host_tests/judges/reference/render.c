@@ -13,6 +13,7 @@
 #include "reference/scan.h"
 #include "reference/submit_by_bsp.h"
 #include "reference/placement.h"
+#include "reference/wire.h"
 
 bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref_lens *lens)
 {
@@ -302,7 +303,31 @@ static bool is_by_number(const ref_renderer *renderer)
     return renderer->method.depth_bits != 0;
 }
 
-bool ref_submit_instance(ref_renderer *renderer, uint32_t number)
+/* The lines of an instance, after its faces. */
+static bool submit_lines(ref_renderer *renderer, uint32_t number)
+{
+    const ref_scene *scene = renderer->scene;
+    const ref_line_view view = {scene,
+                                &renderer->camera,
+                                &renderer->lens,
+                                &renderer->view_frustum,
+                                &renderer->eye,
+                                renderer->keeps_doubt};
+    const uint32_t *map = scene->line_map + scene->instances[number].model;
+    for (uint32_t i = map[0]; i < map[1]; i++) {
+        ref_drawn drawn = {.instance = number};
+        if (!ref_line_find(&view, &scene->lines[i], &drawn)) {
+            continue;
+        }
+        drawn.rows = ref_scan_rows(&drawn.polygon, renderer->lens.height);
+        if (!ref_display_list_append(&renderer->display_list, &drawn)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool submit_faces(ref_renderer *renderer, uint32_t number)
 {
     const ref_scene *scene = renderer->scene;
     const ref_instance *instance = &scene->instances[number];
@@ -332,6 +357,12 @@ bool ref_submit_instance(ref_renderer *renderer, uint32_t number)
         }
     }
     return true;
+}
+
+bool ref_submit_instance(ref_renderer *renderer, uint32_t number)
+{
+    return submit_faces(renderer, number) &&
+           (!renderer->scene->lines || submit_lines(renderer, number));
 }
 
 static bool submit_by_distance(ref_renderer *renderer, uint32_t count)

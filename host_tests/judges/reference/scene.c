@@ -5,6 +5,7 @@
 /* place field: the reference's reader: sizes of entries, and offsets as numbers */
 #include "reference/billboard.h"
 #include "reference/surface.h"
+#include "reference/wire.h"
 #include "reference/placement.h"
 
 #include <math.h>
@@ -347,6 +348,9 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     if (!ref_billboards_read(bytes, &image->scene)) {
         return "the scene image's billboards are not usable";
     }
+    if (!ref_lines_read(bytes, &image->scene)) {
+        return "the scene image's lines are not usable";
+    }
     if (!inside_world(&image->start.position) || !read_path(bytes, image)) {
         return "the scene image's path is not usable";
     }
@@ -376,6 +380,8 @@ void ref_scene_close(ref_scene_image *image)
     free(image->light);
     ref_surfaces_close(image->scene.surfaces);
     ref_billboards_close(image->scene.billboards);
+    free(image->scene.lines);
+    free(image->scene.line_map);
     free(image->poses);
     free(image->segments);
     memset(image, 0, sizeof *image);

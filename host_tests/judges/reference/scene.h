@@ -74,6 +74,12 @@ typedef struct ref_light ref_light;
 typedef struct ref_surfaces ref_surfaces;
 typedef struct ref_billboards ref_billboards;
 
+/* A line between two vertices of a model, or a point at one. */
+typedef struct {
+    uint16_t from, to, faces[2]; /* faces: counted from 1; 0: none */
+    uint8_t colour, width;
+} ref_line;
+
 typedef struct {
     ref_lattice_point *vertices; /* relative to the instance's centre */
     uint16_t *indices;
@@ -94,6 +100,8 @@ typedef struct {
     ref_surfaces *surfaces;     /* null where there are none */
     ref_billboards *billboards; /* null where there are none */
     const ref_light *light;     /* light at run time; or null */
+    ref_line *lines;    /* null where there are none */
+    uint32_t *line_map; /* of each model where its lines begin; behind them their number */
 } ref_scene;
 
 /* place pixel-format: what the image asks for */

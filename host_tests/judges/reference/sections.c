@@ -52,7 +52,9 @@ static const struct {
                               [REF_SPRITE_PIXELS] = {1, 16u << 20},
                               [REF_LENS_CENTRE] = {8, 1},
                               [REF_WHOLE_FACES] = {4, 1000000},
-                              [REF_LENS_SCALE] = {4, 1}};
+                              [REF_LENS_SCALE] = {4, 1},
+                              [REF_LINES] = {12, 1000000},
+                              [REF_LINE_MAP] = {4, 65536}};
 
 static const uint8_t *entry_at(const uint8_t *bytes, uint32_t number)
 {
@@ -168,6 +170,9 @@ static bool set_is_sound(const uint8_t *bytes)
            (has(bytes, REF_LIGHT) || !has(bytes, REF_POINT_LIGHTS)) &&
            (surfaces || !has_any(bytes, REF_TEXTURES, REF_BLEND_TABLE)) &&
            (billboards || !has_any(bytes, REF_BILLBOARDS, REF_SPRITE_PIXELS)) &&
+           has(bytes, REF_LINES) == has(bytes, REF_LINE_MAP) &&
+           (!has(bytes, REF_LINE_MAP) ||
+            count_of(bytes, REF_LINE_MAP) == count_of(bytes, REF_MODELS) + 1) &&
            (has(bytes, REF_BSP_NODES) || ref_u32(bytes + BSP_INSTANCE_AT) == 0) &&
            (has(bytes, REF_BLEND_TABLE) || ref_u32(bytes + BLEND_FIRST_AT) == 0);
 }

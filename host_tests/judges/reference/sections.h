@@ -45,7 +45,9 @@ enum {
     REF_LENS_CENTRE,
     REF_WHOLE_FACES,
     REF_LENS_SCALE,
-    REF_LAST_KIND = REF_LENS_SCALE
+    REF_LINES,
+    REF_LINE_MAP,
+    REF_LAST_KIND = REF_LINE_MAP
 };
 
 /* Tells what is wrong with the header of an image, with the table of sections, with where they lie,

@@ -13,6 +13,7 @@
 #include "fixel/driver.h"
 #include "fixel/light.h"
 #include "fixel/line.h"
+#include "fixel/lines.h"
 #include "fixel/motion.h"
 #include "fixel/order.h"
 #include "fixel/orientation.h"

@@ -44,6 +44,7 @@ extern const fxl_sprite_painter fxl_palette_sprites, fxl_palette_depth_16_sprite
 typedef struct {
     bool (*all)(const fxl_traversal *traversal); /* by distance */
     bool (*instance)(const fxl_traversal *traversal, const fxl_draw_entry *entry);
+    const fxl_order *order; /* by distance, whose submit is `all` */
 } fxl_billboard_code;
 
 /* The billboards of a renderer, which the caller owns. Members are internal. */

@@ -85,7 +85,7 @@ struct fxl_shader {
 typedef struct fxl_billboards fxl_billboards; /* fixel/billboards.h */
 
 enum {
-    FXL_SHADERS_MAX = 7 /* of a renderer: one of each rank */
+    FXL_SHADERS_MAX = 8 /* of a renderer: one of each rank */
 };
 
 /* The tables of a scene, and what they need of a workspace. Members are internal. */

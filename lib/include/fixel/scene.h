@@ -325,6 +325,25 @@ typedef struct {
     uint32_t count, pixel_bytes;
 } fxl_scene_billboards;
 
+#define FXL_LINE_WIDTH_MAX 16 /* pixels */
+
+/* A line between two vertices of a model, or a point at one (fixel/lines.h). */
+typedef struct {
+    uint16_t from, to; /* vertices of the model; the same one twice: a point */
+    uint16_t faces[2]; /* of the model, counted from 1, on which it lies; 0: none */
+    uint8_t colour;    /* palette index */
+    uint8_t width;     /* pixels, 1..FXL_LINE_WIDTH_MAX */
+    uint16_t reserved; /* 0 */
+} fxl_line;
+
+/* The lines of a scene: tables that the caller owns and that must outlive it. */
+typedef struct {
+    const fxl_line *lines;
+    uint32_t count;           /* 0..FXL_SCENE_FACES_MAX */
+    const uint32_t *line_map; /* model_count + 1 numbers: model i has the lines from line_map[i]
+                                 (included) to line_map[i + 1] (not included) */
+} fxl_line_set;
+
 /* A scene: tables that the caller owns and that must outlive it. Without face bounds the frames are
  * the same; sorting takes longer (with a depth buffer only surfaces that are mixed need it). */
 typedef struct {
@@ -376,6 +395,7 @@ typedef struct {
     fxl_scene_light light;            /* for fxl_light_settings_of */
     fxl_scene_surfaces surfaces;      /* for fxl_surfaces_open, which checks them */
     fxl_scene_billboards billboards;  /* for fxl_billboards_open, which checks them */
+    fxl_line_set lines; /* for fxl_attach_lines, which checks them; without lines line_map is null */
 } fxl_scene_image;
 
 /* The element at which a check failed, for messages: what it is, and its number, counted from 0. */

@@ -349,7 +349,8 @@ enum {
     FXL_POLYGON_FLAT = 0,    /* one colour */
     FXL_POLYGON_SURFACE = 1, /* a surface (fixel/surfaces.h) */
     FXL_POLYGON_SPRITE = 2,  /* a sprite (fixel/billboards.h) */
-    FXL_POLYGON_DEPTH = 3    /* one colour, with a depth */
+    FXL_POLYGON_DEPTH = 3,   /* one colour, with a depth */
+    FXL_POLYGON_LINE = 4     /* a line (fixel/lines.h) */
 };
 
 /* The rows first <= row < end. No rows if the two are equal. */

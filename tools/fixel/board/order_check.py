@@ -21,10 +21,11 @@ def is_certain(scene):
 # place pixel-format: the names of what a scene is drawn by
 def names_of(scene, has_surfaces):
     """Which faces rays are to tell by their names instead of their colours: beams and surfaces change colours as no ray
-    knows, and in RGB565 two entries of the palette may be one colour. None where they tell colours."""
+    knows, lines hide faces from all but a look at names, and in RGB565 two entries of the palette may be one colour. None where they tell colours."""
     if scene.surfaces and has_surfaces:
         return "opaque"
-    return "all" if scene.surfaces or scene.beams or scene.pixel_bits == 16 else None
+    lines = any(model.lines for model in scene.models)
+    return "all" if scene.surfaces or scene.beams or lines or scene.pixel_bits == 16 else None
 
 
 def _sampled(scene, file, folder):

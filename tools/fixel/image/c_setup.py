@@ -48,6 +48,10 @@ def _by_tree(scene):
     return bool(scene.tree) and not scene.by_distance
 
 
+def _has_lines(scene):
+    return any(model.lines for model in scene.models)
+
+
 def _pieces(scene):
     """Bytes for pieces of instances that the tree cuts."""
     layer = scene.objects[scene.tree.object].layer
@@ -74,7 +78,8 @@ def _summands(scene, name):
             f"{capital}_SETUP_DEPTH(rows)": depth,
             f"{capital}_SETUP_TREE": _tree(scene)[0] if _by_tree(scene) else "0",
             f"{capital}_SETUP_MOTIONS": moves,
-            f"{capital}_SETUP_BEAMS": _beams(scene) if scene.beams else "0"}
+            f"{capital}_SETUP_BEAMS": _beams(scene) if scene.beams else "0",
+            f"{capital}_SETUP_LINES": "((sizeof(fxl_lines) + 7) / 8)" if _has_lines(scene) else "0"}
 
 
 def _memory(scene, name):
@@ -115,10 +120,11 @@ def text(scene, name, frames):
             part(scene.billboards is not None, f"&{name}_billboards", sprites, "fxl_attach_billboards")]
     palette = [table("uint16_t", palette_565(scene, name), [_rgb565(*entry) for entry in scene.palette], "The palette in RGB565.",
                      (256,))] if scene.pixel_bits == 16 else []
+    rows.append(part(_has_lines(scene), f"&{name}_lines", "fxl_attach_lines"))
     return [*palette, _memory(scene, name),
             record("fxl_setup_plan", f"{name}_setup", rows,
                    "For fxl_setup_init: scene, configuration, order, renderer, palette, first pose; path; memory for pieces; centre of "
-                   "the lens, scale of an orthographic one; motions, beams, light, surfaces, light at corners, billboards, each with what sets it up.")]
+                   "the lens, scale of an orthographic one; motions, beams, light, surfaces, light at corners, billboards, lines, each with what sets it up.")]
 
 
 PROGRAM = """/* Written by tools/scene.py export --c --program: draws %(source)s. It is yours to change. */

@@ -222,6 +222,13 @@ SECTIONS = (
             1_000_000, limit="FXL_SCENE_FACES_MAX", documented="whole faces"),
     Section("scale of the lens", "lens scale", (Field("i", "scale", "pixels a world unit (16.16): the lens is orthographic"),), 1,
             record="fxl_image_scale", documented="lens scale"),
+    Section("lines", "line table", (
+        Field("2H", "from", "the vertices of both ends within the model; of a point the same one twice"),
+        Field("2H", "faces", "two faces of the model on which the line lies, counted from 1 (0: none)"),
+        Field("B", "colour", "colour"), Field("B", "width", "width in pixels (1..16)"), Field("H", "reserved", "reserved")),
+            1_000_000, limit="FXL_SCENE_FACES_MAX", record="fxl_line"),
+    Section("line map", "line map", (Field("I", "", "number of the first line of a model; behind those of all models the number of lines"),),
+            65_536, 2),
 )
 KINDS = {section.name: number for number, section in enumerate(SECTIONS, 1)}
 ALWAYS = ("palette", "vertices", "faces", "models", "objects")
@@ -234,6 +241,7 @@ TOGETHER = (
       "mapped corners"),
      ("surfaces", "mapped faces", "face map", "mapped corners")),
     (("billboards", "billboard map", "sprite pixels"), ("billboards", "billboard map", "sprite pixels")),
+    (("lines", "line map"), ("lines", "line map")),
 )
 
 

@@ -115,7 +115,7 @@ def page(text):
 # The tables of docs/scenes.md: what stands before a key, its table in keys.py, and which of its keys; none: all.
 def _key_tables():
     baked = {"direction", "ambient", *keys.BAKED}
-    own = {*keys.OBJECT} - {*keys.SURFACE, *keys.TURNED}
+    own = {*keys.OBJECT} - {*keys.SURFACE, *keys.TURNED, *keys.LINES}
     return {
         "top": [("", keys.TOP, {"background"}), ("screen.", keys.SCREEN, None), ("view.", keys.VIEW, None), ("light.", keys.LIGHT, baked),
                 ("glow.", keys.GLOW, None), ("palette.", keys.PALETTE, None),
@@ -123,6 +123,7 @@ def _key_tables():
         "objects": [("", keys.OBJECT, own), ("ring.", keys.RING, None), ("repeat.", keys.REPEAT, None), ("", keys.SPRITE, {"billboard"})],
         "textures": [("", keys.TEXTURE, None)], "surfaces": [("", keys.SURFACE, None), ("images.", keys.IMAGES, None)],
         "billboards": [("", keys.BILLBOARD, None)],
+        "lines": [("", keys.LINES, None), ("edges.", keys.EDGES, None), ("lines[].", keys.POLYLINE, None), ("points[].", keys.DOTS, None)],
         "motions": [("", keys.TURNED, None), ("spin.", keys.SPIN, None), ("motion.", keys.MOTION, None), ("motion.keys[].", keys.MOTION_KEY, None)],
         "light": [("light.", keys.LIGHT, {*keys.LIGHT} - baked), ("light.points[].", keys.POINT, None), ("light.fog.", keys.FOG, None)],
         "beams": [("", keys.BEAM, None)],

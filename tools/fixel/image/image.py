@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import zlib
 
 from fixel.base import reading
-from fixel.image import (image_beam, image_billboard, image_cluster, image_header, image_light, image_models, image_placement,
+from fixel.image import (image_beam, image_billboard, image_cluster, image_header, image_light, image_lines, image_models, image_placement,
                          image_surface, image_tables)
 from fixel.base.errors import ToolError
 from fixel.image.fields import HEAD, IMAGE_MAX, MAGIC, VERSION
@@ -78,7 +78,7 @@ def pack(image):
     kind, entry = ("poses", image_tables.POSE) if image.path_kind == POSES else ("strides", image_tables.STRIDE)
     tables[kind] = [entry.pack(*one) for one in image.path]
     tables |= image_models.tables(image.models, image_models.has_keys(image)) | image_placement.tables(image.placements, image.motions)
-    tables |= image_surface.tables(image.surfaces, image.models) | image_billboard.tables(image.billboards)
+    tables |= image_surface.tables(image.surfaces, image.models) | image_billboard.tables(image.billboards) | image_lines.tables(image.models)
     tables["nodes"] = [node.pack() for node in image.tree.nodes] if image.tree else []
     tables["beams"] = [beam.pack() for beam in image.beams]
     tables["lit"] = bytes(image.lit) if image.beams else b""
@@ -184,6 +184,7 @@ def unpack(blob):
     pixel_bits = 16 if head.target & image_header.RGB565 else 8
     surfaces = image_surface.read(tables, head.blend_first, models, pixel_bits)
     billboards = image_billboard.read(tables, models, [radius for radius, *_ in extras])
+    image_lines.read(tables, models)
     return SceneImage(head.width, head.height, head.fov, head.near_z, head.far_z, head.inset, head.background,
                       tables["palette"], models, objects, kind, path, (*head.start, *head.start_yaw), gait, tree, beams, lit,
                       centre, _scale(head, tables), placements, motions, light, surfaces, billboards, image_header.DEPTHS[head.target % image_header.RGB565],

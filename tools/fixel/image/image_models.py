@@ -83,6 +83,7 @@ class Model:
     faces: list
     kind: int = CONVEX
     clusters: list = field(default_factory=list)    # over all faces, or none
+    lines: list = field(default_factory=list)       # image_lines.Line
 
 
 @dataclass

@@ -110,6 +110,8 @@ def _check_counts(tables):
         fail("count", f"{len(tables['wholes'])} entries of the whole faces for {len(tables['faces'])} faces")
     if tables["billboard map"] and len(tables["billboard map"]) != len(tables["models"]):
         fail("count", f"{len(tables['billboard map'])} entries of the billboard map for {len(tables['models'])} models")
+    if tables["line map"] and len(tables["line map"]) != len(tables["models"]) + 1:
+        fail("count", f"{len(tables['line map'])} entries of the line map for {len(tables['models'])} models")
 
 
 def _unpacked(one, table, count):

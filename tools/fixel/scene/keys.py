@@ -5,7 +5,7 @@ fuzzer their values. What a key means says docs/scenes.md."""
 
 from fractions import Fraction
 
-from fixel.image import image, image_beam, image_billboard, image_header, image_light, image_placement, image_surface
+from fixel.image import image, image_beam, image_billboard, image_header, image_light, image_lines, image_placement, image_surface
 from fixel.model import simplify, solids
 from fixel.model.mesh import FILE_FACES_MAX
 from fixel.model.quantity import COORDINATE_MAX
@@ -147,6 +147,15 @@ BILLBOARD = {
     "size": Key(Several(Number(SMALL, COORDINATE_MAX, "world units"), 2, "[width, height]"), REQUIRED),
     "anchor": Key(Several(Number(0, COORDINATE_MAX, "world units"), 2, "[x, y]"), None, "the middle of the lower side")}
 
+# toml_lines.py
+LINE_POINTS_MAX = 4096      # of a polyline
+STROKE = {"colour": Key(COLOUR, (255, 255, 255), '`"white"`'), "width": Key(Whole(1, image_lines.WIDTH_MAX), 1)}
+EDGES = {**STROKE, "angle": Key(Degrees(0, 180, "degrees"), Fraction(1))}
+MARK = {**STROKE, "colours": Key(Several(COLOUR, (1, LINE_POINTS_MAX)), None, "`colour` for all"), "on_faces": Key(SWITCH, True)}
+POLYLINE = {"at": Key(Several(VECTOR, (2, LINE_POINTS_MAX)), REQUIRED), "closed": Key(SWITCH, False), **MARK}
+DOTS = {"at": Key(Several(VECTOR, (1, LINE_POINTS_MAX)), REQUIRED), **MARK}
+LINES = {"edges": Key(Sub(EDGES)), "lines": Key(rows(POLYLINE)), "points": Key(rows(DOTS))}
+
 # toml_object.py
 QUATERNION_MAX = 1 << 30    # as fxl_orientation_from_quaternion takes it
 SCALE_MAX = 1 << 30     # such as of a model in metres whose sides are nanometres
@@ -155,7 +164,7 @@ SOLID = {
     "cells": Key(Several(Whole(1, 200), 2, "[across, along]")), "seed": Key(Whole(0, 65535)), "sea": Key(Number(0, Fraction(9, 10)))}
 ANY_OBJECT = {"name": Key(NAME), **PLACES, "layer": Key(Whole(0, 255), 0), "moves": Key(SWITCH, False), **TURNED}
 OBJECT = {
-    **ANY_OBJECT, "solid": Key(OneOf(tuple(solids.SOLIDS)), None, SOURCE), **SOLID, **MODEL, **SURFACE,
+    **ANY_OBJECT, "solid": Key(OneOf(tuple(solids.SOLIDS)), None, SOURCE), **SOLID, **MODEL, **SURFACE, **LINES,
     "scale": Key(Several(Number(0, SCALE_MAX, above=True), 3, "[x, y, z]", lone=True, fills=True), (Fraction(1),) * 3),
     "rotation": Key(TURN, ZEROS), "quaternion": Key(Several(Number(-QUATERNION_MAX, QUATERNION_MAX), 4, "[w, x, y, z]")), "anchor": Key(OneOf(("origin", "base", "middle", "node")), "origin"),
     "colour": Key(COLOUR, None, "those of the model's materials, else `\"#c8c0b0\"`"), "colours": Key(Several(COLOUR, (1, MANY))),

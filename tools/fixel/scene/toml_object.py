@@ -8,7 +8,7 @@ import math
 
 from fixel.image import image
 from fixel.model import quantity, solids
-from fixel.scene import keys, parts, toml_billboard, toml_images, toml_light, toml_model, toml_motion, toml_texture
+from fixel.scene import keys, parts, toml_billboard, toml_images, toml_light, toml_lines, toml_model, toml_motion, toml_texture
 from fixel.base.job import Quiet
 from fixel.base.errors import ToolError
 from fixel.model.convex import is_convex
@@ -37,6 +37,7 @@ class Instance:
     name: str = None
     looks: tuple = ()       # a surfaces.Look or None for each face; none if no face has a surface
     board: object = None    # a toml_billboard.Wish
+    lines: tuple = ()       # toml_lines.Wish
     life: object = None     # a toml_motion.Life, of what is turned; its centre is then without the rise
 
 
@@ -158,6 +159,14 @@ class Objects:
                 made, coordinates = toml_texture.shape_of(look, mesh, turned, made, scale, inside)
             self.shapes[key] = (made, convex, coordinates)
         return self.shapes[key]
+
+    def _with_lines(self, table, made, scale, rotation):
+        """The shape with the vertices of an object's lines, and these."""
+        mesh, _, _ = self.mesh(table)
+        scale = toml_model.fit(table, mesh) if "fit" in table else scale
+        is_moved = table["anchor"] == "middle" and toml_model.near_origin(mesh) is not mesh
+        origin = mesh.middle if is_moved else (0, 0, 0)
+        return toml_lines.with_lines(table, made, matrix(scale, rotation), origin)
 
     @staticmethod
     def _sides(table, mesh):
@@ -306,6 +315,8 @@ class Objects:
         life, turned, division = toml_motion.read(table), toml_motion.ring_is_turned(table), table["parts"]
         if division and (life or turned):
             raise ToolError(f"{table.at('parts')}: what turns or moves is not divided; leave parts away")
+        if toml_lines.wanted(table) and (division or clusters):
+            raise ToolError(f"{table.where}: edges, lines and points name faces of the model; leave {'parts' if division else 'clusters'} away")
         shaped, coloured, result = {}, {}, []   # by yaw, and where copies differ by number too
         for i, (position, yaw) in enumerate(places):
             baked = 0 if turned else yaw
@@ -313,9 +324,12 @@ class Objects:
             if baked not in shaped:
                 made, convex, coordinates = self._shape(table, scale, (rotation[0] + baked, *rotation[1:]), look)
                 moved = made.middle if anchor != "origin" else (0, 0, 0)
-                fitting = None if division or life or turned else parts.fitting(made, place)
-                shaped[baked] = made, moved, self._kind(table, convex), coordinates, _ends(made, moved), fitting
-            made, moved, kind, coordinates, ends, fitting = shaped[baked]
+                fitting = None if division or life or turned or toml_lines.wanted(table) else parts.fitting(made, place)
+                kind, lines = self._kind(table, convex), ()
+                if toml_lines.wanted(table):
+                    made, lines = self._with_lines(table, made, scale, (rotation[0] + baked, *rotation[1:]))
+                shaped[baked] = made, moved, kind, coordinates, _ends(made, moved), fitting, lines
+            made, moved, kind, coordinates, ends, fitting, lines = shaped[baked]
             key = baked, i if "colour_next" in table else 0
             if key not in coloured:
                 coloured[key] = (self._colours(made, wish, i, clusters),
@@ -329,10 +343,10 @@ class Objects:
             if life or turned:
                 own = (life or toml_motion.Life()).on_ring(yaw if turned else 0, rise)
                 result.append(Instance((made, moved), colours, kind, position, layer, True, clusters, place, name, looks,
-                                        life=own))
+                                        lines=lines, life=own))
                 continue
             centre = _centre(position, rise, ends, place)
-            result.append(Instance((made, moved), colours, kind, centre, layer, moves, clusters, place, name, looks))
+            result.append(Instance((made, moved), colours, kind, centre, layer, moves, clusters, place, name, looks, lines=lines))
             if division or fitting:
                 result += self._parts_of(result.pop(), division or fitting, table,
                                          INSTANCES_MAX - self.count + len(places) - len(result))

@@ -8,7 +8,7 @@ import math
 import operator
 import os
 
-from fixel.image import image, image_beam, image_header
+from fixel.image import image, image_beam, image_header, image_lines
 from fixel.model import clusters, quantity
 from fixel.model.surface import MEAN_NOTE
 from fixel.scene import keys, palette, target, texture, toml_billboard, toml_light, toml_model, toml_motion, toml_table, toml_texture
@@ -230,6 +230,8 @@ def _count_colours(instances, lit):
             wanted[colour] = wanted.get(colour, 0) + times[id(colours)]
     for colour in _texel_colours(instances):
         wanted[colour] = wanted.get(colour, 0) + 1
+    for colour in {line.colour for lines in {instance.lines for instance in instances} for line in lines}:
+        wanted[colour] = wanted.get(colour, 0) + 1
     for colour in {c for board in {instance.board for instance in instances if instance.board} for c in board.picture.colours}:
         wanted[colour] = wanted.get(colour, 0) + 1
     if lit:
@@ -278,20 +280,21 @@ def _models(instances, indices, records):
     numbers, models, objects, boards = {}, [], [], []
     for item in instances:
         made, moved = item.shape
-        key = (id(made), moved, id(item.colours), id(item.looks), item.kind, item.clusters, item.board)
+        key = (id(made), moved, id(item.colours), id(item.looks), item.kind, item.clusters, item.board, item.lines)
         if key not in numbers:
             colours = tuple(indices[c] for c in item.colours)
             vertices = tuple(tuple(a - b for a, b in zip(v, moved)) for v in made.vertices)
             mapped = map(records.mapped, item.looks or (None,) * len(colours), item.colours, (f.corners for f in made.faces))
             faces = tuple((f.normal, f.corners, c, m) for f, c, m in zip(made.faces, colours, mapped))
             # Meshes from different sources may come out the same.
-            content = (vertices, faces, item.kind, item.clusters, item.board)
+            lines = [image_lines.Line(*line)._replace(colour=indices[line.colour]) for line in item.lines]
+            content = (vertices, faces, item.kind, item.clusters, item.board, tuple(lines))
             if content not in numbers:
                 if len(vertices) > 65535 or len(faces) > 65535:
                     raise ToolError(f"{item.where}: {len(vertices)} vertices and {len(faces)} "
                                     "faces; a model has at most 65535 of each, so split it")
                 numbers[content] = len(models)
-                models.append(Model(list(vertices), [Face(*f) for f in faces], item.kind))
+                models.append(Model(list(vertices), [Face(*f) for f in faces], item.kind, lines=lines))
                 boards.append(item.board)
                 if item.clusters:
                     clusters.divide(models[-1])
@@ -334,6 +337,14 @@ def _compile_lit(data, name, folder, frames, progress, screen, files):
         changed, note = _lit_at_run_time(data, found)
     scene, notes = _compile_data(changed, name, folder, frames, progress, screen, files)
     return scene, [note, *notes]
+
+
+def _check_lines(scene, name):
+    """Refuses what does not go with lines (docs/extras/combinations.md)."""
+    other, key = ("beams", "beams") if scene.beams else ("a tree", "tree") if scene.layers != "none" else \
+        ("an orthographic lens", "scale") if scene.scale else (None, None)
+    if other and any(model.lines for model in scene.models):
+        raise ToolError(f"{name}: lines and {other} do not go together: leave out edges, lines and points, or {key}")
 
 
 def _compile_data(data, name, folder, frames, progress, screen, files):
@@ -387,6 +398,7 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
         scene.start = scene.path[0]
         notes += more
     notes += pictures.notes + [toml_model.simplified_note(scene, record) for record in objects.simplified.values()]
+    _check_lines(scene, name)
     scene.names = [item.name for item in instances]
     scene.moving = tuple(i for i, item in enumerate(instances) if item.moves)
     if target.has_colours(scene):   # the reader of the file spoke of means

@@ -1,0 +1,520 @@
+/* SPDX-License-Identifier: MIT */
+/* Lines and points of models. Without a depth buffer the traversal of the order by distance submits
+ * them after the faces of their instance. With one a pass over the scene draws them over the faces
+ * of each part of a band. */
+#include "fixel/lines.h"
+
+#include "../clip/volume.h"
+#include "../math/arith.h"
+#include "../math/memory.h"
+#include "../paint/billboard_paint.h"
+#include "../paint/line_paint.h"
+#include "../scene/placement_code.h"
+#include "../scene/scene_check.h"
+#include "../view/cull.h"
+#include "../view/model_view.h"
+#include "../view/project.h"
+#include "../view/view.h"
+#include "display_list.h"
+#include "renderer.h"
+#include "submit_instance.h"
+#include "surface_polygon.h"
+
+/* --- checks --------------------------------------------------------------------------------- */
+
+/* lines 1.2 */
+static FXL_COLD fxl_status check_line(const fxl_line *line, const fxl_model *model)
+{
+    if (line->reserved != 0) {
+        return FXL_E_RESERVED;
+    }
+    if (line->width < 1 || line->width > FXL_LINE_WIDTH_MAX) {
+        return FXL_E_RANGE;
+    }
+    return line->from < model->vertex_count && line->to < model->vertex_count &&
+                   line->faces[0] <= model->face_count && line->faces[1] <= model->face_count
+               ? FXL_OK
+               : FXL_E_INDEX;
+}
+
+/* lines 1.2, formats 1.14 */
+FXL_COLD fxl_status fxl_lines_check(const fxl_line_set *set, const fxl_scene *scene,
+                                    fxl_scene_fault *fault)
+{
+    if (set == NULL || scene == NULL || set->line_map == NULL ||
+        (set->count > 0 && set->lines == NULL)) {
+        return fxl_fault_at(fault, "line table", 0, FXL_E_ARGUMENT);
+    }
+    if (!fxl_is_aligned(set->line_map, sizeof *set->line_map) ||
+        !fxl_is_aligned(set->lines, sizeof(uint16_t))) {
+        return fxl_fault_at(fault, "line table", 0, FXL_E_ALIGNMENT);
+    }
+    if (set->count > FXL_SCENE_FACES_MAX || set->line_map[0] != 0 ||
+        set->line_map[scene->model_count] != set->count) {
+        return fxl_fault_at(fault, "line table", 0, FXL_E_COUNT);
+    }
+    for (uint32_t i = 0; i < scene->model_count; i++) {
+        const uint32_t end = set->line_map[i + 1];
+        if (end < set->line_map[i] || end > set->count) {
+            return fxl_fault_at(fault, "model", i, FXL_E_COUNT);
+        }
+        for (uint32_t k = set->line_map[i]; k < end; k++) {
+            const fxl_status status = check_line(&set->lines[k], &scene->models[i]);
+            if (status != FXL_OK) {
+                return fxl_fault_at(fault, "line", k, status);
+            }
+        }
+    }
+    return FXL_OK;
+}
+
+/* --- a line in the view --------------------------------------------------------------------- */
+
+/* What becomes of a line. */
+typedef enum {
+    LINE_BACKFACING,
+    LINE_OUTSIDE,
+    LINE_REFUSED,
+    LINE_DRAWN,
+    LINE_CLIPPED /* drawn, and cut by a plane */
+} line_outcome;
+
+/* clip -> project. On LINE_DRAWN and LINE_CLIPPED the ends and distances of *painted are set. */
+/* lines 2.1 */
+static line_outcome place_line(const fxl_view *view, const fxl_volume *volume, fxl_clip_line *line,
+                               fxl_painted_line *painted)
+{
+    uint32_t intersections = 0;
+    line->carried = 0;
+    if (!fxl_line_by_codes(line, volume, &intersections)) {
+        return LINE_OUTSIDE;
+    }
+    if (fxl_project_visible(&view->projection, &line->from.position, &painted->ends[0]) != FXL_OK ||
+        fxl_project_visible(&view->projection, &line->to.position, &painted->ends[1]) != FXL_OK) {
+        return LINE_REFUSED;
+    }
+    painted->distances[0] = line->from.position.z;
+    painted->distances[1] = line->to.position.z;
+    return intersections > 0 ? LINE_CLIPPED : LINE_DRAWN;
+}
+
+static void find_volume(const fxl_view *view, fxl_volume *volume)
+{
+    fxl_volume_from_sides(&view->view_frustum, fxl_view_drawn_focal(view), FXL_PLANES_ALL, volume);
+}
+
+/* The canvas of a band. */
+static fxl_line_canvas canvas_of(const fxl_renderer *renderer, const fxl_workspace *workspace,
+                                 const fxl_band *band)
+{
+    const uint8_t bits = renderer->target->depth_bits;
+    const fxl_line_canvas canvas = {
+        band, bits != 0 ? (const fxl_depth_head *)workspace->target_memory : NULL,
+        renderer->frame.view.lens.near_z, bits == 32};
+    return canvas;
+}
+
+/* --- the lines of an instance --------------------------------------------------------------- */
+
+/* An instance whose lines are drawn. */
+typedef struct {
+    const fxl_traversal *traversal;
+    const fxl_model_view *model_view;
+    uint32_t number;
+    fxl_volume volume;
+} line_instance;
+
+static bool is_front(const fxl_scene *scene, uint32_t number, const fxl_face *face,
+                     const fxl_point *eye)
+{
+    const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
+    return turned != NULL ? turned->face_is_front(scene, number, face, eye)
+                          : fxl_face_is_front(scene, &scene->instances[number], face, eye);
+}
+
+/* The depth that a face has when it is drawn: to the bit, by the function that draws it. */
+/* lines 3.2 */
+static void find_plane(const line_instance *of, const fxl_face *face, fxl_depth_plane *plane)
+{
+    const fxl_traversal *traversal = of->traversal;
+    const fxl_surfaces *surfaces = fxl_surfaces_of(traversal->renderer);
+    const fxl_scene *scene = traversal->renderer->scene;
+    const uint32_t mapped = surfaces != NULL ? surfaces->set->face_map[face - scene->faces] : 0;
+    if (mapped == 0) {
+        fxl_find_depth_by_normal(of->model_view, face, traversal, plane);
+        return;
+    }
+    fxl_pieces pieces = {.instance = of->model_view->instance, .face = face};
+    const fxl_mapped_surface surface = {surfaces, &surfaces->set->faces[mapped - 1], &pieces, NULL,
+                                        false};
+    fxl_surface_polygon polygon;
+    surfaces->painter->find(&surface, of->model_view, face, traversal, &polygon);
+    *plane = polygon.depth;
+}
+
+/* The faces of a line that face the eye. Returns how many; false in *visible: it has faces, and
+ * none does. */
+/* lines 2.4 */
+static uint32_t front_faces(const line_instance *of, const fxl_line *line,
+                            const fxl_face *faces[2], bool *visible)
+{
+    const fxl_renderer *renderer = of->traversal->renderer;
+    const fxl_scene *scene = renderer->scene;
+    const fxl_model *model = &scene->models[of->model_view->instance->model];
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < 2; i++) {
+        const uint32_t number = line->faces[i];
+        if (number != 0 && is_front(scene, of->number, &scene->faces[model->first_face + number - 1],
+                                    &renderer->frame.view.camera.position)) {
+            faces[count++] = &scene->faces[model->first_face + number - 1];
+        }
+    }
+    *visible = count > 0 || (line->faces[0] | line->faces[1]) == 0;
+    return count;
+}
+
+/* Whether a line that is drawn has a pixel in the band; always, where there is none. */
+static bool is_in_band(const fxl_traversal *traversal, const fxl_painted_line *painted,
+                       fxl_rows *rows)
+{
+    *rows = fxl_rows_of_line(painted, traversal->renderer->frame.view.lens.height);
+    return rows->first < rows->end &&
+           (traversal->band == NULL || fxl_rows_meet(*rows, fxl_rows_of_band(traversal->band)));
+}
+
+/* Into the display list, or into the band. False where the list has no room. */
+/* lines 4.1 */
+static bool emit(const line_instance *of, const fxl_painted_line *painted, fxl_rows rows)
+{
+    const fxl_traversal *traversal = of->traversal;
+    fxl_workspace *workspace = traversal->workspace;
+    if (traversal->display_list == NULL) {
+        const fxl_line_canvas canvas = canvas_of(traversal->renderer, workspace, traversal->band);
+        fxl_paint_wide_line(&canvas, painted);
+        return true;
+    }
+    fxl_screen_polygon *screen = &workspace->screen;
+    const uint8_t shade = screen->shade;
+    screen->colour = painted->colour;
+    screen->count = 3;
+    screen->kind = FXL_POLYGON_LINE;
+    screen->shade = painted->width;
+    screen->points[0] = painted->ends[0];
+    screen->points[1] = painted->ends[1];
+    screen->points[2].x = painted->is_point;
+    screen->points[2].y = 0;
+    const bool fits = fxl_display_list_append(traversal->display_list, screen, rows);
+    screen->kind = FXL_POLYGON_FLAT;
+    screen->shade = shade;
+    return fits;
+}
+
+/* transform -> clip -> project -> pixels. *fits: false where the display list has no room. */
+/* lines 1.1 */
+static line_outcome draw_line(const line_instance *of, const fxl_line *line, bool *fits)
+{
+    const fxl_traversal *traversal = of->traversal;
+    const fxl_renderer *renderer = traversal->renderer;
+    const fxl_face *faces[2];
+    fxl_painted_line painted;
+    fxl_clip_line clipped;
+    fxl_rows rows;
+    bool visible;
+    const uint32_t count = front_faces(of, line, faces, &visible);
+    if (!visible) {
+        return LINE_BACKFACING;
+    }
+    fxl_find_corner(of->model_view, line->from, traversal, &clipped.from.position);
+    fxl_find_corner(of->model_view, line->to, traversal, &clipped.to.position);
+    const line_outcome outcome =
+        place_line(&renderer->frame.view, &of->volume, &clipped, &painted);
+    painted.colour = line->colour;
+    painted.width = line->width;
+    painted.is_point = line->from == line->to;
+    painted.plane_count = 0;
+    if (outcome < LINE_DRAWN || !is_in_band(traversal, &painted, &rows)) {
+        return outcome;
+    }
+    if (renderer->target->depth_bits != 0) {
+        painted.plane_count = (uint8_t)count;
+        for (uint32_t i = 0; i < count; i++) {
+            find_plane(of, faces[i], &painted.planes[i]);
+        }
+    }
+    *fits = emit(of, &painted, rows);
+    return outcome;
+}
+
+/* lines 4.2 */
+static void count_line(fxl_line_counters *counters, line_outcome outcome)
+{
+    counters->in++;
+    counters->backfacing += outcome == LINE_BACKFACING;
+    counters->outside += outcome == LINE_OUTSIDE;
+    counters->refused += outcome == LINE_REFUSED;
+    counters->drawn += outcome >= LINE_DRAWN;
+    counters->clipped += outcome == LINE_CLIPPED;
+}
+
+/* The lines of a renderer that has some; they may be counted. */
+static fxl_lines *lines_of(const fxl_renderer *renderer)
+{
+    return (fxl_lines *)(uintptr_t)fxl_renderer_shader(renderer, FXL_SHADER_LINES);
+}
+
+/* Whether a pick draws the frame: its shader stands before all others, and looks through lines. */
+/* lines 4.4 */
+static bool is_pick(const fxl_renderer *renderer)
+{
+    return renderer->shader->rank > FXL_SHADER_LINES;
+}
+
+/* All lines of an instance, added to *counters. False where the display list has no room: then none
+ * of them is in it, and none is counted. */
+static bool draw_lines(const fxl_traversal *traversal, uint32_t number,
+                       fxl_line_counters *counters)
+{
+    const fxl_renderer *renderer = traversal->renderer;
+    const fxl_line_set *set = &lines_of(renderer)->set;
+    const fxl_instance *instance = &renderer->scene->instances[number];
+    const uint32_t *map = &set->line_map[instance->model];
+    if (map[0] == map[1] || is_pick(renderer)) {
+        return true;
+    }
+    FXL_ALIGN_8 fxl_turned_view view;
+    fxl_line_counters sums = *counters;
+    line_instance of = {.traversal = traversal,
+                        .model_view = fxl_surfaces_view(traversal, instance, &view),
+                        .number = number};
+    const uint32_t used = renderer->frame.display_list.used;
+    bool fits = true;
+    find_volume(&renderer->frame.view, &of.volume);
+    for (uint32_t i = map[0]; i < map[1]; i++) {
+        count_line(&sums, draw_line(&of, &set->lines[i], &fits));
+        if (!fits) {
+            traversal->display_list->used = used;
+            return false;
+        }
+    }
+    *counters = sums;
+    return true;
+}
+
+/* --- in the turn of their instances, without a depth buffer --------------------------------- */
+
+/* fxl_resume_point.faces of an instance whose faces are done, and whose lines are not. A traversal
+ * that was stopped in its faces has done fewer of them. */
+#define FACES_DONE UINT16_MAX
+
+/* fxl_instance_submit. */
+/* lines 2.5 */
+static bool submit_one(const fxl_traversal *traversal, const fxl_draw_entry *entry)
+{
+    const fxl_renderer *renderer = traversal->renderer;
+    const fxl_billboards *billboards = renderer->billboards;
+    fxl_line_counters uncounted;
+    if (traversal->resume->faces != FACES_DONE &&
+        !(billboards != NULL ? billboards->code->instance(traversal, entry)
+                             : fxl_submit_any_instance(traversal, entry))) {
+        return false;
+    }
+    const bool counts = traversal->counters == &renderer->workspace.counters;
+    if (!draw_lines(traversal, entry->index,
+                    counts ? &lines_of(renderer)->counters : &uncounted)) {
+        traversal->resume->faces = FACES_DONE;
+        return false;
+    }
+    return true;
+}
+
+static bool submit(const fxl_traversal *traversal)
+{
+    const fxl_renderer *renderer = traversal->renderer;
+    if (traversal->display_list != NULL) {
+        fxl_lines *lines = lines_of(renderer);
+        memset(&lines->counters, 0, sizeof lines->counters);
+        if (renderer->scene->placements != NULL) {
+            traversal->counters->rounded =
+                (uint16_t)renderer->scene->placement_code->count_rounded(traversal, 0, 0);
+        }
+    }
+    return fxl_submit_all(traversal, submit_one);
+}
+
+static const fxl_order by_distance_with_lines = {.submit = submit};
+
+/* fxl_overdraw.draw_record. */
+static void draw_record(fxl_workspace *workspace, const fxl_screen_polygon *record,
+                        const fxl_band *band)
+{
+    const fxl_painted_line painted = {.ends = {record->points[0], record->points[1]},
+                                      .colour = record->colour,
+                                      .width = record->shade,
+                                      .is_point = record->points[2].x != 0,
+                                      .plane_count = 0};
+    const fxl_line_canvas canvas = {band, NULL, 0, false};
+    (void)workspace;
+    fxl_paint_wide_line(&canvas, &painted);
+}
+
+/* --- over the faces of a band, with a depth buffer ------------------------------------------ */
+
+/* fxl_overdraw.draw_over. Instances come in the sequence in which their faces do. */
+/* lines 2.6, 2.7 */
+static void draw_over(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
+{
+    const fxl_frame *frame = &renderer->frame;
+    fxl_resume_point resume = {0, 0};
+    fxl_lines *lines = lines_of(renderer);
+    fxl_line_counters sums;
+    const fxl_traversal traversal = {.renderer = renderer,
+                                     .clipper = renderer->clipper,
+                                     .workspace = workspace,
+                                     .display_list = NULL,
+                                     .band = band,
+                                     .resume = &resume,
+                                     .counters = &workspace->counters,
+                                     .mode = FXL_SUBMIT_ANY,
+                                     .draw = NULL};
+    fxl_depth_clear_rest(workspace, band, renderer->target->depth_bits / 8u);
+    memset(&sums, 0, sizeof sums);
+    for (uint32_t i = 0; i < frame->visible_count; i++) {
+        const uint32_t place = renderer->near_first ? frame->visible_count - 1u - i : i;
+        (void)draw_lines(&traversal, frame->draw_list[place].index, &sums);
+    }
+    if (workspace == &renderer->workspace && lines->frame != frame->view.frame) {
+        lines->counters = sums;
+        lines->frame = frame->view.frame;
+    }
+}
+
+/* --- attaching ------------------------------------------------------------------------------ */
+
+static const fxl_order *order_without(const fxl_renderer *renderer)
+{
+    return renderer->billboards != NULL ? renderer->billboards->code->order : &fxl_by_distance;
+}
+
+/* combinations 1.1, lines 4.5 */
+static fxl_status check(const fxl_renderer *renderer, const fxl_lines *lines,
+                        const fxl_line_set *set)
+{
+    if (renderer->scene == NULL || renderer->target == NULL) {
+        return FXL_E_ORDER;
+    }
+    if (set == NULL) {
+        return FXL_OK;
+    }
+    if (lines == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    return !fxl_is_aligned(lines, 8) ? FXL_E_ALIGNMENT
+                                     : fxl_lines_check(set, renderer->scene, NULL);
+}
+
+/* lines 4.3 */
+fxl_status fxl_attach_lines(fxl_renderer *renderer, fxl_lines *lines, const fxl_line_set *set)
+{
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    const fxl_status status = check(renderer, lines, set);
+    if (status != FXL_OK) {
+        return fxl_refuse(&renderer->workspace, status);
+    }
+    if (set == NULL) {
+        if (lines_of(renderer) == NULL) {
+            return FXL_OK; /* a frame that has begun stays */
+        }
+        fxl_renderer_attach(renderer, FXL_SHADER_LINES, NULL);
+        if (renderer->order == &by_distance_with_lines) {
+            renderer->order = order_without(renderer);
+        }
+        return FXL_OK;
+    }
+    memset(lines, 0, sizeof *lines);
+    lines->overdraw.shader.code = &fxl_mark;
+    lines->overdraw.draw_over = draw_over;
+    lines->overdraw.draw_record = draw_record;
+    lines->set = *set;
+    fxl_renderer_attach(renderer, FXL_SHADER_LINES, &lines->overdraw.shader);
+    if (renderer->target->depth_bits == 0) {
+        renderer->draw_display_list = fxl_mixed_draw_list;
+        if (renderer->order == order_without(renderer)) {
+            renderer->order = &by_distance_with_lines;
+        }
+    }
+    return FXL_OK;
+}
+
+/* --- a line of the world -------------------------------------------------------------------- */
+
+/* Whether a depth buffer, if there is one, has rows for a whole band. */
+static bool holds_band(const fxl_renderer *renderer, const fxl_workspace *workspace,
+                       const fxl_band *band)
+{
+    const uint32_t row = band->width * (renderer->target->depth_bits / 8u);
+    return row == 0 ||
+           (workspace->target_memory_size - (uint32_t)sizeof(fxl_depth_head)) / row >= band->rows;
+}
+
+/* lines 5.2 */
+static fxl_status check_world_line(const fxl_renderer *renderer, const fxl_workspace *workspace,
+                                   const fxl_world_line *line, const fxl_band *band)
+{
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    if (line == NULL || band == NULL || band->pixels == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (renderer->frame.state == FXL_FRAME_NONE || !fxl_has_pixels_of(renderer, band)) {
+        return FXL_E_ORDER;
+    }
+    if (fxl_orthographic_of(lens) != NULL) {
+        return FXL_E_COMBINATION;
+    }
+    if (band->width != lens->width || !fxl_band_is_within(band, lens->width, lens->height) ||
+        !fxl_point_in_range(&line->from) || !fxl_point_in_range(&line->to) || line->width < 1 ||
+        line->width > FXL_LINE_WIDTH_MAX) {
+        return FXL_E_RANGE;
+    }
+    if (!fxl_band_is_aligned(band)) {
+        return FXL_E_ALIGNMENT;
+    }
+    return holds_band(renderer, workspace, band) ? FXL_OK : FXL_E_CAPACITY;
+}
+
+/* lines 5.1 */
+fxl_status fxl_frame_draw_line(fxl_renderer *renderer, fxl_workspace *workspace,
+                               const fxl_world_line *line, const fxl_band *band)
+{
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    workspace = workspace != NULL ? workspace : &renderer->workspace;
+    const fxl_status status = check_world_line(renderer, workspace, line, band);
+    if (status != FXL_OK) {
+        return fxl_refuse(workspace, status);
+    }
+    const fxl_view *view = &renderer->frame.view;
+    fxl_band from_0 = *band;
+    fxl_painted_line painted;
+    fxl_clip_line clipped;
+    fxl_volume volume;
+    fxl_band_begin_at_column_0(&from_0);
+    find_volume(view, &volume);
+    fxl_transform_point(&view->camera, &line->from, &clipped.from.position);
+    fxl_transform_point(&view->camera, &line->to, &clipped.to.position);
+    if (place_line(view, &volume, &clipped, &painted) >= LINE_DRAWN) {
+        const fxl_line_canvas canvas = canvas_of(renderer, workspace, &from_0);
+        painted.colour = line->colour;
+        painted.width = line->width;
+        painted.is_point = line->from.x == line->to.x && line->from.y == line->to.y &&
+                           line->from.z == line->to.z;
+        painted.plane_count = 0;
+        if (canvas.head != NULL) {
+            fxl_depth_clear_rest(workspace, &from_0, renderer->target->depth_bits / 8u);
+        }
+        fxl_paint_wide_line(&canvas, &painted);
+    }
+    return FXL_OK;
+}

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+/* The pixels of lines and points over a band, with a depth or without. Internal. */
+#ifndef FXL_LINE_PAINT_H
+#define FXL_LINE_PAINT_H
+
+#include "../raster/columns.h"
+#include "depth_row.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A line or a point on the screen. */
+typedef struct {
+    fxl_screen_point ends[2];
+    fxl_q18_46 distances[2]; /* of the ends along forward, above 0: of a line without planes */
+    uint8_t colour, width;   /* 1..16 */
+    bool is_point;           /* at the first end */
+    uint8_t plane_count;     /* 0..2 */
+    fxl_depth_plane planes[2];
+} fxl_painted_line;
+
+/* What it is painted into: pixels from column 0 on, and, unless head is null, the cells behind it,
+ * all of whose rows are those of the band. */
+typedef struct {
+    const fxl_band *band;
+    const fxl_depth_head *head;
+    fxl_q16_16 near_z; /* of the lens */
+    bool wide;         /* cells of 32 bits */
+} fxl_line_canvas;
+
+/* Paints the pixels of a line in the band; with a depth those whose code is not below the one that
+ * is kept there, which it then replaces. Exact, given the line. Requires ends within
+ * FXL_SCREEN_COORDINATE_MAX.
+ * A pixel of a line with planes has the largest of their codes at its centre, as a face has it. A
+ * line without planes has the same depth at all pixels of a column, or of a row if it is steep: the
+ * one between those of its ends, off by less than 2^-25 of itself, and not beyond either. */
+void fxl_paint_wide_line(const fxl_line_canvas *canvas, const fxl_painted_line *line);
+
+/* The rows of a screen that the pixels of a line may reach. */
+fxl_rows fxl_rows_of_line(const fxl_painted_line *line, uint16_t height);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
