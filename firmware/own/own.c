@@ -279,6 +279,7 @@ fxl_status __wrap_fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
         return status;
     }
     drawn.spent += clock_instructions() - before;
+    system_alive(); /* a program may draw over each band for long */
     note(renderer, band->width, band->first_row, (uint32_t)band->first_row + band->rows);
     if (&own_has_display_rows == NULL) {
         if (band->columns != 0 && band->columns != band->width) {

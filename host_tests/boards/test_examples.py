@@ -50,7 +50,7 @@ int main(void)
 
 def test_the_page_has_every_example_once():
     assert len(NAMES) >= 12 and sorted(NAMES) == sorted(folder.name for folder in (CHECKOUT / "examples").iterdir() if folder.is_dir())
-    assert {*examples.PICTURES, *examples.BAND_PICTURES, *examples.WIDE_PICTURES} == set(NAMES) - {"game"}
+    assert {*examples.PICTURES, *examples.BAND_PICTURES, *examples.WIDE_PICTURES} == set(NAMES) - {"game", "toolpath"}
     assert sorted(file.stem for file in (CHECKOUT / "docs" / "examples").glob("*.png")) == \
         sorted(name for name in NAMES if examples.picture_of(name).parent.name == "examples")
 
@@ -206,3 +206,53 @@ def test_cures_without_a_picture(tmp_path):
     assert [len(cured(tmp_path, STRAY, *cure).models[0].faces) for cure in ((), ('without = ["stray"]',))] == [9, 5]
     assert not cured(tmp_path, CONE).surfaces
     assert [kind.flags & image_surface.BLENDED for kind in cured(tmp_path, CONE, "blend = true").surfaces.surfaces] == [image_surface.BLENDED]
+
+
+# The bands of examples/toolpath, each once it is drawn: when the next one is filled, and at the end.
+TOOLPATH = """
+#define main toolpath_main
+#include "TOOLPATH"
+#undef main
+#include <stdio.h>
+void __real_fxl_frame_fill(const fxl_renderer *of, const fxl_band *band, uint8_t colour);
+void __wrap_fxl_frame_fill(const fxl_renderer *of, const fxl_band *band, uint8_t colour);
+void __wrap_fxl_frame_fill(const fxl_renderer *of, const fxl_band *band, uint8_t colour)
+{
+    if (band->first_row > 0) { fwrite(pixels, 1, sizeof pixels, stdout); }
+    __real_fxl_frame_fill(of, band, colour);
+}
+int main(void)
+{
+    const int failed = toolpath_main();
+    fwrite(pixels, 1, sizeof pixels, stdout);
+    return failed;
+}
+"""
+RAM = 16 << 10      # of examples/toolpath, with 2 KB of it for the stack
+
+
+def toolpath(build, folder, *flags):
+    """The picture of examples/toolpath as entries of the palette."""
+    (folder / "toolpath.c").write_text(TOOLPATH.replace("TOOLPATH", str(CHECKOUT / "examples" / "toolpath" / "main.c")), encoding="utf-8")
+    subprocess.run(["gcc", *FLAGS, "-O2", *flags, f"-I{folder}", "toolpath.c", str(build / "host/libfixel.a"), "-Wl,--wrap=fxl_frame_fill",
+                    "-o", "toolpath"], cwd=folder, check=True)
+    return numpy.frombuffer(subprocess.run(["./toolpath"], cwd=folder, capture_output=True, check=True).stdout, numpy.uint8).reshape(128, 128)
+
+
+def test_a_tool_path_of_any_length_is_drawn_in_bands(build, tmp_path):
+    """Bands of any rows have the pixels of the frame that is drawn whole. The part in the vase is hidden by the moves before it."""
+    scene = examples.write_scene(tmp_path)
+    drawn = toolpath(build, tmp_path)
+    assert numpy.array_equal(drawn, toolpath(build, tmp_path, "-DROWS=128"))
+    assert numpy.array_equal(numpy.array(scene.palette, numpy.uint8)[drawn],
+                             numpy.array(Image.open(examples.picture_of("toolpath")).convert("RGB")))
+    assert not numpy.array_equal(drawn, toolpath(build, tmp_path, "-DMOVES=1000u"))
+
+
+def test_a_tool_path_takes_16_kb_of_ram(tmp_path):
+    examples.write_scene(tmp_path)
+    subprocess.run(["arm-none-eabi-gcc", "-mcpu=cortex-m0", "-mthumb", *FLAGS, "-O2", "-c", f"-I{tmp_path}",
+                    str(CHECKOUT / "examples" / "toolpath" / "main.c"), "-o", "toolpath.o"], cwd=tmp_path, check=True)
+    said = subprocess.run(["arm-none-eabi-size", "toolpath.o"], cwd=tmp_path, text=True, capture_output=True, check=True).stdout
+    _, data, bss, *_ = map(int, said.splitlines()[1].split()[:4])
+    assert data + bss + (2 << 10) <= RAM, said
