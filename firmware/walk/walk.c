@@ -45,6 +45,12 @@ static fxl_cached_vertex *const cache = NULL; /* every face works its vertices o
 static fxl_setup_plan plan;
 static fxl_setup setup;
 
+#if defined WALK_IN_PARTS
+#define PART
+#else
+#define PART static
+#endif
+
 /* Of a program without a debugger, which has no host to end for: the path is drawn again and again. */
 #if defined WALK_REPEATS
 #define REPEATS true
@@ -312,7 +318,7 @@ static int draw_bands(uint32_t frame, uint32_t border, stopwatch *watch)
     return SYSTEM_EXIT_DONE;
 }
 
-int walk_frame(walk_path *path, uint32_t frame)
+PART int walk_frame(walk_path *path, uint32_t frame)
 {
     const uint32_t held = walk_path_wants_keys(path) ? input_keys() : 0;
     const uint32_t border = border_of(frame, setup.config.width);
@@ -364,7 +370,7 @@ static int draw_frames(walk_path *path, uint32_t frames)
     return SYSTEM_EXIT_DONE;
 }
 
-int walk_open(walk_path *path)
+PART int walk_open(walk_path *path)
 {
     fxl_scene_image *const image = &band_pixels.opening.image;
     int code = open_scene(image);
@@ -392,7 +398,7 @@ static int draw_path(walk_path *path, uint32_t frames)
     return code;
 }
 
-int walk_show(uint32_t frames)
+PART int walk_show(uint32_t frames)
 {
     if (!journal_open(frames)) {
         system_text("walk: the journal could not be opened\n");

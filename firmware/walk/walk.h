@@ -13,7 +13,9 @@
  * take what they need (plan.h). The board's board.mk sets both. */
 int walk(void);
 
-/* The parts of it, for a program that does not wait until all frames are drawn. They return a code as walk does. */
+#if defined WALK_IN_PARTS
+/* The parts of it, for a program that does not wait until all frames are drawn. They return a code as walk does. Other programs have them
+ * inside walk, which takes less stack. */
 
 /* Opens the board's scene, and sets the renderer and the path up. When it is called again, the scene begins as it was made. */
 int walk_open(walk_path *path);
@@ -23,5 +25,6 @@ int walk_show(uint32_t frames);
 
 /* Draws a frame and goes on along the path. Requires walk_show. */
 int walk_frame(walk_path *path, uint32_t frame);
+#endif
 
 #endif

@@ -7,7 +7,7 @@ WEB_OUT := $(BUILD)/web
 WEB_MODULE := $(WEB_OUT)/walk.wasm
 WEB_CC := clang --target=wasm32 -O2 -std=c11 -ffreestanding -fno-builtin -Wall -Wextra -Werror
 # The room of a board: two bands of a frame of 1024 x 1024 pixels of two bytes, with a depth buffer of 32 bits.
-WEB_ROOM := WALK_BAND_BYTES=1048576 WALK_ORDER_ENTRIES=131072 WALK_LIST_BYTES=12582912 WALK_CACHE_ENTRIES=1024
+WEB_ROOM := WALK_IN_PARTS WALK_BAND_BYTES=1048576 WALK_ORDER_ENTRIES=131072 WALK_LIST_BYTES=12582912 WALK_CACHE_ENTRIES=1024
 WEB_SOURCES := $(filter-out %/main.c,$(PROGRAM_SOURCES.walk)) firmware/web/web.c boards/parts/memory_functions.c
 WEB_OBJECTS = $(patsubst %.c,$(WEB_OUT)/%.o,$(WEB_SOURCES) $(filter $(LIB_SOURCES),$(patsubst %,lib/%.c,$(call LIB_NEEDED,$(WEB_SOURCES)))))
 
