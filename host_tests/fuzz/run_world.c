@@ -187,7 +187,73 @@ static void demand_change(any_world *of, fuzz_input *in)
     }
 }
 
-static void demand_frame(fxl_renderer *renderer, fuzz_input *in)
+/* The places of the instances that may be moved. Two handles may be of one. */
+static void find_places(any_world *of, fxl_point *at, bool *may_move)
+{
+    for (uint32_t i = 0; i < PLACES; i++) {
+        const fxl_instance *found = fxl_world_instance(&of->world, of->handles[i]);
+        may_move[i] = false;
+        if (found != NULL) {
+            at[i] = found->centre;
+            may_move[i] = fxl_world_move(&of->world, of->handles[i], &at[i]) == FXL_OK;
+        }
+    }
+}
+
+static void move_all(any_world *of, const fxl_point *at, const bool *may_move, fxl_q16_16 step)
+{
+    for (uint32_t i = 0; i < PLACES; i++) {
+        if (may_move[i]) {
+            const fxl_point centre = {at[i].x, at[i].y + step, at[i].z};
+            (void)fxl_world_move(&of->world, of->handles[i], &centre);
+        }
+    }
+}
+
+/* Draws the frame of a pose whole, and what changed over the frame before it: both are the same. */
+static void demand_boxes(fxl_changed *changed, fxl_renderer *renderer, const fxl_pose *pose,
+                         uint8_t *built)
+{
+    static uint8_t pixels[PIXELS];
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    const fxl_band band = draw_band(lens, pixels, 0, lens->height);
+    DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
+    DEMAND(fxl_changed_find(changed, renderer) == FXL_OK);
+    fxl_fill_band(&band, DRAW_BACKGROUND);
+    DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
+    for (uint32_t i = 0; i < changed->count; i++) {
+        const fxl_screen_box *box = &changed->boxes[i];
+        fxl_band part =
+            draw_band(lens, built + (size_t)box->first_row * lens->width + box->first_column,
+                      box->first_row, box->rows);
+        part.first_column = box->first_column;
+        part.columns = box->columns;
+        fxl_fill_band(&part, DRAW_BACKGROUND);
+        DEMAND(fxl_frame_draw(renderer, &part) == FXL_OK);
+    }
+    DEMAND(memcmp(pixels, built, (size_t)lens->width * lens->height) == 0);
+    DEMAND(fxl_frame_end(renderer) == FXL_OK);
+}
+
+/* A picture that is built up from boxes while the instances move. It leaves the world as it was. */
+static void demand_changes(any_world *of, fxl_renderer *renderer, const fxl_pose *pose)
+{
+    static uint64_t kept[FXL_CHANGED_MEMORY(PLACES, PLACEMENTS, 0, 0)];
+    static uint8_t built[PIXELS];
+    static fxl_point at[PLACES];
+    static bool may_move[PLACES];
+    fxl_changed changed;
+    DEMAND(fxl_changed_init(&changed, kept, sizeof kept) == FXL_OK);
+    find_places(of, at, may_move);
+    for (int i = 0; i < 3; i++) {
+        demand_boxes(&changed, renderer, pose, built);
+        DEMAND(i != 0 || changed.whole);
+        move_all(of, at, may_move, i == 0 ? 4000 : 0);
+    }
+    DEMAND(changed.count <= FXL_CHANGED_BOXES_MAX);
+}
+
+static void demand_frame(any_world *of, fxl_renderer *renderer, fuzz_input *in)
 {
     static uint8_t pixels[PIXELS];
     const fxl_lens *lens = &renderer->frame.view.lens;
@@ -200,6 +266,7 @@ static void demand_frame(fxl_renderer *renderer, fuzz_input *in)
     DEMAND(renderer->workspace.counters.in == draw_model_view(renderer->scene));
     record_band(&band);
     record_bytes(&renderer->workspace.counters, sizeof renderer->workspace.counters);
+    demand_changes(of, renderer, &pose);
 }
 
 /* A frame that is released stays as it is, whatever changes. */
@@ -275,7 +342,7 @@ static void play(any_world *of, const fxl_lens *lens, fuzz_input *in)
             if (fuzz_below(in, 4) == 0) {
                 fuzz_set_light(&renderer, &light, in);
             }
-            demand_frame(&renderer, in);
+            demand_frame(of, &renderer, in);
         } else if (what == 1) {
             const fxl_pose pose = fuzz_pose(in);
             DEMAND(fxl_frame_begin(&renderer, &pose) == FXL_OK);
@@ -286,7 +353,7 @@ static void play(any_world *of, const fxl_lens *lens, fuzz_input *in)
             demand_change(of, in);
         }
     }
-    demand_frame(&renderer, in);
+    demand_frame(of, &renderer, in);
     DEMAND(fxl_world_detach(&of->world, &renderer) == FXL_OK);
     DEMAND(fxl_world_detach(&of->world, &renderer) == FXL_E_INDEX);
     misuse_world(&of->world, &renderer);
@@ -311,8 +378,17 @@ static fxl_scene squares(bool with_tree)
                                         {4, 4, 2, 2, FXL_MODEL_SORTED, 0, 0, 2 * SIDE, 0}};
     static const fxl_instance instances[3] = {
         {{0, 0, 5 * SIDE}, 0, 0, 0}, {{0, 0, 7 * SIDE}, 1, 0, 0}, {{SIDE, 0, 6 * SIDE}, 0, 1, 0}};
-    static const fxl_bsp_node node = {
-        {0, 0, FXL_Q2_30_ONE}, 0, 0, FXL_BSP_NONE, FXL_BSP_NONE, FXL_BSP_NONE, 0, 2, 0, {0, 0, 0}, 2 * SIDE};
+    static const fxl_bsp_node node = {{0, 0, FXL_Q2_30_ONE},
+                                      0,
+                                      0,
+                                      FXL_BSP_NONE,
+                                      FXL_BSP_NONE,
+                                      FXL_BSP_NONE,
+                                      0,
+                                      2,
+                                      0,
+                                      {0, 0, 0},
+                                      2 * SIDE};
     fxl_scene scene = SCENE_OF(vertices, indices, faces, models, instances);
     if (with_tree) {
         scene.bsp_nodes = &node;

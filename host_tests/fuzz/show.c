@@ -199,7 +199,8 @@ static void fuzz_pump(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *ey
     static fxl_pump pump;
     const uint32_t format = fuzz_below(in, FORMATS + 1);
     fuzz_wires wires = {0, fuzz_below(in, 2) ? UINT32_MAX - 1u : fuzz_below(in, 20), NULL, 0};
-    const fxl_pump_sink sink = {&wires, start, wait}, no_sink = {&wires, NULL, wait};
+    const fxl_pump_sink sink = {.user = &wires, .start = start, .wait = wait},
+                        no_sink = {.user = &wires, .wait = wait};
     fxl_pump_config config = {NULL, WIDTH, HEIGHT, (uint16_t)fuzz_below(in, HEIGHT + 2), NULL};
     if (format < FORMATS) {
         DEMAND(fxl_pixels_init(&pixels, formats[format], palette) == FXL_OK);
@@ -321,7 +322,8 @@ static void demand_refusals(fuzz_input *in)
     static fxl_pump pump;
     fuzz_wires wires = {0, 0, NULL, 0};
     const fxl_display_port port = {&wires, send, NULL, NULL, pause};
-    const fxl_pump_sink sink = {&wires, start, wait}, no_wait = {&wires, start, NULL};
+    const fxl_pump_sink sink = {.user = &wires, .start = start, .wait = wait},
+                        no_wait = {.user = &wires, .start = start};
     const fxl_display_config config = fxl_display_config_default(&fxl_ssd1306, 0);
     fxl_pump_config shape = {NULL, 4, 4, 1, NULL};
     uint16_t *const sides[] = {&shape.width, &shape.height, &shape.rows};

@@ -118,7 +118,7 @@ static fxl_status set_up_pump(int what, size_t by)
                                     .height = HEIGHT,
                                     .rows = 4,
                                     .palette = (const uint16_t *)moved(colours, what, PALETTE, by)};
-    const fxl_pump_sink sink = {NULL, start_to_send, wait_for_it};
+    const fxl_pump_sink sink = {.start = start_to_send, .wait = wait_for_it};
     return fxl_pump_init(&pump, &config, &sink, moved(room, what, MEMORY, by), sizeof room - 8);
 }
 

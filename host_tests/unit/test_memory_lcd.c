@@ -39,7 +39,10 @@ static bool send(void *user, bool is_data, const uint8_t *message, size_t size)
         clears++;
         return true;
     }
-    TEST_ASSERT_EQUAL(1, bit_of(message, 0));
+    if (bit_of(message, 0) == 0) { /* the polarity alone */
+        TEST_ASSERT_EQUAL(2, size);
+        return true;
+    }
     TEST_ASSERT_EQUAL(4u + columns / 8u, size);
     for (uint32_t i = 0; i < 8; i++) {
         row |= bit_of(message, 8u + i) << i;
@@ -176,4 +179,24 @@ void test_what_it_can_not_be_is_not_opened(void)
         TEST_ASSERT_EQUAL(FXL_E_DISPLAY, fxl_display_open(&display, &config, &port, palette));
         TEST_ASSERT_EQUAL(0, sends);
     }
+}
+
+/* changed 4.4b */
+void test_the_voltage_alternates_without_a_frame(void)
+{
+    fxl_display other = {0};
+    open_small();
+    for (uint32_t i = 0; i < 4; i++) {
+        const bool before = polarity;
+        const uint32_t count = sends;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_display_alternate(&display));
+        TEST_ASSERT_EQUAL(count + 1u, sends);
+        TEST_ASSERT_TRUE(i == 0 || polarity != before);
+    }
+    refused = sends;
+    TEST_ASSERT_EQUAL(FXL_E_DISPLAY, fxl_display_alternate(&display));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_display_alternate(NULL));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_alternate(&other));
+    other.driver = &fxl_st7789;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_alternate(&other));
 }

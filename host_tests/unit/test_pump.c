@@ -51,7 +51,7 @@ static bool wait(void *user)
     return !is_wait_broken;
 }
 
-static const fxl_pump_sink sink = {&wires, start, wait};
+static const fxl_pump_sink sink = {.user = &wires, .start = start, .wait = wait};
 
 static fxl_pose pose_number(int number)
 {
@@ -328,7 +328,8 @@ void test_a_transfer_that_fails_ends_the_frame(void)
 void test_what_a_pump_is_not_set_up_with(void)
 {
     fxl_pump_config config = {NULL, WIDTH, HEIGHT, 4, NULL};
-    const fxl_pump_sink no_start = {&wires, NULL, wait}, no_wait = {&wires, start, NULL};
+    const fxl_pump_sink no_start = {.user = &wires, .wait = wait},
+                        no_wait = {.user = &wires, .start = start};
     const size_t size = fxl_pump_memory_size(&config);
     fxl_pump untouched;
     TEST_ASSERT_EQUAL(2 * WIDTH * 4, size);
@@ -392,7 +393,7 @@ void test_what_a_pump_is_not_called_with(void)
     rows.width = WIDTH - 1;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_send_rows(&pump, &rows));
     rows.width = WIDTH;
-    rows.columns = WIDTH; /* a part of each row, even if it is all */
+    rows.columns = WIDTH - 1; /* the sink takes whole rows */
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_send_rows(&pump, &rows));
     rows.columns = 0;
     rows.stride = WIDTH - 1;

@@ -110,27 +110,36 @@ static fxl_outcome emit(const fxl_traversal *traversal, uint32_t model,
     return outcome;
 }
 
-/* What becomes of an instance that shows a billboard. */
+/* fxl_billboard_code.place: what becomes of an instance that shows a billboard, where its centre is
+ * in the view, and its corners on the screen. */
 /* billboards 2.2, 2.3 */
-static fxl_outcome submit_sprite(const fxl_traversal *traversal, uint32_t number, uint32_t model,
-                                 const fxl_billboard *billboard)
+static fxl_clip_result place(const fxl_view *view, const fxl_scene *scene, uint32_t number,
+                             const fxl_billboard *billboard, fxl_view_point *centre,
+                             fxl_screen_point *corners)
 {
-    const fxl_scene *scene = traversal->renderer->scene;
-    const fxl_view *view = &traversal->renderer->frame.view;
     const fxl_q16_16 scale = fxl_placement_code_of(scene, number) != NULL
                                  ? fxl_placement_of(scene, number)->scale
                                  : 65536;
+    fxl_transform_point(&view->camera, &scene->instances[number].centre, centre);
+    if (centre->z < view->view_frustum.near_z || centre->z > view->view_frustum.far_z) {
+        return FXL_CLIP_OUTSIDE;
+    }
+    if (!find_corners(view, centre, billboard, scale, corners)) {
+        return FXL_CLIP_RANGE;
+    }
+    return is_beside_screen(&view->lens, corners) ? FXL_CLIP_OUTSIDE : FXL_CLIP_INSIDE;
+}
+
+FXL_COLD static fxl_outcome submit_sprite(const fxl_traversal *traversal, uint32_t number, uint32_t model,
+                                 const fxl_billboard *billboard)
+{
     fxl_view_point centre;
     fxl_screen_point corners[2];
-    fxl_transform_point(&view->camera, &scene->instances[number].centre, &centre);
-    if (centre.z < view->view_frustum.near_z || centre.z > view->view_frustum.far_z) {
-        return 1u << FXL_CLIP_OUTSIDE;
-    }
-    if (!find_corners(view, &centre, billboard, scale, corners)) {
-        return 1u << FXL_CLIP_RANGE;
-    }
-    if (is_beside_screen(&view->lens, corners)) {
-        return 1u << FXL_CLIP_OUTSIDE;
+    const fxl_view *view = &traversal->renderer->frame.view;
+    const fxl_clip_result result =
+        place(view, traversal->renderer->scene, number, billboard, &centre, corners);
+    if (result != FXL_CLIP_INSIDE) {
+        return 1u << result;
     }
     const fxl_orthographic_code *code = fxl_orthographic_of(&view->lens);
     return 1u << FXL_CLIP_INSIDE |
@@ -139,7 +148,7 @@ static fxl_outcome submit_sprite(const fxl_traversal *traversal, uint32_t number
 }
 
 /* fxl_instance_submit. The one face of a model with a billboard is done or not. */
-static inline bool submit_by(const fxl_traversal *traversal, const fxl_draw_entry *entry,
+static bool submit_by(const fxl_traversal *traversal, const fxl_draw_entry *entry,
                              fxl_instance_submit *submit_faces)
 {
     const fxl_billboard_set *set = traversal->renderer->billboards->set;
@@ -173,7 +182,7 @@ static bool submit(const fxl_traversal *traversal)
     return fxl_submit_all(traversal, traversal->renderer->billboards->code->instance);
 }
 
-static const fxl_billboard_code with_eye = {submit, submit_any, &fxl_by_distance_with_billboards};
+static const fxl_billboard_code with_eye = {submit, submit_any, place, &fxl_by_distance_with_billboards};
 const fxl_order fxl_by_distance_with_billboards = {.submit = submit};
 
 static const fxl_orthographic_code *orthographic_of(const fxl_renderer *renderer)
@@ -193,7 +202,7 @@ static bool submit_flat(const fxl_traversal *traversal)
 }
 
 /* Those of an orthographic lens. */
-static const fxl_billboard_code without_eye = {submit_flat, submit_any_flat, NULL};
+static const fxl_billboard_code without_eye = {submit_flat, submit_any_flat, place, NULL};
 static const fxl_order by_depth = {.submit = submit_flat};
 
 /* --- attaching -------------------------------------------------------------------------- */
@@ -253,6 +262,7 @@ fxl_status fxl_attach_billboards(fxl_renderer *renderer, fxl_billboards *billboa
         change_order(renderer, with, without);
     }
     renderer->check = fxl_check_combination;
+    fxl_view_count_change(&renderer->frame.view);
     renderer->frame.state = FXL_FRAME_NONE;
     return FXL_OK;
 }

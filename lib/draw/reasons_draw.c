@@ -2,6 +2,7 @@
 /* What the functions of these headers refuse. */
 #include "fixel/beams.h"
 #include "fixel/billboards.h"
+#include "fixel/changed.h"
 #include "fixel/light.h"
 #include "fixel/lines.h"
 #include "fixel/render.h"
@@ -42,6 +43,17 @@ const char fxl_billboards_reasons[] =
     "bits 0\0"
     ON_RADIUS "radius of a model with a billboard must reach all corners of the billboard "
     "from its anchor\0";
+
+const char fxl_changed_reasons[] =
+    ON_ARGUMENT "changed, memory, renderer and box must not be null\0"
+    ON_RANGE "a box must have pixels and lie within the frame; columns must be 0, 1, 2, 4 or 8, and "
+    "rows 1, 2, 4 or 8\0"
+    ON_CAPACITY "memory_size must be at least that of FXL_CHANGED_MEMORY for the instances, models "
+    "and billboards that the renderer has\0"
+    ON_ORDER "fxl_changed_init must answer FXL_OK first, then fxl_frame_begin, then "
+    "fxl_changed_find before the frame ends or its scene is released\0"
+    ON_ALIGNMENT "memory must be aligned to 8 bytes: make it an array of uint64_t\0"
+    ON_INDEX "model must be below scene->model_count\0";
 
 const char fxl_lines_reasons[] =
     ON_ARGUMENT "renderer, lines, set->line_map, set->lines, line and band must not be null\0"

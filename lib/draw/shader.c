@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The shaders of a renderer, in the order of their ranks. A file of its own, so that a program
  * without shaders does not link it. */
+#include "../view/view.h"
 #include "submit.h"
 
 void fxl_renderer_set_shader(fxl_renderer *renderer, uint32_t rank, fxl_shader *shader)
@@ -19,6 +20,7 @@ void fxl_renderer_set_shader(fxl_renderer *renderer, uint32_t rank, fxl_shader *
         following = shader;
     }
     *place = following;
+    fxl_view_count_change(&renderer->frame.view);
     renderer->frame.state = FXL_FRAME_NONE;
 }
 

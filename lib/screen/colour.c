@@ -75,9 +75,9 @@ static bool send_command(const fxl_display *display, const uint8_t *command, siz
 
 static const uint8_t turn_on[] = {1, DISPLAY_ON, 0};
 
-const fxl_display_family fxl_display_colour = {&fxl_pixels_rgb565, set_up,       send_rows,
-                                               send_command,       turn_on,      EXCHANGES,
-                                               MIRRORS_COLUMNS,    MIRRORS_ROWS, 0};
-const fxl_display_family fxl_display_colour_18 = {&fxl_pixels_rgb666, set_up,       send_rows,
-                                                  send_command,       turn_on,      EXCHANGES,
-                                                  MIRRORS_COLUMNS,    MIRRORS_ROWS, 0};
+const fxl_display_family fxl_display_colour = {
+    &fxl_pixels_rgb565, set_up,       send_rows, send_command, turn_on, EXCHANGES,
+    MIRRORS_COLUMNS,    MIRRORS_ROWS, 0,         false};
+const fxl_display_family fxl_display_colour_18 = {
+    &fxl_pixels_rgb666, set_up,       send_rows, send_command, turn_on, EXCHANGES,
+    MIRRORS_COLUMNS,    MIRRORS_ROWS, 0,         false};

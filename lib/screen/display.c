@@ -29,23 +29,34 @@ static uint32_t columns_beyond_address(const fxl_display_family *family, uint32_
     return column & family->columns_less_1;
 }
 
-static bool start(void *user, uint16_t first_row, uint16_t rows, const uint8_t *bytes, size_t size)
+/* changed 4.3 */
+static bool start_box(void *user, const fxl_screen_box *box, const uint8_t *bytes, size_t size)
 {
     fxl_display *display = (fxl_display *)user;
+    const fxl_display_family *family = display->driver->family;
     const fxl_pixel_format *format = display->pixels.format;
-    /* send_rows reads as many bytes as the frame's rows have. Rows that do not begin with a page
-     * reach into one page more than their bytes are for. */
-    if (rows == 0 || rows_beyond_page(format, first_row) != 0 ||
-        first_row + rows > display->frame_height ||
-        size != fxl_pixels_size(format, display->frame_width, rows)) {
+    const uint32_t end = (uint32_t)box->first_column + box->columns;
+    const uint32_t sides = box->first_column | (end != display->frame_width ? end : 0u);
+    /* send_rows reads as many bytes as the box has. Rows that do not begin with a page, and columns
+     * that do not begin or end with an address, reach into one more than their bytes are for. */
+    if (box->rows == 0 || box->first_row + box->rows > display->frame_height ||
+        end > display->frame_width ||
+        (rows_beyond_page(format, box->first_row) | columns_beyond_address(family, sides)) != 0 ||
+        size != fxl_pixels_size(format, box->columns, box->rows)) {
         return false;
     }
-    if (first_row == 0) {
+    if (box->first_row == 0) {
         display->frame++;
     }
-    return display->driver->family->send_rows(display, display->left,
-                                              (uint16_t)(display->top + first_row),
-                                              display->frame_width, rows, bytes, size);
+    return family->send_rows(display, (uint16_t)(display->left + box->first_column),
+                             (uint16_t)(display->top + box->first_row), box->columns, box->rows,
+                             bytes, size);
+}
+
+static bool start(void *user, uint16_t first_row, uint16_t rows, const uint8_t *bytes, size_t size)
+{
+    const fxl_screen_box box = {0, ((const fxl_display *)user)->frame_width, first_row, rows};
+    return start_box(user, &box, bytes, size);
 }
 
 static bool wait_for_port(const fxl_display_port *port)
@@ -269,6 +280,8 @@ FXL_COLD fxl_status fxl_display_open(fxl_display *display, const fxl_display_con
     display->sink.user = display;
     display->sink.start = start;
     display->sink.wait = wait;
+    display->sink.start_box = family->takes_whole_rows ? NULL : start_box;
+    display->sink.columns_less_1 = family->columns_less_1;
     (void)fxl_pixels_init(&display->pixels, family->format, palette);
     display->left = config->left; /* the frame fills the glass */
     display->top = config->top;

@@ -82,6 +82,23 @@ static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, u
     return true;
 }
 
+/* A message without rows. */
+/* changed 4.4 */
+fxl_status fxl_display_alternate(fxl_display *display)
+{
+    if (display == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (display->driver == NULL || display->driver->family != &fxl_display_memory_lcd) {
+        return FXL_E_RANGE;
+    }
+    display->frame++;
+    const uint8_t message[] = {(uint8_t)alternation(display), 0};
+    return display->sink.wait(display) && send_message(display, message, sizeof message)
+               ? FXL_OK
+               : FXL_E_DISPLAY;
+}
+
 /* Nothing turns it on but a pin. */
 const fxl_display_family fxl_display_memory_lcd = {
-    &fxl_pixels_mono_rows, set_up, send_rows, send_message, NULL, 0, 0, 0, 0};
+    &fxl_pixels_mono_rows, set_up, send_rows, send_message, NULL, 0, 0, 0, 0, true};

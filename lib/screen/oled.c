@@ -119,10 +119,10 @@ static const uint8_t turn_on[] = {1, DISPLAY_ON, 0};
 /* Bits of their access. With greys the two pixels of a byte are mirrored apart from the addresses:
  * bit 1 of an SSD1327, which bit 0 goes with. An SSD1322 mirrors both by bit 1. */
 const fxl_display_family fxl_display_ssd1351 = {
-    &fxl_pixels_rgb565, set_up, send_rows, send_apart, turn_on, 0x01, 0x02, 0x10, 0};
+    &fxl_pixels_rgb565, set_up, send_rows, send_apart, turn_on, 0x01, 0x02, 0x10, 0, false};
 const fxl_display_family fxl_display_ssd1331 = {
-    &fxl_pixels_rgb565, set_up, send_rows, send_whole, turn_on, 0x01, 0x02, 0x10, 0};
+    &fxl_pixels_rgb565, set_up, send_rows, send_whole, turn_on, 0x01, 0x02, 0x10, 0, false};
 const fxl_display_family fxl_display_ssd1327 = {
-    &fxl_pixels_grey4, set_up, send_greys, send_whole, turn_on, 0, 0x03, 0x10, 1};
+    &fxl_pixels_grey4, set_up, send_greys, send_whole, turn_on, 0, 0x03, 0x10, 1, false};
 const fxl_display_family fxl_display_ssd1322 = {
-    &fxl_pixels_grey4, set_up, send_greys, send_apart, turn_on, 0, 0x02, 0x10, 3};
+    &fxl_pixels_grey4, set_up, send_greys, send_apart, turn_on, 0, 0x02, 0x10, 3, false};

@@ -145,13 +145,14 @@ static bool send_rows_pcd8544(const fxl_display *display, uint16_t left, uint16_
 static const uint8_t turn_on[] = {1, DISPLAY_ON, 0};
 
 const fxl_display_family fxl_display_pages = {
-    &fxl_pixels_mono_pages, set_up, send_rows, send_commands, turn_on, 0, 1, 8, 0};
+    &fxl_pixels_mono_pages, set_up, send_rows, send_commands, turn_on, 0, 1, 8, 0, false};
 const fxl_display_family fxl_display_sh1107 = {
-    &fxl_pixels_mono_pages, set_up_columns, send_rows, send_commands, turn_on, 0, 8, 1, 0};
+    &fxl_pixels_mono_pages, set_up_columns, send_rows, send_commands, turn_on, 0, 8, 1, 0, false};
 const fxl_display_family fxl_display_st7565 = {
-    &fxl_pixels_mono_pages, set_up_st7565, send_rows, send_commands, turn_on, 0, 1, 8, 0};
+    &fxl_pixels_mono_pages, set_up_st7565, send_rows, send_commands, turn_on, 0, 1, 8, 0, false};
 
 static const uint8_t power_on[] = {1, POWER_ON, 0};
 
 const fxl_display_family fxl_display_pcd8544 = {
-    &fxl_pixels_mono_pages, set_up_pcd8544, send_rows_pcd8544, send_commands, power_on, 0, 0, 0, 0};
+    &fxl_pixels_mono_pages, set_up_pcd8544, send_rows_pcd8544, send_commands, power_on, 0, 0, 0, 0,
+    false};

@@ -10,7 +10,8 @@ const char fxl_display_reasons[] =
     ON_ARGUMENT "display, config, port and palette must not be null, nor port->send and "
     "port->pause, nor port->wait beside port->start\0"
     ON_RANGE "config->driver must be a driver, config->left + width and top + height "
-    "within its memory; a frame 1..width and 1..height of the glass\0"
+    "within its memory; a frame 1..width and 1..height of the glass; a memory LCD "
+    "for fxl_display_alternate\0"
     ON_DISPLAY "port->send, start and wait must return true: look at the wires and the "
     "clock, then open the display again\0";
 
@@ -34,12 +35,14 @@ const char fxl_pixels_reasons[] =
     ON_ALIGNMENT "out must be aligned to 4 bytes, pixels and palette of RGB565 to 2\0";
 
 const char fxl_pump_reasons[] =
-    ON_ARGUMENT "pump, config, sink with its functions, memory, renderer, eye and rows must "
-    "not be null\0"
+    ON_ARGUMENT "pump, config, sink with its functions, memory, renderer, eye, changed, box and "
+    "rows must not be null\0"
     ON_RANGE "config->width and height must be 1..1024 and those of renderer and rows, "
-    "config->rows 1..height and with pages a multiple of 8; eye->position "
+    "config->rows 1..height and with pages a multiple of 8; a box and columns must "
+    "begin and end as fxl_pump_steps says; eye->position "
     "within FXL_UNITS(-8191)..FXL_UNITS(8191)\0"
-    ON_CAPACITY "memory_size must be at least fxl_pump_memory_size(config)\0"
+    ON_CAPACITY "memory_size must be at least fxl_pump_memory_size(config), and that of "
+    "fxl_changed_init FXL_CHANGED_MEMORY for the scene\0"
     ON_ORDER "pump has no band, or was never set up: fxl_pump_init and fxl_pump_begin "
     "must answer FXL_OK first; renderer must be initialised\0"
     ON_ALIGNMENT "memory must be aligned to 8 bytes, config->palette and pixels of RGB565 to "

@@ -25,6 +25,13 @@ static inline fxl_q16_16 fxl_view_drawn_focal(const fxl_view *view)
  * it together with view->camera. */
 fxl_lens fxl_view_drawn_lens(const fxl_view *view);
 
+/* Counts a change of what is attached to the renderer of a view as a frame: so fxl_changed_find sees
+ * it (lib/draw/changed.c). Before the first frame it counts nothing. */
+static inline void fxl_view_count_change(fxl_view *view)
+{
+    view->frame += view->frame != 0;
+}
+
 /* Sets the pose, which begins the next frame. Requires and rounds as
  * fxl_camera_from_pose; right and up of an off-centre lens are rounded once more, and within 4
  * units of 2^-30 of the exact ones. Requires a view that fxl_view_set_lens set up.

@@ -7,6 +7,7 @@
 #include "fixel/beams.h"
 #include "fixel/billboards.h"
 #include "fixel/camera.h"
+#include "fixel/changed.h"
 #include "fixel/collide.h"
 #include "fixel/crc.h"
 #include "fixel/display.h"

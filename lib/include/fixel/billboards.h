@@ -40,10 +40,13 @@ extern const fxl_sprite_painter fxl_palette_sprites, fxl_palette_depth_16_sprite
     fxl_rgb565_depth_32_sprites;
 #define FXL_SPRITES_OF(target) (&target##_sprites)
 
-/* How an order submits instances that may show a billboard. */
+/* How an order submits instances that may show a billboard, and where one is on the screen. */
 typedef struct {
     bool (*all)(const fxl_traversal *traversal); /* by distance */
     bool (*instance)(const fxl_traversal *traversal, const fxl_draw_entry *entry);
+    fxl_clip_result (*place)(const fxl_view *view, const fxl_scene *scene, uint32_t number,
+                             const fxl_billboard *billboard, fxl_view_point *centre,
+                             fxl_screen_point *corners);
     const fxl_order *order; /* by distance, whose submit is `all` */
 } fxl_billboard_code;
 

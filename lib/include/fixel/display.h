@@ -101,9 +101,10 @@ typedef struct {
  * Members are for reading only.
  *
  * A pump of this sink must have the width of the frame and the display's pixels, and at most the
- * height of the frame. sink.start sends nothing and returns false if the rows are none or not all
- * within the frame, if `size` is not fxl_pixels_size(pixels.format, frame_width, rows), or if the
- * first row is not the first one of a page. The pump then answers FXL_E_DISPLAY. */
+ * height of the frame. sink.start and start_box send nothing and return false if the rows are none,
+ * if rows or columns are not all within the frame, if `size` is not fxl_pixels_size of them, if the
+ * first row is not the first one of a page, or if columns do not begin and end with an address. The
+ * pump then answers FXL_E_DISPLAY. A memory LCD has no start_box. */
 typedef struct fxl_display {
     const fxl_display_driver *driver;
     const fxl_display_port *port;
@@ -150,6 +151,15 @@ fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *conf
  * FXL_E_RANGE: width or height is 0, or larger than that of the glass.
  * With each of these statuses: *display untouched. */
 fxl_status fxl_display_place(fxl_display *display, uint16_t width, uint16_t height);
+
+/* Alternates the voltage of a memory LCD's glass, which must change once a second: a program that
+ * sends boxes alone calls it, since only a frame that is sent from row 0 on alternates it. Waits
+ * until nothing is being sent. The display is open.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: no memory LCD.
+ * With each of these statuses: nothing is sent, *display untouched.
+ * FXL_E_DISPLAY: a send failed. */
+fxl_status fxl_display_alternate(fxl_display *display);
 
 /* What functions of this header refuse: for fxl_explain. */
 extern const char fxl_display_reasons[];

@@ -38,6 +38,7 @@ typedef struct {
 
     uint8_t columns_less_1; /* of those that an address of the memory has, where windows begin: 1,
                                2, 4 or 8 */
+    bool takes_whole_rows;  /* send_rows sends what is beside the columns as black */
 } fxl_display_family;
 
 struct fxl_display_driver {

@@ -8,8 +8,8 @@
 #ifndef FXL_PUMP_H
 #define FXL_PUMP_H
 
+#include "fixel/changed.h"
 #include "fixel/pixels.h"
-#include "fixel/render.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -27,6 +27,14 @@ typedef struct {
 
     /* Returns when nothing is being sent. Called also where nothing was started. */
     bool (*wait)(void *user);
+
+    /* Begins to send a box of the frame that has some of the columns, as start sends rows. Null: the
+     * sink takes whole rows alone, by start. */
+    bool (*start_box)(void *user, const fxl_screen_box *box, const uint8_t *bytes, size_t size);
+
+    /* A box begins and ends with multiples of columns_less_1 + 1 columns, which are 1, 2, 4 or 8, or
+     * it ends with the frame. Of 16 greys and of rows of one bit a byte has 2 and 8 pixels. */
+    uint8_t columns_less_1;
 } fxl_pump_sink;
 
 /* What a pump sends, and in which pieces. */
@@ -57,6 +65,7 @@ typedef struct {
     fxl_band band;       /* what is drawn next; no rows: the frame is done */
     uint8_t *buffers[2]; /* sent in turn; without a format they are the bands */
     size_t buffer_size;
+    uint16_t end_row;    /* of the frame, or of the box that is drawn */
     uint8_t free_buffer; /* 0 or 1: the other one may be on its way */
     bool is_begun;       /* a frame has begun, and nothing has failed */
 } fxl_pump;
@@ -88,6 +97,28 @@ fxl_status fxl_pump_init(fxl_pump *pump, const fxl_pump_config *config, const fx
  * The statuses of fxl_frame_draw and fxl_pump_send: the bands before the refused one were sent. */
 fxl_status fxl_pump_frame(fxl_pump *pump, fxl_renderer *renderer, const fxl_pose *eye);
 
+/* Draws what changed since the frame before and sends it: fxl_frame_begin, fxl_changed_find,
+ * fxl_pump_widen, and for each box its bands, as fxl_pump_frame does. A display that shows the frame
+ * before then shows this one. Where nothing changed, nothing is sent.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: a screen of another size than the pump's.
+ * FXL_E_COMBINATION: a renderer of RGB565 and a pump of palette indices, or the other way round.
+ * The statuses of fxl_frame_begin and fxl_changed_find.
+ * With each of these statuses: nothing was sent; with those of fxl_frame_begin the frame before
+ * ends where it says so.
+ * FXL_E_DISPLAY: the display failed; a part of the frame was sent, and the frame ends here. The next
+ * call draws and sends the whole frame.
+ * The statuses of fxl_frame_draw and fxl_pump_send: the bands before the refused one were sent; the
+ * next call draws and sends the whole frame. */
+fxl_status fxl_pump_changed(fxl_pump *pump, fxl_renderer *renderer, const fxl_pose *eye,
+                            fxl_changed *changed);
+
+/* fxl_changed_widen to what a pump sends: fxl_pump_steps.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: the pump was never set up, or fxl_changed_find has found nothing yet.
+ * With each of these statuses: *changed untouched. */
+fxl_status fxl_pump_widen(const fxl_pump *pump, fxl_changed *changed);
+
 /* --- the same step by step, to draw more into a band -------------------------------------------
  */
 
@@ -97,8 +128,20 @@ fxl_status fxl_pump_frame(fxl_pump *pump, fxl_renderer *renderer, const fxl_pose
  * With each of these statuses: nothing happens. */
 fxl_status fxl_pump_begin(fxl_pump *pump);
 
+/* Begins a box of a frame: fxl_pump_band then has the bands of the box, with its columns alone.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: the pump was never set up: it is all zeros.
+ * FXL_E_RANGE: a box without pixels or beyond the frame; or one that does not begin and end as fxl_pump_steps
+ * says.
+ * With each of these statuses: nothing happens. */
+fxl_status fxl_pump_begin_box(fxl_pump *pump, const fxl_screen_box *box);
+
+/* How the boxes that a pump sends begin and end: with multiples of *columns and *rows, or with the
+ * frame's end. *columns 0: with whole rows. Requires a pump that fxl_pump_init set up. */
+void fxl_pump_steps(const fxl_pump *pump, uint32_t *columns, uint32_t *rows);
+
 /* Returns the band to draw next, whose pixels are those of an earlier band. Null after the last
- * band of a frame, before the first frame, and after a failure, and for null. */
+ * band of a frame or of a box, before the first frame, and after a failure, and for null. */
 const fxl_band *fxl_pump_band(const fxl_pump *pump);
 
 /* Converts the band of fxl_pump_band, waits for the transfer before, and starts to send. Then
@@ -110,12 +153,13 @@ const fxl_band *fxl_pump_band(const fxl_pump *pump);
  * FXL_E_DISPLAY: the transfer before failed, or this one did not start; the frame ends here. */
 fxl_status fxl_pump_send(fxl_pump *pump);
 
-/* Sends rows that lie elsewhere, as fxl_pump_send does: of the pump's width, and at most as many
- * rows as its bands have. Their pixels may change as soon as it returns. It neither needs a frame
- * nor changes which band is next; without a format that band's pixels are lost.
+/* Sends rows that lie elsewhere, or some columns of them, as fxl_pump_send does: of the pump's width,
+ * and at most as many rows as its bands have. Columns begin and end as fxl_pump_steps says. Their
+ * pixels may change as soon as it returns. It neither needs a frame nor changes which band is next;
+ * without a format that band's pixels are lost.
  * FXL_E_ARGUMENT: a null pointer, no rows.
- * FXL_E_RANGE: another width, some of the columns alone, too many rows, rows beyond the frame, the
- * ranges of fxl_pixels_convert.
+ * FXL_E_RANGE: another width, columns that the pump does not send, too many rows, rows beyond the
+ * frame, the ranges of fxl_pixels_convert.
  * FXL_E_COMBINATION: a pump without a format, whose bands are RGB565 and the rows palette indices,
  * or the other way round.
  * FXL_E_ALIGNMENT: that of fxl_pixels_convert.

@@ -398,6 +398,12 @@ typedef struct {
     uint16_t columns; /* first_column + columns <= width; 0: all, and first_column is 0 */
 } fxl_band;
 
+/* A rectangle of the frame, in whole pixels. */
+typedef struct {
+    uint16_t first_column, columns;
+    uint16_t first_row, rows;
+} fxl_screen_box;
+
 /* What happened to the faces of a frame. Each face is counted once:
  * in == backfacing + outside + degenerate + refused + drawn. */
 typedef struct {

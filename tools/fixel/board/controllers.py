@@ -233,8 +233,11 @@ class MemoryLcd:
             require(not bits[0] and len(bits) == 16, "a message that clears has 16 bits")
             self.memory[:] = 1
             return
+        if not bits[0]:
+            require(len(bits) == 16, "a message that changes the polarity alone has 16 bits")
+            return
         each = 8 + self.glass.columns + 8
-        require(bits[0] and len(bits) > 16 and (len(bits) - 16) % each == 0, "a message is no mode, whole rows with their ends, and an end")
+        require(len(bits) > 16 and (len(bits) - 16) % each == 0, "a message is no mode, whole rows with their ends, and an end")
         for row in bits[8:-8].reshape(-1, each):
             number = int(row[:8] @ (1 << numpy.arange(8)))
             require(1 <= number <= self.glass.rows, f"there is no row {number}")
