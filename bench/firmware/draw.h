@@ -46,7 +46,7 @@ static inline bool draw_in_bands(fxl_renderer *renderer, const fxl_pose *pose,
         band.first_row = (uint16_t)row;
         band.rows = (uint16_t)(left < rows ? left : rows);
         if (background != NOT_CLEARED) {
-            renderer->target->fill(&band, (uint8_t)background);
+            renderer->fill(renderer, &band, (uint8_t)background);
         }
         if (fxl_frame_draw(renderer, &band) != FXL_OK) {
             return false;

@@ -275,7 +275,7 @@ static fxl_status draw_band(fxl_band *band, uint32_t border)
 
     do {
         band->columns = (uint16_t)border;
-        target->fill(band, setup.config.background);
+        setup.renderer.fill(&setup.renderer, band, setup.config.background);
         status = fxl_frame_draw(&setup.renderer, band);
         if (status == FXL_OK) {
             status = act_draw_over(band, &setup.renderer.frame.view.lens);

@@ -26,7 +26,7 @@ ROOM_OF = {
     "clip": {"line"},
     # These also declare how lib/draw attaches what they describe to a renderer.
     "paint": {"beams", "billboards", "light", "surfaces"},
-    "draw": {"changed", "fixel", "lines", "order", "render", "target"},
+    "draw": {"changed", "fixel", "horizon", "lines", "order", "render", "target"},
     "order": {"wire"},
     "screen": {"display", "driver", "overlay", "pixels", "pump"},
     "game": {"collide", "motion", "orientation", "pick", "player", "setup", "world"},

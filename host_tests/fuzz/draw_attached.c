@@ -32,6 +32,9 @@ typedef struct {
 static void attach(attached *to, uint32_t set)
 {
     static const fxl_outline_style style = {.line = 1, .keeps_colours = true};
+    static const fxl_q2_30 sines[] = {-FXL_Q2_30_ONE / 4, 0, FXL_Q2_30_ONE / 8, FXL_Q2_30_ONE / 2};
+    static const uint8_t colours[] = {1, 2, 3, 4, 5};
+    static const fxl_horizon sky = {sines, colours, 4};
     fxl_renderer *renderer = &to->renderer;
     const fxl_scene *scene = renderer->scene;
     fxl_light_settings settings;
@@ -44,6 +47,7 @@ static void attach(attached *to, uint32_t set)
     DEMAND(fxl_attach_light(renderer, &to->light, set & LIGHT ? &settings : NULL) == FXL_OK);
     DEMAND(fxl_attach_lit(renderer, set & LIGHT ? &to->lit : NULL) == FXL_OK);
     DEMAND(fxl_attach_outlines(renderer, &to->outlines, set & OUTLINES ? &style : NULL) == FXL_OK);
+    DEMAND(fxl_attach_horizon(renderer, set & OUTLINES ? &sky : NULL) == FXL_OK);
     if (scene->beam_count > 0) {
         DEMAND(fxl_attach_beams(renderer, set & BEAMS ? &beams : NULL, to->beams, to->beams_size) ==
                FXL_OK);

@@ -94,7 +94,7 @@ const fxl_target *painter_under(uint8_t background)
 {
     static const fxl_target under = {.pixel_bits = 8,
                                      .near_first = true,
-                                     .fill = fxl_fill_band,
+                                     .fill = fxl_fill_band_palette,
                                      .draw_band = fxl_draw_band,
                                      .flat = paint_under};
     painter.background = background;
@@ -120,7 +120,7 @@ static bool paint_counting(fxl_workspace *workspace, const fxl_screen_polygon *p
 const fxl_target *painter_counting(uint8_t *times, uint32_t width, uint8_t colour_max)
 {
     static const fxl_target counting = {
-        .pixel_bits = 8, .fill = fxl_fill_band, .draw_band = fxl_draw_band, .flat = paint_counting};
+        .pixel_bits = 8, .fill = fxl_fill_band_palette, .draw_band = fxl_draw_band, .flat = paint_counting};
     painter.times = times;
     painter.width = width;
     painter.colour_max = colour_max;

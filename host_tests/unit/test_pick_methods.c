@@ -243,7 +243,7 @@ static void draw_565(const fxl_pose *pose)
                                .first_row = y,
                                .rows = 1,
                                .palette = palette};
-        fxl_rgb565.fill(&band, BACKGROUND);
+        fxl_rgb565.fill(NULL, &band, BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
         for (uint32_t x = 0; x < WIDTH; x++) {
             frame[y][x] = (uint8_t)row_565[x];

@@ -56,7 +56,7 @@ void test_frames_of_16_bits_are_drawn_without_the_scene(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &walls_eye));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_release_scene(&walls.renderer));
     walls.renderer.scene = NULL;
-    fxl_rgb565.fill(&band, BACKGROUND);
+    fxl_rgb565.fill(NULL, &band, BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&walls.renderer, &band));
     TEST_ASSERT_EQUAL_MEMORY(walls.pixels, walls.again, sizeof walls.pixels);
 }

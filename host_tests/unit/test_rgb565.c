@@ -246,7 +246,7 @@ void test_bands_and_lists_change_no_pixel(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &walls_eye));
         for (uint16_t row = 0; row < HEIGHT; row = (uint16_t)(row + 2)) {
             const fxl_band band = band_of(walls.again + row * WIDTH, row, 2);
-            fxl_rgb565.fill(&band, BACKGROUND);
+            fxl_rgb565.fill(NULL, &band, BACKGROUND);
             TEST_ASSERT_EQUAL(FXL_OK, row % 4
                                           ? fxl_frame_draw(&walls.renderer, &band)
                                           : fxl_frame_draw_with(&walls.renderer, &other, &band));

@@ -363,7 +363,7 @@ static void draw_wide(uint16_t *to, uint32_t rows)
                                .first_row = (uint16_t)row,
                                .rows = (uint16_t)(left < rows ? left : rows),
                                .palette = colours};
-        fxl_rgb565.fill(&band, BACKGROUND);
+        fxl_rgb565.fill(NULL, &band, BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
     }
 }

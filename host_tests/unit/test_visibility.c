@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What hides what: front to back is back to front turned round, and the picture the same. */
 #include "../../lib/draw/submit.h"
+#include "../../lib/raster/fill.h"
 #include "choices.h"
 #include "painters.h"
 #include "frame_bands.h"
@@ -307,7 +308,7 @@ static bool is_low_enough(fxl_workspace *by, const fxl_screen_polygon *polygon,
 void test_how_a_band_is_halved(void)
 {
     static const fxl_target picky = {.pixel_bits = 8,
-                                     .fill = fxl_fill_band,
+                                     .fill = fxl_fill_band_palette,
                                      .draw_band = draw_noted_rows,
                                      .flat = is_low_enough};
     static choice method;

@@ -41,7 +41,7 @@ static const fxl_conflict conflicts[] = {
     {FXL_HAS_LINES, FXL_HAS_WORLD_CLIPPER}, {FXL_HAS_TEXELS_565, FXL_HAS_BEAMS},
     {FXL_HAS_COLOURS, FXL_HAS_BEAMS},    {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET},
     {FXL_HAS_TREE, FXL_HAS_ORTHOGRAPHIC}, 
-    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_LINES}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_SPLIT}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_OTHER_CLIPPER},
+    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_LINES}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_HORIZON}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_SPLIT}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_OTHER_CLIPPER},
 };
 
 /* Whether another instance is on the layer of the tree's, which cuts it. */
@@ -104,6 +104,7 @@ static uint32_t parts_of(const fxl_renderer *renderer)
            bit_if(fxl_find_shader(renderer, FXL_SHADER_BEAMS) != NULL, FXL_HAS_BEAMS) |
            bit_if(fxl_find_shader(renderer, FXL_SHADER_OUTLINES) != NULL, FXL_HAS_OUTLINES) |
            bit_if(orthographic != NULL, FXL_HAS_ORTHOGRAPHIC) |
+           bit_if(renderer->horizon != NULL, FXL_HAS_HORIZON) |
            bit_if(surfaces != NULL && fxl_find_shader(renderer, FXL_SHADER_BEAMS) != NULL,
                   FXL_HAS_SPLIT) |
            bit_if(orthographic != NULL && !orthographic->has_clipper(renderer),

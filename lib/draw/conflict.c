@@ -19,6 +19,7 @@ bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2])
         "beams", /* FXL_HAS_BEAMS */
         "outlines", /* FXL_HAS_OUTLINES */
         "an orthographic lens", /* FXL_HAS_ORTHOGRAPHIC */
+        "a horizon", /* FXL_HAS_HORIZON */
         "surfaces and beams", /* FXL_HAS_SPLIT */
         "a clipper of the study", /* FXL_HAS_OTHER_CLIPPER */
         "lines", /* FXL_HAS_LINES */
@@ -83,6 +84,9 @@ static const struct {
      "&fxl_by_distance"},
     {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_LINES,
      "an orthographic lens and lines do not go together: detach the lines, by a null set"},
+    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_HORIZON,
+     "an orthographic lens and a horizon do not go together: all its rays have one elevation; detach "
+     "the horizon, by a null one"},
     {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_SPLIT,
      "an orthographic lens and surfaces and beams do not go together: detach the beams, by a null set"},
     {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_OTHER_CLIPPER,

@@ -53,6 +53,7 @@ static fxl_status choose(fxl_renderer *renderer, const fxl_config *config)
     }
     renderer->order = order;
     renderer->target = target;
+    renderer->fill = target->fill;
     return FXL_OK;
 }
 
@@ -97,19 +98,28 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels,
         return FXL_E_ARGUMENT;
     }
     const fxl_lens *lens = &renderer->frame.view.lens;
-    const fxl_band whole = {.pixels = (uint8_t *)pixels,
-                            .width = lens->width,
-                            .stride = stride,
-                            .first_row = 0,
-                            .rows = lens->height,
-                            .palette = renderer->palette};
-    if (pixels == NULL || stride < lens->width) {
-        return fxl_refuse(&renderer->workspace, pixels == NULL ? FXL_E_ARGUMENT : FXL_E_RANGE);
+    fxl_band whole;
+    fxl_status status = FXL_OK;
+    whole.width = lens->width;
+    whole.rows = lens->height;
+    whole.pixels = (uint8_t *)pixels;
+    whole.stride = stride;
+    whole.first_row = 0;
+    whole.first_column = 0;
+    whole.columns = 0;
+    whole.palette = renderer->palette;
+    if (pixels == NULL) {
+        status = FXL_E_ARGUMENT;
+    } else if (stride < lens->width) {
+        status = FXL_E_RANGE;
     }
-    const fxl_status status = fxl_begin_one_band(renderer, eye);
+    if (status != FXL_OK) {
+        return fxl_refuse(&renderer->workspace, status);
+    }
+    status = fxl_begin_one_band(renderer, eye);
     if (status != FXL_OK) {
         return status;
     }
-    renderer->target->fill(&whole, renderer->frame.background);
+    renderer->fill(renderer, &whole, renderer->frame.background);
     return renderer->target->draw_band(renderer, &renderer->workspace, &whole);
 }

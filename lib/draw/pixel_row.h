@@ -39,7 +39,7 @@
 #define FXL_PIXEL_HAS_PALETTE  0
 #define FXL_PIXEL_IS_MIXED     0
 #define FXL_PIXEL_OF_ENTRY(band, entry) (entry)
-#define FXL_FILL_BAND          fxl_fill_band
+#define FXL_FILL_BAND          fxl_fill_band_palette
 #define FXL_DRAW_DEPTH_OUTLINE fxl_draw_depth_outline_8
 #define FXL_DRAW_SMOOTH        fxl_draw_smooth_outline_8
 

@@ -3,6 +3,7 @@
 #include "fixel/beams.h"
 #include "fixel/billboards.h"
 #include "fixel/changed.h"
+#include "fixel/horizon.h"
 #include "fixel/light.h"
 #include "fixel/lines.h"
 #include "fixel/render.h"
@@ -70,6 +71,12 @@ const char fxl_lines_reasons[] =
     ON_INDEX "from and to of a line must be below vertex_count of its model, faces at most "
     "face_count\0"
     ON_RESERVED "reserved of each line must be 0\0";
+const char fxl_horizon_reasons[] =
+    ON_ARGUMENT "renderer, horizon->sines and horizon->colours must not be null\0"
+    ON_RANGE "sines must be -FXL_Q2_30_ONE..FXL_Q2_30_ONE, none below the one before it\0"
+    ON_ORDER "renderer was never initialised: fxl_renderer_init must answer FXL_OK "
+    "first\0"
+    ON_COUNT "horizon->count must be 1..FXL_HORIZON_MAX\0";
 
 /* place light: a new setting: the sentence about its range */
 const char fxl_light_reasons[] =

@@ -319,7 +319,7 @@ fxl_status fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
 
 void fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour)
 {
-    renderer->target->fill(band, colour);
+    renderer->fill(renderer, band, colour);
 }
 
 /* rgb565 3.2 */

@@ -8,7 +8,7 @@
 #include "submit.h"
 
 #ifdef __arm__
-FXL_STATIC_ASSERT(sizeof(fxl_renderer) == 512 + 64 * FXL_POLYGON_CAPACITY, "render.h says so");
+FXL_STATIC_ASSERT(sizeof(fxl_renderer) == 520 + 64 * FXL_POLYGON_CAPACITY, "render.h says so");
 #endif
 
 /* SPEC 3.2 */
@@ -199,6 +199,7 @@ FXL_COLD fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_con
     }
     renderer->order = order;
     renderer->target = target;
+    renderer->fill = target->fill;
     fxl_set_direction(renderer, target->near_first);
     renderer->check = NULL;
     fxl_take_lens(renderer);

@@ -117,6 +117,7 @@ enum {
     FXL_HAS_BEAMS,
     FXL_HAS_OUTLINES,
     FXL_HAS_ORTHOGRAPHIC,  /* the lens is orthographic */
+    FXL_HAS_HORIZON,
     FXL_HAS_SPLIT,         /* surfaces, and beams that split their faces */
     FXL_HAS_OTHER_CLIPPER, /* than what the lens draws with */
     FXL_HAS_LINES,

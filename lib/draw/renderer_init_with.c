@@ -12,6 +12,7 @@ fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene
         renderer->order = &fxl_by_distance;
         renderer->target = &fxl_palette;
         fxl_take_lens(renderer);
+        renderer->fill = fxl_palette.fill;
     }
     return status;
 }

@@ -22,8 +22,10 @@ void fxl_fill_span(const fxl_band *band, const fxl_span *span, uint8_t colour)
     fxl_fill_trapezoid(band, &row, colour);
 }
 
-void fxl_fill_band(const fxl_band *band, uint8_t colour)
+void fxl_fill_band_palette(const struct fxl_renderer *renderer, const fxl_band *band,
+                           uint8_t colour)
 {
+    (void)renderer;
     if (FXL_IS_COMPACT) {
         for (uint32_t row = 0; row < band->rows; row++) {
             memset(band->pixels + (size_t)row * band->stride, colour, fxl_band_columns(band));
@@ -34,6 +36,11 @@ void fxl_fill_band(const fxl_band *band, uint8_t colour)
                                 (int16_t)(band->first_row + band->rows),
                                 {{0, 0, 0, 0}, {(int32_t)fxl_band_columns(band), 0, 0, 0}}};
     fxl_fill_trapezoid(band, &rows, colour);
+}
+
+void fxl_fill_band(const fxl_band *band, uint8_t colour)
+{
+    fxl_fill_band_palette(NULL, band, colour);
 }
 
 #if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M

@@ -19,8 +19,14 @@ void fxl_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, ui
 void fxl_fill_trapezoid_rgb565(const fxl_band *band, const fxl_trapezoid *trapezoid,
                                uint16_t colour);
 
-/* fxl_fill_band for such a band. One at an odd address stays: the call that draws says why. */
-void fxl_fill_band_rgb565(const fxl_band *band, uint8_t colour);
+struct fxl_renderer; /* fixel/render.h */
+
+/* fxl_target.fill: fxl_fill_band, and the same for a band of RGB565. One of these at an odd address
+ * stays: the call that draws says why. They do not look at the renderer. */
+void fxl_fill_band_palette(const struct fxl_renderer *renderer, const fxl_band *band,
+                           uint8_t colour);
+void fxl_fill_band_rgb565(const struct fxl_renderer *renderer, const fxl_band *band,
+                          uint8_t colour);
 
 /* Sets the pixels from one (included) to an end (not included). */
 void fxl_fill_row_rgb565(uint16_t *pixel, uint16_t *end, uint16_t colour);

@@ -19,8 +19,9 @@ void fxl_fill_row_rgb565(uint16_t *pixel, uint16_t *end, uint16_t colour)
 }
 
 /* rgb565 1.2 */
-void fxl_fill_band_rgb565(const fxl_band *band, uint8_t colour)
+void fxl_fill_band_rgb565(const struct fxl_renderer *renderer, const fxl_band *band, uint8_t colour)
 {
+    (void)renderer;
     if (!fxl_band_is_even(band)) {
         return;
     }

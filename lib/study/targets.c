@@ -25,7 +25,7 @@ static bool paint_box(fxl_workspace *workspace, const fxl_screen_polygon *polygo
 }
 
 const fxl_target fxl_palette_box = {
-    .pixel_bits = 8, .fill = fxl_fill_band, .draw_band = fxl_draw_band, .flat = paint_box};
+    .pixel_bits = 8, .fill = fxl_fill_band_palette, .draw_band = fxl_draw_band, .flat = paint_box};
 
 /* --- a span buffer ---------------------------------------------------------------------------- */
 
@@ -102,7 +102,7 @@ static bool paint_spans(fxl_workspace *workspace, const fxl_screen_polygon *poly
 /* A target of a span buffer that paints a flat face by a function. */
 #define TARGET_OF_SPANS(paints) \
     { \
-        .pixel_bits = 8, .near_first = true, .fill = fxl_fill_band, \
+        .pixel_bits = 8, .near_first = true, .fill = fxl_fill_band_palette, \
         .choose = fxl_choose_with_memory, .memory_size = workspace_size, .draw_band = draw_band, \
         .flat = (paints) \
     }

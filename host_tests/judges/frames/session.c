@@ -260,7 +260,7 @@ static fxl_status draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t backgr
                                .first_row = (uint16_t)row,
                                .rows = (uint16_t)(rows < left ? rows : left),
                                .palette = palette};
-        (palette ? fxl_rgb565.fill : fxl_palette.fill)(&band, background);
+        (palette ? fxl_rgb565.fill : fxl_palette.fill)(NULL, &band, background);
         status = draw(with, &band);
     }
     return status;

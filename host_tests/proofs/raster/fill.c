@@ -124,7 +124,7 @@ void prove_fill_band_rgb565(void)
     fxl_band band = any_band(2);
     static const uint16_t palette[256];
     band.palette = palette;
-    fxl_fill_band_rgb565(&band, nondet_u8());
+    fxl_fill_band_rgb565(NULL, &band, nondet_u8());
     PROOF_ENDS();
 }
 

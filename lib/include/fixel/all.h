@@ -12,6 +12,7 @@
 #include "fixel/crc.h"
 #include "fixel/display.h"
 #include "fixel/driver.h"
+#include "fixel/horizon.h"
 #include "fixel/light.h"
 #include "fixel/line.h"
 #include "fixel/lines.h"

@@ -142,8 +142,8 @@ enum {
     FXL_FACES_LISTED = 2   /* by number */
 };
 
-/* A renderer, which the caller owns. On a core of 32 bits it takes 512 bytes and
- * 64 for each vertex of FXL_POLYGON_CAPACITY: 2560 where that is 32, 1280 where
+/* A renderer, which the caller owns. On a core of 32 bits it takes 520 bytes and
+ * 64 for each vertex of FXL_POLYGON_CAPACITY: 2568 where that is 32, 1288 where
  * it is 12. Several may live at once; none knows of another. Members are for
  * reading only. A renderer may be moved: no pointer in it leads into it. Two copies share the
  * caller's memory, so that only one of them may be used. */
@@ -152,6 +152,9 @@ struct fxl_renderer {
     const fxl_clipper *clipper; /* fxl_clipper_view, or another */
     const fxl_order *order;     /* fxl_by_distance, or another */
     const fxl_target *target;   /* fxl_palette, or another */
+    /* Clears a band: the target's, or that of a horizon. */
+    void (*fill)(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour);
+    const struct fxl_horizon *horizon; /* null: none */
     const fxl_shader *shader;   /* the first; null: faces are drawn as they are */
     fxl_billboards *billboards; /* null: instances show their faces */
     const uint16_t *palette;    /* of frames of 16 bits a pixel */

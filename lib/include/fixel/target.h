@@ -40,11 +40,11 @@ typedef struct fxl_target {
     /* Whether `flat` only scans and fills, over what is there: then a face may go from the clipper
      * straight to it, whether or not it reaches a row. */
     bool draws_over : 1;
-    bool near_first : 1; /* faces are submitted near to far, unless surfaces are blended */
+    bool near_first : 1;  /* faces are submitted near to far, unless surfaces are blended */
     bool has_palette : 1; /* a pixel is a colour of RGB565: config.palette has that of each entry */
-    bool is_mixed : 1;    /* light and blends mix colours; else tables have the entry of a mixture */
+    bool is_mixed : 1; /* light and blends mix colours; else tables have the entry of a mixture */
     /* Sets every pixel of a band to a colour of the palette. */
-    void (*fill)(const fxl_band *band, uint8_t colour);
+    void (*fill)(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour);
     /* Gives a renderer the target. Null: the target needs neither memory, a palette nor a shader.
      */
     fxl_status (*choose)(fxl_renderer *renderer, const struct fxl_config *config);

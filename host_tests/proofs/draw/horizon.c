@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT */
+#include "draw/horizon.c"
+#include "proof.h"
+
+static fxl_horizon horizon;
+
+/* [[row]]
+ * function = "check_horizon"
+ * property = "up to 64 sines: accepted where they are 1 to 64, ascend, and are within 1; null pointers are refused"
+ * checks = 89
+ * unwind = 65
+ * stubs = { fxl_refuse = "not called" }
+ */
+void prove_check_horizon(void)
+{
+    static fxl_q2_30 sines[FXL_HORIZON_MAX];
+    static uint8_t colours[FXL_HORIZON_MAX + 1];
+    const uint32_t i = nondet_u32();
+    ANY_CONTENT(&sines);
+    horizon.sines = nondet_bool() ? NULL : sines;
+    horizon.colours = nondet_bool() ? NULL : colours;
+    horizon.count = nondet_u32();
+    ASSUME(i < FXL_HORIZON_MAX);
+    const fxl_status status = check_horizon(&horizon);
+    ASSERT("1 to 64, within 1", status != FXL_OK || (horizon.count >= 1 && horizon.count <= FXL_HORIZON_MAX && horizon.colours != NULL &&
+                                                     (i >= horizon.count || WITHIN(sines[i], FXL_Q2_30_ONE))));
+    ASSERT("ascending", status != FXL_OK || i == 0 || i >= horizon.count || sines[i - 1] <= sines[i]);
+    PROOF_ENDS();
+}
+
+fxl_status fxl_refuse(fxl_workspace *workspace, fxl_status status)
+{
+    (void)workspace;
+    ASSERT("refused", status != FXL_OK);
+    return status;
+}
+
+/* [[row]]
+ * function = "fxl_attach_horizon"
+ * property = "any renderer, with a target or without, and null pointers: attached whole, detached, or nothing is changed"
+ * checks = 34
+ * stands_in = { check_horizon = "any_check" }
+ * stubs = { fxl_refuse = "its own row" }
+ */
+fxl_status any_check(const fxl_horizon *of)
+{
+    ASSERT("there", of == &horizon);
+    return nondet_bool() ? FXL_OK : FXL_E_RANGE;
+}
+
+void prove_attach_horizon(void)
+{
+    static fxl_renderer renderer;
+    static fxl_target target;
+    ANY_CONTENT(&renderer);
+    ANY_CONTENT(&target);
+    renderer.target = nondet_bool() ? NULL : &target;
+    const fxl_horizon *const given = nondet_bool() ? NULL : &horizon, *const before = renderer.horizon;
+    const fxl_status status = fxl_attach_horizon(nondet_bool() ? NULL : &renderer, given);
+    ASSERT("attached, or untouched", renderer.horizon == (status == FXL_OK ? given : before));
+    ASSERT("what clears", status != FXL_OK || renderer.fill == (given != NULL ? fill_horizon : target.fill));
+    PROOF_ENDS();
+}
