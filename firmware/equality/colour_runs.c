@@ -27,7 +27,7 @@ void test_colour_runs(uint32_t rounds)
 /* --- lit texels ------------------------------------------------------------------------------- */
 
 #define COLUMNS 96u
-#define LEVELS  32u
+#define LEVELS  32u /* at most */
 
 static FXL_ALIGN_8 uint8_t texels[2u * 65536u];
 static uint16_t palette[256];
@@ -64,6 +64,7 @@ void test_lit_texels(uint32_t rounds)
         const uint32_t log_width = 1u + (any_32() >> 5) % 8u, log_height = (any_32() >> 5) % 9u;
         const int32_t x0 = (int32_t)(any_32() >> 8 & 31u);
         const int32_t x1 = x0 + 1 + (int32_t)((any_32() >> 7) % 63u);
+        const uint32_t levels_less_1 = 1u + (any_32() >> 6) % (LEVELS - 1u);
         row.weight = (int64_t)(any_64() >> (64u - bits)) | (int64_t)1 << (bits - 1u);
         gradients.weight.along = any_value(bits - (any_32() >> 9) % 8u) / (int64_t)COLUMNS;
         for (uint32_t k = 0; k < FXL_ATTRIBUTES; k++) {
@@ -73,7 +74,7 @@ void test_lit_texels(uint32_t rounds)
         if ((kind & 7u) != 0) { /* between two levels */
             gradients.shifts[FXL_SEGMENT_LIGHT] = 20;
             row.attributes[FXL_SEGMENT_LIGHT] =
-                row.weight / 16 * (int64_t)(2u + (any_32() >> 9) % 28u);
+                row.weight / 16 * (int64_t)(1u + (any_32() >> 9) % levels_less_1);
             gradients.attributes[FXL_SEGMENT_LIGHT].along /= 16;
         }
         gradients.weight_min[0] =
@@ -86,11 +87,11 @@ void test_lit_texels(uint32_t rounds)
                       .rows_less_1 = (1u << log_height) - 1u,
                       .log_width = (uint8_t)log_width,
                       .flags = kind & 8u ? 0x80u : 0}, /* FXL_LEVEL_565 */
-            .levels_less_1 = LEVELS - 1u,
+            .levels_less_1 = (uint8_t)levels_less_1,
             .division = kind & 16u ? FXL_DIVIDE_16 : FXL_DIVIDE_8,
             .opacity = 16,
             .of_565 = {.palette = palette,
-                       .part_of_level = (65536u + (LEVELS - 1u) / 2u) / (LEVELS - 1u),
+                       .part_of_level = (65536u + levels_less_1 / 2u) / levels_less_1,
                        .dark = (uint16_t)(kind & 32u ? any_32() >> 9 : 0)},
         };
         row.pixels = (uint8_t *)(lit_by_core + 16);

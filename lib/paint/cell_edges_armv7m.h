@@ -93,7 +93,6 @@
  * by rounding down, and the function then changes by dx from row to row, and by -dy from column to
  * column. Exact. */
 
-/* place fill-rule: small triangles for Armv7-M */
 /* The edge function of the edge from a to b in \low, and -dy. b.x is \bx, and so on; those of y and
  * \ax are negated. \negated may be \ax. */
     .macro edge_function low, high, ax, ay, bx, by, negated

@@ -41,6 +41,7 @@ typedef struct {
     int32_t begin;                  /* where the next segment begins */
     uint32_t log;                   /* it has 2^log columns */
     uint32_t end_of_light;          /* least number above a level, in 16.16 */
+    /* place sampling: the kernel's masks */
     uint32_t columns_mask, rows_mask, log_width; /* of a texture with at most 256 x 256 texels */
     const uint8_t *texels;
     const uint16_t *palette; /* null: texels of RGB565 */

@@ -102,6 +102,7 @@
     ldr     lr, [sp, #SMALL_COUNT]
     lsl     r10, r10, #16
     lsl     r11, r11, #16
+/* place fill-rule: small triangles for Armv7-M */
     add     r10, r10, #32768
     add     r11, r11, #32768
     edge_functions

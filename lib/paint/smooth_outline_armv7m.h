@@ -112,6 +112,7 @@
     test_clear SMOOTH_OUTLINE_CELLS
     lsl     r10, r10, #16
     lsl     r11, r6, #16
+/* place fill-rule: small triangles for Armv7-M */
     add     r10, r10, #32768
     add     r11, r11, #32768
     edge_functions
