@@ -25,14 +25,22 @@ ref_plane bridge_plane(const fxl_plane *plane)
 
 ref_camera bridge_camera(const fxl_camera *camera)
 {
-    return (ref_camera){bridge_point(&camera->position), direction(&camera->axes.right),
-                        direction(&camera->axes.up), direction(&camera->axes.forward)};
+    return (ref_camera){.position = bridge_point(&camera->position),
+                        .right = direction(&camera->axes.right),
+                        .up = direction(&camera->axes.up),
+                        .forward = direction(&camera->axes.forward)};
 }
 
 ref_lens bridge_lens(const fxl_lens *lens)
 {
-    return (ref_lens){lens->width,      lens->height,     q16(lens->focal),    q16(lens->near_z),
-                      q16(lens->far_z), q16(lens->inset), q16(lens->centre_x), q16(lens->centre_y)};
+    return (ref_lens){.width = lens->width,
+                      .height = lens->height,
+                      .focal = q16(lens->focal),
+                      .near_z = q16(lens->near_z),
+                      .far_z = q16(lens->far_z),
+                      .inset = q16(lens->inset),
+                      .centre_x = q16(lens->centre_x),
+                      .centre_y = q16(lens->centre_y)};
 }
 
 ref_polygon bridge_polygon(const fxl_polygon *polygon)

@@ -21,6 +21,7 @@ _Static_assert((int)FXL_PLANE_NEAR == (int)REF_PLANE_NEAR &&
 ref_point bridge_point(const fxl_point *point);
 ref_plane bridge_plane(const fxl_plane *plane);
 ref_camera bridge_camera(const fxl_camera *camera);
+/* Requires a lens that has an eye. */
 ref_lens bridge_lens(const fxl_lens *lens);
 ref_polygon bridge_polygon(const fxl_polygon *polygon);
 ref_view_point bridge_view_point(const fxl_view_point *point);
