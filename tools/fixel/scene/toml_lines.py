@@ -117,7 +117,8 @@ class _Maker:
             points = [*points, points[0]]
         for start, end, colour in zip(points, points[1:], _colours(row, len(points) - 1)):
             if start == end:
-                raise ToolError(f"{row.where}: two points that follow each other are the same, to within 1/65536 unit; points are for that")
+                raise ToolError(f"{row.where}: two points that follow each other are the same, to within 1/65536 unit: leave one out, "
+                                "the last where closed is true, or say points")
             self._add(row, start, end, colour)
 
     def points(self, row):
@@ -137,6 +138,7 @@ def with_lines(table, shape, rows, origin):
     for row in table.rows("points"):
         maker.points(row)
     if len(maker.vertices) > FACES_MAX:
-        raise ToolError(f"{table.where}: its {len(shape.vertices):,} vertices and the points of its lines are more than the limit of {FACES_MAX:,}")
+        raise ToolError(f"{table.where}: its {len(shape.vertices):,} vertices and the points of its lines are more than the limit of {FACES_MAX:,}: "
+                        "give fewer points or a model of fewer vertices (simplify)")
     made = replace(shape, vertices=maker.vertices)
     return made, tuple(maker.lines)
