@@ -236,8 +236,9 @@ void test_faces_and_instances_come_by_forward(void)
     TEST_ASSERT_TRUE(fronts > 0);
 }
 
-/* A renderer of any target, whole and in bands, shows one picture, and a pick names its faces. */
-/* orthographic 1.3a */
+/* A renderer of any target, whole and in bands, shows one picture, and a pick names its faces, which
+ * are fronts. */
+/* orthographic 1.3a, 2.4a */
 void test_bands_and_picks_are_of_the_frame(void)
 {
     static const choice *const choices[] = {&choice_sorted, &choice_depth_16, &choice_depth_32};
@@ -262,7 +263,12 @@ void test_bands_and_picks_are_of_the_frame(void)
             drawn += pixel != BACKGROUND;
             TEST_ASSERT_EQUAL(pixel == BACKGROUND, picked.instance == FXL_PICK_NONE);
             if (pixel != BACKGROUND) {
+                const fxl_scene *scene = &tiny->scene;
+                const fxl_model *model = &scene->models[scene->instances[picked.instance].model];
                 TEST_ASSERT_EQUAL_HEX8(pixel, picked.colour);
+                TEST_ASSERT_TRUE(is_front(picked.instance,
+                                          &scene->faces[model->first_face + picked.face],
+                                          &renderer.frame.view.camera.axes.forward));
             }
         }
     }
