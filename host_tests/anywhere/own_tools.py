@@ -15,7 +15,17 @@ SCENES = [("plaza", []), ("spin", []), ("room", ["PIXELS=rgb565"]), ("gallery", 
 GAMES = [["DRIVER=st7789"], ["PIXELS=rgb565", "DEPTH=16"]]
 # Flat, a tree, beams, motions, textures with a depth buffer, billboards.
 EXPORTED = {"cube": None, "knot": None, "beam": None, "spin": None, "room": "16", "grove": None}
-INSTRUMENTS = {"attitude": 60}      # and how many frames each draws
+INSTRUMENTS = {"attitude": 60}      # in bands, for 16 KB of RAM; and how many frames each draws
+WHOLE = {"isometric": 60}           # frames of 320 x 240, of which show ends the program after so many
+SHOW = """#include <stdint.h>
+int show(const uint8_t *pixels);
+int show(const uint8_t *pixels)
+{
+    static int shown;
+    (void)pixels;
+    return ++shown == FRAMES;
+}
+"""
 UNITS = ["test_crc", "test_render", "test_project", "test_plane", "test_clip_view", "test_depth"]    # make test BOARD=<name> runs all
 
 
@@ -48,12 +58,14 @@ def draw_exported(board, folder, name):
 
 
 def draw_example(board, folder, name):
-    """All frames of an example that draws bands, which must be those of the host."""
+    """All frames of an example of INSTRUMENTS or WHOLE, which must be those of the host."""
     own = folder / name
     shutil.copytree(ROOT / "examples" / name, own)
     examples.write_board_scene(own)
+    if name in WHOLE:
+        (own / "show.c").write_text(SHOW.replace("FRAMES", str(WHOLE[name])), encoding="utf-8")
     _, summary = run(board, folder / "out", f"PROGRAM={own}")
-    assert summary["host_frames_equal"] and len(set(summary["frame_crc"])) == summary["frames"] == INSTRUMENTS[name]
+    assert summary["host_frames_equal"] and len(set(summary["frame_crc"])) == summary["frames"] == {**INSTRUMENTS, **WHOLE}[name]
 
 
 def draw_game(board, out, words):

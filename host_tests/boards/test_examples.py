@@ -113,6 +113,11 @@ def test_an_instrument_draws_the_hosts_frames_in_16_kb(tmp_path, name):
     own_tools.draw_example("microbit", tmp_path, name)
 
 
+@pytest.mark.parametrize("name", own_tools.WHOLE)
+def test_whole_frames_of_an_example_are_the_hosts(tmp_path, name):
+    own_tools.draw_example("mps2-an385", tmp_path, name)
+
+
 # A whole turn, and the first frame of the next.
 TURN_FRAMES = 121
 TURN_SHOW = f"""

@@ -43,8 +43,8 @@ def test_the_program_of_an_exported_scene_draws_the_frames_of_make_run(tmp_path,
 
 
 @here
-@pytest.mark.parametrize("name", own_tools.INSTRUMENTS)
-def test_an_instrument_draws_the_hosts_frames(tmp_path, name):
+@pytest.mark.parametrize("name", [*own_tools.INSTRUMENTS, *own_tools.WHOLE])
+def test_an_example_draws_the_hosts_frames(tmp_path, name):
     own_tools.draw_example("pico", tmp_path, name)
 
 
