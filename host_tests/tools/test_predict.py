@@ -199,14 +199,25 @@ def test_a_board_without_room(tmp_path):
     result = predicted("microbit", ROOT / "scenes/w3.toml")
     assert "order entries" in result["why_not"] and result["instructions_per_frame"] is None
     assert "scene partition" in predicted("stm32vldiscovery", ROOT / "scenes/f32.toml")["why_not"]
-    assert options_of("microbit")["--without"] == "DEPTH_32"
-    assert options_of("stm32vldiscovery")["--without"] == "BSP,SURFACES,BILLBOARDS,DEPTH,RGB565"
+    assert options_of("microbit")["--without"] == "ORTHOGRAPHIC,DEPTH_32,LINES"
+    assert options_of("stm32vldiscovery")["--without"] == "ORTHOGRAPHIC,BSP,SURFACES,BILLBOARDS,LINES,DEPTH,RGB565"
     for scene, word in (("host_tests/fuzz/scenes/surfaces.toml", "surfaces"), ("scenes/window.toml ferns", "billboards"),
                         ("scenes/window.toml depth", "with a depth buffer")):
         assert f"no room to draw {word}" in predicted("stm32vldiscovery", file_of(scene, tmp_path))["why_not"]
     deep = tmp_path / "deep.toml"
     deep.write_text((ROOT / "scenes/window.toml").read_text(encoding="utf-8").replace("[view]\n", "[view]\ndepth = 32\n"), encoding="utf-8")
     assert "no room to draw with a depth buffer of 32 bits" in predicted("microbit", deep)["why_not"]
+    assert "no room to draw edges, lines and points" in predicted("microbit", ROOT / "scenes/lines.toml")["why_not"]
+
+
+def test_lines_are_not_counted_and_it_says_so(capsys):
+    result = predicted("mps2-an385", ROOT / "scenes/lines.toml")
+    assert result["instructions_per_frame"]["mean"] > 0 and result["lines_not_counted"] == 168
+    predict.print_prediction(result)
+    said = capsys.readouterr().out
+    assert "not counted" in said and "168 lines" in said
+    predict.print_prediction({**result, "lines_not_counted": 0})
+    assert "not counted" not in capsys.readouterr().out
 
 
 def test_a_board_whose_list_has_no_room(tmp_path):

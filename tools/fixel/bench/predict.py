@@ -39,7 +39,8 @@ NOT_DRAWN = {"surfaces": "surfaces (VISIBILITY=surfaces builds a program that dr
              "depth": "with a depth buffer (VISIBILITY=sorted builds a program that draws by distance)",
              "depth_32": "with a depth buffer of 32 bits (depth = 16 asks for one of 16)",
              "rgb565": "in RGB565",
-             "billboards": "billboards", "orthographic": "with an orthographic lens"}
+             "billboards": "billboards", "orthographic": "with an orthographic lens",
+             "lines": "edges, lines and points"}
 
 
 def parser():
@@ -101,6 +102,11 @@ def has_looks(scene):
                 or scene.pixel_bits == 16)
 
 
+def lines_of(scene):
+    """How many lines and points the models of a scene have."""
+    return sum(len(model.lines) for model in scene.models)
+
+
 def board_of(options, known):
     """The board's entry of bench/costs.json, and the core whose costs it has."""
     core = frame_costs.core_of(options.core)
@@ -118,7 +124,8 @@ def count(options, scene, size, board, file):
     if needed > options.order:
         raise frame_costs.NoRoom(f"the scene needs {needed:,} order entries, the board has {options.order:,}")
     wanted = {"surfaces": scene.surfaces, "depth": by_depth(scene), "depth_32": scene.depth_bits == 32,
-              "rgb565": scene.pixel_bits == 16, "billboards": scene.billboards, "orthographic": scene.scale}
+              "rgb565": scene.pixel_bits == 16, "billboards": scene.billboards, "orthographic": scene.scale,
+              "lines": lines_of(scene)}
     for name in options.without.lower().split(","):
         if wanted.get(name):
             raise frame_costs.NoRoom(f"the board has no room to draw {NOT_DRAWN[name]}")
@@ -156,7 +163,8 @@ def predict(options, file):
     board, core = board_of(options, known)
     scene, size = image.load(file), pathlib.Path(file).stat().st_size
     result = {"board": options.board, "core": core, "scene": options.scene, "frames": scene.frames,
-              "faces": sum(len(model.faces) for model in scene.models), "why_not": None, **frame_costs.memory(board, size, has_looks(scene)), "instructions_per_frame": None,
+              "faces": sum(len(model.faces) for model in scene.models), "lines_not_counted": lines_of(scene),
+              "why_not": None, **frame_costs.memory(board, size, has_looks(scene)), "instructions_per_frame": None,
               "ram_of_your_program": memory_needed.of_program(scene), "your_memory": [], "parts": []}
     try:
         names, counts = count(options, scene, size, board, file)
@@ -186,6 +194,8 @@ def print_prediction(result):
             ["stack", f"{stack['seen']:,} of {stack['reserved']:,} bytes"]]
     if taken:
         rows.append(["instructions a frame", f"{taken['min']:,} to {taken['max']:,}, mean {taken['mean']:,}"])
+    if taken and result["lines_not_counted"]:
+        rows.append(["not counted", f"{count_of(result['lines_not_counted'], 'line')}, edges and points among them: their instructions come on top"])
     print(table(rows))
     if result["parts"]:
         print(table([[part["what"], round(part["times"], None if part["times"] >= 100 else 1), part["instructions"]]
