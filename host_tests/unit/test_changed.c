@@ -318,3 +318,123 @@ void test_a_box_holds_lines_over_a_model(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_end(&changed_renderer));
     }
 }
+
+/* --- what is compared --------------------------------------------------------------------------- */
+
+static void find_next(void)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&changed_renderer, &changed_eye));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_changed_find(&changed, &changed_renderer));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_end(&changed_renderer));
+}
+
+/* A frame that has begun as another one than the frame before did. */
+static void expect_whole(void)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_changed_find(&changed, &changed_renderer));
+    TEST_ASSERT_TRUE(changed.whole);
+}
+
+/* changed 1.3a */
+void test_each_part_of_the_frame_before_is_compared(void)
+{
+#define PART(member) offsetof(fxl_changed, member)
+    static const size_t parts[] = {
+        PART(scene),           PART(frame),         PART(settings_number),
+        PART(set),             PART(billboards),    PART(models),
+        PART(background),      PART(lens.width),    PART(lens.height),
+        PART(lens.focal),      PART(lens.near_z),   PART(lens.far_z),
+        PART(lens.inset),      PART(lens.centre_x), PART(lens.centre_y),
+        PART(lens.off_centre), PART(camera.axes.right.y), PART(camera.axes.right.z),
+        PART(camera.axes.up.x), PART(camera.axes.forward.x), PART(camera.position.y)};
+#undef PART
+    const fxl_lens lens = unit_lens(CHANGED_WIDTH, CHANGED_HEIGHT);
+    changed_start_plain(&changed_palette, &lens, false, 0);
+    changed_attach(3, true); /* billboards */
+    for (uint32_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+        find_next();
+        find_next();
+        TEST_ASSERT_EQUAL(0, changed.count);
+        ((uint8_t *)&changed)[parts[i]] ^= 1;
+        find_next();
+        TEST_ASSERT_TRUE_MESSAGE(changed.whole, "a part that no one compares");
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&changed_renderer, &changed_eye));
+    changed.frame = UINT32_MAX; /* the frames have been counted round */
+    changed_renderer.frame.view.frame = 0;
+    expect_whole();
+    changed.settings_number = changed_renderer.workspace.settings_number = UINT32_MAX;
+    changed_renderer.frame.view.frame = changed.frame + 1;
+    expect_whole();
+}
+
+static void change_billboard(uint32_t part)
+{
+    static fxl_sprite same;
+    fxl_billboard *board = &changed_boards[0];
+    fxl_sprite *sprite = &changed_sprites[0];
+    switch (part) {
+    case 0:
+        board->height = Q16(2);
+        break;
+    case 1:
+        board->anchor_x = Q16(0.5);
+        break;
+    case 2:
+        board->anchor_y = Q16(0.5);
+        break;
+    case 3:
+        sprite->colours = changed_sprite_pixels[1];
+        break;
+    case 4:
+        sprite->width = 4;
+        break;
+    case 5:
+        sprite->height = 3;
+        break;
+    case 6:
+        sprite->bits = 4;
+        break;
+    case 7:
+        sprite->key = 3;
+        break;
+    default:
+        same = *sprite;
+        board->sprite = &same;
+    }
+}
+
+/* changed 1.2a-b */
+void test_each_part_of_a_thing_is_compared(void)
+{
+    const fxl_point near_by = {Q16(1), 0, 0};
+    const fxl_lens lens = unit_lens(CHANGED_WIDTH, CHANGED_HEIGHT);
+    fxl_placement placement = {
+        {{FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}, {0, 0, FXL_Q2_30_ONE}}, FXL_Q16_16_ONE};
+    fxl_q2_30 *const turns[] = {&placement.orientation.x.x, &placement.orientation.y.y,
+                                &placement.orientation.z.z};
+    changed_start_plain(&changed_palette, &lens, false, 0);
+    changed_attach(3, true); /* billboards */
+    changed_eye = (fxl_pose){{0, 0, -Q16(6)}, 0, 0, 0};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_set_model(&changed_world, changed_handles[0], 2));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&changed_world, changed_handles[0], &near_by));
+    find_next();
+    for (uint32_t part = 0; part < 9; part++) {
+        change_billboard(part);
+        find_next();
+        TEST_ASSERT_EQUAL(1, changed.count);
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_set_model(&changed_world, changed_handles[0], 0));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_world_set_placement(&changed_world, changed_handles[0], &placement));
+    find_next();
+    find_next();
+    TEST_ASSERT_EQUAL(0, changed.count);
+    for (uint32_t row = 0; row < 3; row++) {
+        *turns[row] -= 1;
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_world_set_placement(&changed_world, changed_handles[0], &placement));
+        find_next();
+        TEST_ASSERT_EQUAL(1, changed.count);
+    }
+}

@@ -262,7 +262,8 @@ static void expect_boxes_refused(void)
 /* changed 3.2f-g, 4.2a, 4.3c */
 void test_which_boxes_a_pump_takes(void)
 {
-    const fxl_screen_box right = {40, 8, 0, 8}, page = {0, 8, 4, 8};
+    const fxl_screen_box right = {40, 8, 0, 8}, page = {0, 8, 4, 8}, half = {0, 8, 0, 4};
+    const fxl_screen_box last = {0, 8, HEIGHT - 8, 4};
     fxl_band band = UNIT_BAND(frame, WIDTH, 0, 8);
     fxl_pump never = {0};
     TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_pixels_mono_rows, true, 8));
@@ -286,12 +287,17 @@ void test_which_boxes_a_pump_takes(void)
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_send_rows(&pump, &band));
     TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_pixels_mono_pages, true, 1));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_begin_box(&pump, &page));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_begin_box(&pump, &half));
+    pump.config.height = HEIGHT - 4; /* not whole pages: the last one is a part */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_begin_box(&pump, &last));
 }
 
 /* changed 5.1a, 5.3a */
 void test_what_finding_refuses(void)
 {
     const fxl_screen_box box = {0, 8, 0, 8}, none = {0, 0, 0, 8}, beyond = {44, 8, 0, 8};
+    const fxl_screen_box no_rows = {0, 8, 0, 0}, below = {0, 8, HEIGHT - 4, 8};
+    const fxl_pose away = {{0, 0, Q16(90)}, 0, 0, 0}; /* it sees nothing, so all is in the list */
     fxl_changed never = {0}, small;
     fxl_pump no_pump = {0};
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_changed_init(NULL, changed_kept, 8));
@@ -314,6 +320,8 @@ void test_what_finding_refuses(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_changed_add(&changed, NULL));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_changed_add(&changed, &none));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_changed_add(&changed, &beyond));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_changed_add(&changed, &no_rows));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_changed_add(&changed, &below));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_changed_add_model(NULL, &changed_renderer, 0));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_changed_add_model(&changed, NULL, 0));
     TEST_ASSERT_EQUAL(FXL_E_INDEX,
@@ -323,10 +331,17 @@ void test_what_finding_refuses(void)
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_changed_widen(&changed, 16, 1));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_changed_widen(&changed, 1, 0));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_changed_widen(&changed, 1, 6));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_changed_widen(&changed, 1, 16));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_widen(NULL, &changed));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_widen(&pump, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_pump_widen(&no_pump, &changed));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_end(&changed_renderer));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_changed_add_model(&changed, &changed_renderer, 0));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&changed_renderer, &away));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_changed_add_model(&changed, &changed_renderer, 0));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_changed_find(&changed, &changed_renderer));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_release_scene(&changed_renderer));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_changed_find(&changed, &changed_renderer));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_changed_add_model(&changed, &changed_renderer, 0));
 }
 

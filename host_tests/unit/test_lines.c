@@ -661,6 +661,12 @@ void test_a_set_that_is_wrong(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_lines_check(&set, &tiny->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_lines_check(NULL, &tiny->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_lines_check(&set, NULL, NULL));
+    fxl_scene three = tiny->scene; /* of the third model nothing is read */
+    const uint32_t falls[] = {0, 4, 2, 4}, zeros[] = {0, 0, 0};
+    const fxl_line_set empty = {NULL, 0, zeros}, falling = {lines, 4, falls};
+    three.model_count = 3;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_lines_check(&empty, &tiny->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_lines_check(&falling, &three, NULL));
     set.lines = NULL;
     expect_fault(FXL_E_ARGUMENT, "line table", 0);
     set.line_map = NULL;
@@ -706,7 +712,10 @@ void test_an_attachment_that_is_refused(void)
                       fxl_attach_lines(&renderer, (fxl_lines *)(void *)((char *)&attached + 4), &set));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_attach_lines(&none, &attached, &set));
     TEST_ASSERT_EQUAL_UINT32(2, renderer.workspace.counters.refused_calls);
-    TEST_ASSERT_EQUAL_UINT32(1, none.workspace.counters.refused_calls);
+    none.scene = &tiny->scene; /* and no target yet */
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_attach_lines(&none, &attached, &set));
+    TEST_ASSERT_EQUAL_UINT32(2, none.workspace.counters.refused_calls);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lines(&renderer, NULL, NULL)); /* there are none */
 }
 
 /* lines 5.2a */
@@ -750,6 +759,17 @@ void test_a_line_of_the_world_that_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_draw_line(&renderer, NULL, &line, &band));
     TEST_ASSERT_EQUAL_MEMORY(again, frame, sizeof again);
     band.pixels = frame;
-    TEST_ASSERT_EQUAL_UINT32(12, renderer.workspace.counters.refused_calls);
+    band.width = WIDTH - 8;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_frame_draw_line(&renderer, NULL, &line, &band));
+    band.width = WIDTH;
+    TEST_ASSERT_EQUAL_UINT32(13, renderer.workspace.counters.refused_calls);
+    line.from.z = line.to.z = Q16(-3);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_line(&renderer, NULL, &line, &band));
+    TEST_ASSERT_EQUAL_MEMORY(again, frame, sizeof again); /* it is behind the eye */
+    line = good;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_line(&renderer, NULL, &line, &band));
+    start(&fxl_palette, false);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_orthographic(&renderer, Q16(3)));
+    begin_band(&ahead);
+    TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_frame_draw_line(&renderer, NULL, &line, &band));
 }
