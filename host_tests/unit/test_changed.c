@@ -339,14 +339,27 @@ static void expect_whole(void)
 void test_each_part_of_the_frame_before_is_compared(void)
 {
 #define PART(member) offsetof(fxl_changed, member)
-    static const size_t parts[] = {
-        PART(scene),           PART(frame),         PART(settings_number),
-        PART(set),             PART(billboards),    PART(models),
-        PART(background),      PART(lens.width),    PART(lens.height),
-        PART(lens.focal),      PART(lens.near_z),   PART(lens.far_z),
-        PART(lens.inset),      PART(lens.centre_x), PART(lens.centre_y),
-        PART(lens.off_centre), PART(camera.axes.right.y), PART(camera.axes.right.z),
-        PART(camera.axes.up.x), PART(camera.axes.forward.x), PART(camera.position.y)};
+    static const size_t parts[] = {PART(scene),
+                                   PART(frame),
+                                   PART(settings_number),
+                                   PART(set),
+                                   PART(billboards),
+                                   PART(models),
+                                   PART(background),
+                                   PART(lens.width),
+                                   PART(lens.height),
+                                   PART(lens.focal),
+                                   PART(lens.near_z),
+                                   PART(lens.far_z),
+                                   PART(lens.inset),
+                                   PART(lens.centre_x),
+                                   PART(lens.centre_y),
+                                   PART(lens.off_centre),
+                                   PART(camera.axes.right.y),
+                                   PART(camera.axes.right.z),
+                                   PART(camera.axes.up.x),
+                                   PART(camera.axes.forward.x),
+                                   PART(camera.position.y)};
 #undef PART
     const fxl_lens lens = unit_lens(CHANGED_WIDTH, CHANGED_HEIGHT);
     changed_start_plain(&changed_palette, &lens, false, 0);

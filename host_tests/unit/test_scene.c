@@ -208,6 +208,46 @@ static tiny_image *image_with_centre(fxl_q16_16 x, fxl_q16_16 y)
     return image;
 }
 
+/* An inset or a centre does not go with a scale. */
+void test_a_lens_with_a_scale(void)
+{
+    const struct {
+        fxl_q16_16 scale;
+        uint32_t inset;
+        bool has_centre;
+        fxl_status status;
+    } cases[] = {{FXL_ORTHOGRAPHIC_SCALE_MIN, 0, false, FXL_OK},
+                 {FXL_ORTHOGRAPHIC_SCALE_MAX, 0, false, FXL_OK},
+                 {FXL_ORTHOGRAPHIC_SCALE_MIN - 1, 0, false, FXL_E_RANGE},
+                 {FXL_ORTHOGRAPHIC_SCALE_MAX + 1, 0, false, FXL_E_RANGE},
+                 {Q16(3), 1, false, FXL_E_RANGE},
+                 {Q16(3), 0, true, FXL_E_RANGE}};
+    for (uint32_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const fxl_image_scale scale = {cases[i].scale};
+        tiny_image *image = cases[i].has_centre ? image_with_centre(Q16(-10), Q16(40))
+                                                : tiny_image_make(false);
+        fxl_scene_image opened;
+        fxl_scene_fault fault;
+        tiny_put32(tiny_at(image, AT_INSET), cases[i].inset);
+        tiny_set_section(image, SECTION_LENS_SCALE, &scale, 1, sizeof scale);
+        tiny_seal(image);
+        TEST_ASSERT_EQUAL(cases[i].status,
+                          fxl_scene_open(image->words, image->size, &opened, &fault));
+        if (cases[i].status == FXL_OK) {
+            TEST_ASSERT_EQUAL_INT32(cases[i].scale, opened.scale);
+        } else {
+            TEST_ASSERT_EQUAL_STRING("lens", fault.what);
+        }
+    }
+    tiny_image *image = tiny_image_make(false);
+    const fxl_image_scale scale = {Q16(3)};
+    fxl_scene_image opened;
+    tiny_put32(tiny_at(image, AT_NEAR), 0);
+    tiny_set_section(image, SECTION_LENS_SCALE, &scale, 1, sizeof scale);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_scene_open(image->words, image->size, &opened, NULL));
+}
+
 /* formats 1.1p-q */
 void test_the_target_that_an_image_asks_for(void)
 {

@@ -252,6 +252,7 @@ void test_steps_that_are_refused(void)
 {
     static const fxl_surface_set no_surfaces;
     static const fxl_billboard_set no_billboards;
+    static const fxl_line_set no_lines;
     config.fov = 60;
     refuse_step(FXL_SETUP_RENDERER, FXL_E_RANGE, "config->fov", "FXL_DEGREES(10)");
     config = fxl_config_default(WIDTH, HEIGHT);
@@ -285,6 +286,16 @@ void test_steps_that_are_refused(void)
     refuse_step(FXL_SETUP_RENDERER, FXL_E_RANGE, "config->fov", "FXL_DEGREES(10)");
     config = fxl_config_default(WIDTH, HEIGHT);
     plan.set_centre = NULL;
+    plan.set_orthographic = fxl_renderer_set_orthographic;
+    plan.scale = FXL_ORTHOGRAPHIC_SCALE_MIN - 1;
+    config.fov = 60; /* the renderer is refused first */
+    refuse_step(FXL_SETUP_RENDERER, FXL_E_RANGE, "config->fov", "FXL_DEGREES(10)");
+    config = fxl_config_default(WIDTH, HEIGHT);
+    refuse_step(FXL_SETUP_CENTRE, FXL_E_RANGE, "lens", "camera.h made");
+    plan.set_orthographic = NULL;
+    plan.attach_lines = fxl_attach_lines;
+    plan.lines = &no_lines;
+    refuse_step(FXL_SETUP_LINES, FXL_E_ARGUMENT, "set->line", "not be null");
     plan.attach_beams = fxl_attach_beams; /* what comes after a refused step is not tried */
     plan.attach_surfaces = fxl_attach_surfaces;
     plan.attach_lit = fxl_attach_lit;
@@ -293,6 +304,7 @@ void test_steps_that_are_refused(void)
     plan.attach_beams = NULL;
     plan.attach_surfaces = NULL;
     plan.attach_billboards = NULL;
+    plan.attach_lines = NULL;
     TEST_ASSERT_EQUAL(FXL_OK, init(LARGE)); /* with light, and light at corners of no surface */
     TEST_ASSERT_EQUAL(FXL_SETUP_DONE, setup.step);
     plan.path = poses;
