@@ -7,7 +7,6 @@ enum {
     FACES = 13,
     LEVELS = 4,
     LIST = 300,
-    TARGETS = 6,
     TEXEL = 60
 };
 
@@ -17,7 +16,7 @@ enum {
     }
 
 const changed_target changed_palette = WAY(fxl_palette);
-static const changed_target targets[TARGETS] = {
+const changed_target changed_targets[CHANGED_TARGETS] = {
     WAY(fxl_palette), WAY(fxl_palette_depth_16), WAY(fxl_palette_depth_32),
     WAY(fxl_rgb565),  WAY(fxl_rgb565_depth_16),  WAY(fxl_rgb565_depth_32)};
 static const fxl_direction normals[] = {{0, 0, -FXL_Q2_30_ONE}};
@@ -279,7 +278,7 @@ void changed_start_plain(const changed_target *into, const fxl_lens *lens, bool 
 
 void changed_start(const fxl_lens *lens)
 {
-    const changed_target *into = &targets[unit_between(0, TARGETS - 1)];
+    const changed_target *into = &changed_targets[unit_between(0, CHANGED_TARGETS - 1)];
     const bool with_tree = into->target->depth_bits == 0 && unit_between(0, 1) == 0;
     changed_start_plain(into, lens, with_tree,
                         (uint32_t)unit_between(1, 4) * (uint32_t)sizeof tree_room / 4);

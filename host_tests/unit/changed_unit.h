@@ -14,6 +14,7 @@ enum {
     CHANGED_PLACES = CHANGED_CAPACITY + CHANGED_TURNED,
     CHANGED_MODELS = 3, /* two cubes, the second one sorted, and a billboard */
     CHANGED_BOARDS = 2,
+    CHANGED_TARGETS = 6,
     CHANGED_BEAMS = 4, /* of CHANGED_THINGS */
     CHANGED_THINGS = 7,
     CHANGED_KEPT =
@@ -41,8 +42,8 @@ extern fxl_handle changed_handles[CHANGED_PLACES];
 extern uint32_t changed_handle_count;
 extern fxl_pose changed_eye;
 
-/* The palette. */
-extern const changed_target changed_palette;
+/* The palette, and all targets. */
+extern const changed_target changed_palette, changed_targets[CHANGED_TARGETS];
 
 /* A world and its renderer, with a lens, of a target at random, and a number of things attached. */
 void changed_start(const fxl_lens *lens);

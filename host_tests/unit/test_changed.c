@@ -281,10 +281,11 @@ void test_an_orthographic_lens_builds_the_same_picture(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_orthographic(CHANGED_WIDTH, CHANGED_HEIGHT, Q16(3),
                                                     Q16(0.25), Q16(60), &lens));
     has_overlay = false;
-    for (uint32_t i = 0; i < UNIT_REPEAT / 1000; i++) {
-        if (i % STEPS == 0) {
-            changed_start_plain(&changed_palette, &lens, false, 0);
-            changed_attach(3, true); /* billboards */
+    for (uint32_t i = 0; i < UNIT_REPEAT / 200; i++) {
+        if (i % 8 == 0) {
+            changed_start_plain(&changed_targets[i / 8 % CHANGED_TARGETS], &lens, false, 0);
+            changed_attach(0, i / 48 % 2 == 0); /* surfaces */
+            changed_attach(3, true);            /* billboards */
             changed_eye = changed_random_eye();
         }
         changed_change_world();
@@ -305,9 +306,11 @@ void test_a_box_holds_lines_over_a_model(void)
     static fxl_lines attached;
     const fxl_lens lens = unit_lens(CHANGED_WIDTH, CHANGED_HEIGHT);
     has_overlay = false;
-    for (uint32_t i = 0; i < UNIT_REPEAT / 500; i++) {
-        if (i % STEPS == 0) {
-            changed_start_plain(&changed_palette, &lens, false, 0);
+    for (uint32_t i = 0; i < UNIT_REPEAT / 200; i++) {
+        if (i % 8 == 0) {
+            changed_start_plain(&changed_targets[i / 8 % CHANGED_TARGETS], &lens, false, 0);
+            changed_attach(0, i / 48 % 2 == 0); /* surfaces */
+            changed_attach(3, i / 48 % 2 == 0); /* billboards */
             TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lines(&changed_renderer, &attached, &set));
             changed_eye = changed_random_eye();
         }

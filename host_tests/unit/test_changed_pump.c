@@ -335,6 +335,9 @@ void test_what_finding_refuses(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_widen(NULL, &changed));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_widen(&pump, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_pump_widen(&no_pump, &changed));
+    no_pump = pump;
+    no_pump.config.pixels = NULL; /* it sends them as they are drawn */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_widen(&no_pump, &changed));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_end(&changed_renderer));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_changed_add_model(&changed, &changed_renderer, 0));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&changed_renderer, &away));

@@ -181,6 +181,12 @@ void test_what_it_can_not_be_is_not_opened(void)
     }
 }
 
+static bool never_ready(void *user)
+{
+    (void)user;
+    return false;
+}
+
 /* changed 4.4b */
 void test_the_voltage_alternates_without_a_frame(void)
 {
@@ -199,4 +205,8 @@ void test_the_voltage_alternates_without_a_frame(void)
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_alternate(&other));
     other.driver = &fxl_st7789;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_alternate(&other));
+    const uint32_t before = sends;
+    display.sink.wait = never_ready;
+    TEST_ASSERT_EQUAL(FXL_E_DISPLAY, fxl_display_alternate(&display));
+    TEST_ASSERT_EQUAL(before, sends);
 }
