@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "draw/changed_boxes.c"
 #include "draw/changed.c"
 #include "proof.h"
 
@@ -95,7 +96,7 @@ void prove_widen(void)
 }
 
 /* [[row]]
- * function = "fxl_changed_init"
+ * function = "lib/draw/changed.c:fxl_changed_init"
  * property = "any record, memory and size, and null pointers: it knows no frame"
  * checks = 17
  */
