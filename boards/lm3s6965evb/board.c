@@ -108,10 +108,23 @@ static uint32_t pressed(void)
     return arrows | (select != 0 ? KEYS_SELECT : 0);
 }
 
+/* The quotient's lower 32 bits, digit by digit of 16 bits: the board has no room for a long division. */
+static uint32_t milliseconds_of(uint64_t ticks)
+{
+    uint32_t quotient = 0, rest = 0; /* rest < TICKS_PER_MILLISECOND < 2^16 */
+    uint32_t shift;
+
+    for (shift = 64; shift > 0; shift -= 16u) {
+        rest = rest << 16 | ((uint32_t)(ticks >> (shift - 16u)) & 0xFFFFu);
+        quotient = quotient << 16 | rest / TICKS_PER_MILLISECOND;
+        rest %= TICKS_PER_MILLISECOND;
+    }
+    return quotient;
+}
+
 uint32_t input_keys(void)
 {
     static keys_debouncer keys;
 
-    return keys_meaning(
-        keys_debounce(&keys, pressed(), (uint32_t)(systick_ticks() / TICKS_PER_MILLISECOND)));
+    return keys_meaning(keys_debounce(&keys, pressed(), milliseconds_of(systick_ticks())));
 }

@@ -28,12 +28,22 @@
 #define BARK EXCEPTION_NMI
 #endif
 
+/* So many or a little more; UINT32_MAX where there are more. In words alone: a board may have no room for a long division. */
+static uint32_t ticks_of(uint32_t milliseconds)
+{
+    const uint32_t seconds = milliseconds / 1000u, rest = milliseconds % 1000u;
+
+    if (seconds >= UINT32_MAX / CMSDK_WATCHDOG_HZ) {
+        return UINT32_MAX;
+    }
+    return seconds * CMSDK_WATCHDOG_HZ + rest * (CMSDK_WATCHDOG_HZ / 1000u) +
+           (rest * (CMSDK_WATCHDOG_HZ % 1000u) + 999u) / 1000u;
+}
+
 void watchdog_start(uint32_t milliseconds)
 {
-    const uint64_t ticks = ((uint64_t)milliseconds * CMSDK_WATCHDOG_HZ + 999u) / 1000u;
-
     LOCK = LOCK_OPEN;
-    LOAD = ticks < UINT32_MAX ? (uint32_t)ticks : UINT32_MAX;
+    LOAD = ticks_of(milliseconds);
     CLEAR = 1;
 #ifdef CMSDK_WATCHDOG_INTERRUPT
     NVIC_ISER = 1u << CMSDK_WATCHDOG_INTERRUPT;
