@@ -216,6 +216,19 @@ void test_a_point_is_a_square(void)
             TEST_ASSERT_EQUAL(is_in ? LINE : BACKGROUND, frame[i]);
         }
     }
+    for (uint32_t i = 0; i < 2; i++) { /* ends of which one coordinate differs */
+        const fxl_point from = {Q16(0.5), 0, Q16(3)};
+        const fxl_point to = {Q16(0.5), i == 0 ? Q16(1) : 0, i == 0 ? Q16(3) : Q16(6)};
+        const fxl_world_line line = {from, to, LINE, 1};
+        const fxl_band band = whole_band(frame);
+        uint32_t count = 0;
+        memset(frame, BACKGROUND, sizeof frame);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_line(&renderer, NULL, &line, &band));
+        for (int32_t k = 0; k < PIXELS; k++) {
+            count += frame[k] == LINE;
+        }
+        TEST_ASSERT_GREATER_THAN_UINT32(1, count);
+    }
 }
 
 /* --- lines on faces ------------------------------------------------------------------------- */
@@ -764,7 +777,7 @@ void test_a_line_of_the_world_that_is_refused(void)
     band.width = WIDTH;
     TEST_ASSERT_EQUAL_UINT32(13, renderer.workspace.counters.refused_calls);
     line.from.z = line.to.z = Q16(-3);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_line(&renderer, NULL, &line, &band));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_line(&renderer, &renderer.workspace, &line, &band));
     TEST_ASSERT_EQUAL_MEMORY(again, frame, sizeof again); /* it is behind the eye */
     line = good;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_line(&renderer, NULL, &line, &band));
