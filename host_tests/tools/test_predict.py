@@ -259,6 +259,20 @@ def test_for_people(tmp_path):
     assert f"a face takes {found['flash']['scene'] / 33:.0f}" in done.stdout
 
 
+def test_costs_of_perspective_are_called_so(tmp_path):
+    """There are none of an orthographic lens."""
+    words = [word for pair in options_of("mps2-an385").items() for word in pair]
+    view, text = '{ fov = 75, near = 0.25, far = 40, inset = "4/65536" }', (ROOT / "scenes/tiny.toml").read_text(encoding="utf-8")
+    for made, has_eye in ((view, True), ("{ scale = 12, near = 0.25, far = 40 }", False)):
+        assert view in text
+        (tmp_path / "scene.toml").write_text(text.replace(view, made), encoding="utf-8")
+        out = tmp_path / "prediction.json"
+        done = run_cli("predict", "--board", "mps2-an385", "--scene", tmp_path / "scene.toml", *words, "--frames", 1, "--json", out)
+        assert done.returncode == 0, done.stderr
+        assert json.loads(out.read_text(encoding="utf-8"))["orthographic"] is not has_eye
+        assert ("costs of lenses with an eye" not in done.stdout) is has_eye and ("make run" not in done.stdout) is has_eye
+
+
 def test_boards_and_scenes_without_costs():
     words = [word for pair in options_of("mps2-an505").items() for word in pair]
     done = run_cli("predict", "--board", "mps2-an505", "--scene", ROOT / "scenes/tiny.toml", *words)

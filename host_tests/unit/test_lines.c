@@ -624,13 +624,15 @@ void test_the_lines_of_an_image(void)
 }
 
 /* What does not go with lines: the sentence names both, and detaching ends it. */
-/* lines 4.5a */
+/* lines 4.5a, orthographic 1.3b */
 void test_conflicts(void)
 {
     static uint64_t tree[64];
     const fxl_pose pose = {{0, 0, Q16(-5)}, 0, 0, 0};
+    static const char *const others[] = {"the order by tree", "a clipper of the study",
+                                         "an orthographic lens"};
     const char *names[2] = {NULL, NULL};
-    for (uint32_t way = 0; way < 2; way++) {
+    for (uint32_t way = 0; way < 3; way++) {
         fxl_config config = config_of(&fxl_palette);
         make_edges(1);
         config.order = way == 0 ? &fxl_by_tree : NULL;
@@ -641,12 +643,18 @@ void test_conflicts(void)
             TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &fxl_clipper_world, room,
                                                                fxl_clipper_world.workspace_size));
         }
+        if (way == 2) {
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_orthographic(&renderer, Q16(8)));
+        }
         TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lines(&renderer, &attached, &set));
         TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_render(&renderer, &pose, frame, WIDTH));
         TEST_ASSERT_TRUE(fxl_renderer_conflict(&renderer, names));
-        TEST_ASSERT_EQUAL_STRING("lines", names[way == 0]);
-        TEST_ASSERT_EQUAL_STRING(way == 0 ? "the order by tree" : "a clipper of the study",
-                                 names[way]);
+        TEST_ASSERT_EQUAL_STRING("lines", names[way != 1]);
+        TEST_ASSERT_EQUAL_STRING(others[way], names[way == 1]);
+        const char *sentence = fxl_render_explain(&renderer, &pose, frame, WIDTH, NULL);
+        TEST_ASSERT_NOT_NULL(sentence);
+        TEST_ASSERT_NOT_NULL(strstr(sentence, names[0]));
+        TEST_ASSERT_NOT_NULL(strstr(sentence, names[1]));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lines(&renderer, &attached, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &pose, frame, WIDTH));
     }

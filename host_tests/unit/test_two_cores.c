@@ -74,7 +74,9 @@ void setUp(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&from, window, 4, &beam));
 }
 
-static void start(const fxl_order *order, const fxl_target *target, uint32_t set, uint32_t words)
+/* scale: of an orthographic lens; 0: the lens has an eye. */
+static void start_with(const fxl_order *order, const fxl_target *target, fxl_q16_16 scale,
+                       uint32_t set, uint32_t words)
 {
     const bool has_depth = target->depth_bits != 0;
     const fxl_light_settings lamp = {.ambient = FXL_Q2_30_ONE / 2, .ramp = ramp, .levels = LEVELS};
@@ -90,6 +92,9 @@ static void start(const fxl_order *order, const fxl_target *target, uint32_t set
     memset(tree, 0, sizeof tree);
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_renderer_init(&renderer, &made->tiny->scene, &config, memory, sizeof memory));
+    if (scale != 0) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_orthographic(&renderer, scale));
+    }
     renderer.frame.display_list.capacity = words;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, &surfaces,
                                                   set & SURFACES ? &surface_set : NULL,
@@ -99,6 +104,11 @@ static void start(const fxl_order *order, const fxl_target *target, uint32_t set
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lit(&renderer, set & LIGHT ? &lit : NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&renderer, set & BEAMS ? &beams : NULL, beam_room,
                                                sizeof beam_room));
+}
+
+static void start(const fxl_order *order, const fxl_target *target, uint32_t set, uint32_t words)
+{
+    start_with(order, target, 0, set, words);
 }
 
 /* What the renderer's own workspace works in. The sides of a tree's nodes are found anew in every
@@ -141,21 +151,48 @@ static void draw_in_two(void)
     TEST_ASSERT_EACH_EQUAL_HEX8(0xA5, room + size + 4000, sizeof room - size - 4000);
 }
 
-static void expect_the_frame_of_one(const fxl_order *order, const fxl_target *target)
+/* Surfaces and beams. */
+static void expect_split_refused(void)
+{
+    const char *names[2];
+    TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_frame_begin(&renderer, &eye));
+    TEST_ASSERT_TRUE(fxl_renderer_conflict(&renderer, names));
+    TEST_ASSERT_EQUAL_STRING("an orthographic lens", names[0]);
+    TEST_ASSERT_EQUAL_STRING("surfaces and beams", names[1]);
+    const char *sentence = fxl_render_explain(&renderer, &eye, frame, WIDTH, NULL);
+    TEST_ASSERT_NOT_NULL(strstr(sentence, names[0]));
+    TEST_ASSERT_NOT_NULL(strstr(sentence, names[1]));
+}
+
+static void expect_the_frame(const fxl_order *order, const fxl_target *target, fxl_q16_16 scale)
 {
     static const uint32_t lists[] = {0, 30, 120, 1200};
-    uint32_t whole = 0;
+    uint32_t whole = 0, sets = 0, shown = 0;
     for (uint32_t set = 0; set < SETS; set++) {
-        start(order, target, set, 0);
+        start_with(order, target, scale, set, 0);
+        if (scale != 0 && (set & (SURFACES | BEAMS)) == (SURFACES | BEAMS)) {
+            expect_split_refused();
+            continue;
+        }
         TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
+        for (uint32_t i = 0; i < PIXELS; i++) {
+            shown += frame[i] != BACKGROUND;
+        }
+        sets++;
         for (uint32_t i = 0; i < sizeof lists / sizeof *lists; i++) {
-            start(order, target, set, lists[i]);
+            start_with(order, target, scale, set, lists[i]);
             draw_in_two();
             whole += renderer.frame.resume.instances == renderer.frame.visible_count;
             TEST_ASSERT_EQUAL_MEMORY(frame, other, sizeof frame);
         }
     }
-    TEST_ASSERT_TRUE(whole >= SETS && whole <= 3 * SETS); /* other lists had no room for all */
+    TEST_ASSERT_TRUE(shown > sets * PIXELS / 10);
+    TEST_ASSERT_TRUE(whole >= sets && whole <= 3 * sets); /* other lists had no room for all */
+}
+
+static void expect_the_frame_of_one(const fxl_order *order, const fxl_target *target)
+{
+    expect_the_frame(order, target, 0);
 }
 
 /* surfaces 6.3, rgb565 3.6a */
@@ -168,6 +205,13 @@ void test_by_distance(void)
 void test_by_distance_with_a_depth_buffer(void)
 {
     expect_the_frame_of_one(&fxl_by_distance, &fxl_palette_depth_16);
+}
+
+/* orthographic 1.3a, 1.3b */
+void test_with_an_orthographic_lens(void)
+{
+    expect_the_frame(&fxl_by_distance, &fxl_palette, Q16(5));
+    expect_the_frame(&fxl_by_distance, &fxl_palette_depth_16, Q16(5));
 }
 
 void test_by_a_tree(void)

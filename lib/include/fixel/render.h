@@ -303,8 +303,8 @@ fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *c
  * moves. Then a frame must begin anew.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: the renderer was never initialised.
- * FXL_E_RANGE: the lens has an inset, or the centre is farther from the middle of the screen than
- * fxl_lens_set_centre allows.
+ * FXL_E_RANGE: the lens has an inset, the centre is farther from the middle of the screen than
+ * fxl_lens_set_centre allows, or the lens is orthographic and the centre is not the middle.
  * With each of these statuses: renderer untouched but for refused_calls. */
 fxl_status fxl_renderer_set_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16_16 y);
 

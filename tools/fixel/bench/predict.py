@@ -163,7 +163,7 @@ def predict(options, file):
     board, core = board_of(options, known)
     scene, size = image.load(file), pathlib.Path(file).stat().st_size
     result = {"board": options.board, "core": core, "scene": options.scene, "frames": scene.frames,
-              "faces": sum(len(model.faces) for model in scene.models), "lines_not_counted": lines_of(scene),
+              "faces": sum(len(model.faces) for model in scene.models), "lines_not_counted": lines_of(scene), "orthographic": bool(scene.scale),
               "why_not": None, **frame_costs.memory(board, size, has_looks(scene)), "instructions_per_frame": None,
               "ram_of_your_program": memory_needed.of_program(scene), "your_memory": [], "parts": []}
     try:
@@ -194,6 +194,9 @@ def print_prediction(result):
             ["stack", f"{stack['seen']:,} of {stack['reserved']:,} bytes"]]
     if taken:
         rows.append(["instructions a frame", f"{taken['min']:,} to {taken['max']:,}, mean {taken['mean']:,}"])
+        if result["orthographic"]:
+            rows.append(["", "by the costs of lenses with an eye; those of an orthographic one are not known: make run counts "
+                             "what its frames take"])
     if taken and result["lines_not_counted"]:
         rows.append(["not counted", f"{count_of(result['lines_not_counted'], 'line')}, edges and points among them: their instructions come on top"])
     print(table(rows))
