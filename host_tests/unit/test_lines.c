@@ -262,7 +262,7 @@ static bool line_covers(const fxl_instance *instance, const fxl_line *line, int3
 void test_an_edge_is_seen_wherever_its_face_is(void)
 {
     uint32_t seen = 0, hidden = 0;
-    for (int round = 0; round < UNIT_REPEAT / 300; round++) {
+    for (int round = 0; round < UNIT_REPEAT / 300 + 20; round++) {
         const fxl_target *target = depths[round % 2];
         const fxl_pose pose = tiny_pose_before();
         make_edges((uint8_t)unit_between(1, 5));
@@ -466,7 +466,7 @@ void test_bands_lists_and_cores_have_the_same_pixels(void)
 {
     uint32_t count = 0;
     fxl_placement placements[TINY_INSTANCES];
-    for (int round = 0; round < UNIT_REPEAT / 2000 + 2; round++) {
+    for (int round = 0; round < UNIT_REPEAT / 2000 + 8; round++) {
         const fxl_pose pose = round % 2 ? tiny_pose_between() : tiny_pose_about();
         make_edges((uint8_t)unit_between(1, 4));
         lines[3].to = lines[3].from; /* a point */
