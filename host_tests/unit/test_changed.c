@@ -300,9 +300,10 @@ void test_an_orthographic_lens_builds_the_same_picture(void)
 /* changed 2.1h */
 void test_a_box_holds_lines_over_a_model(void)
 {
-    static const fxl_line lines[] = {{0, 7, {0, 0}, 9, 16, 0}, {1, 1, {0, 0}, 10, 13, 0}};
-    static const uint32_t line_map[CHANGED_MODELS + 1] = {0, 2, 2, 2};
-    static const fxl_line_set set = {lines, 2, line_map};
+    static const fxl_line lines[] = {
+        {0, 7, {0, 0}, 9, 16, 0}, {1, 1, {0, 0}, 10, 13, 0}, {2, 4, {5, 2}, 11, 3, 0}};
+    static const uint32_t line_map[CHANGED_MODELS + 1] = {0, 3, 3, 3};
+    static const fxl_line_set set = {lines, 3, line_map};
     static fxl_lines attached;
     const fxl_lens lens = unit_lens(CHANGED_WIDTH, CHANGED_HEIGHT);
     has_overlay = false;

@@ -327,6 +327,60 @@ void test_depths_are_linear_between_near_and_far(void)
     TEST_ASSERT_TRUE(checked > 0);
 }
 
+/* Faces that are seen edge-on, or nearly so, are at infinity, and a slope that no pixel can notice
+ * is none. */
+/* orthographic 2.11a */
+void test_depths_of_faces_at_the_limits(void)
+{
+    const struct {
+        fxl_direction normal;
+        bool is_seen;
+    } cases[] = {{{0, 0, -FXL_Q2_30_ONE}, true},
+                 {{1, 1, -FXL_Q2_30_ONE}, true},
+                 {{FXL_Q2_30_ONE, 0, -1}, false},
+                 {{0, FXL_Q2_30_ONE, -1}, false}};
+    const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+    const fxl_point corner = {0, 0, Q16(1)};
+    for (uint32_t i = 0; i < 4; i++) {
+        const fxl_q16_16 scale =
+            cases[i].is_seen ? FXL_ORTHOGRAPHIC_SCALE_MAX : FXL_ORTHOGRAPHIC_SCALE_MIN;
+        fxl_face face = {.normal = cases[i].normal, .count = 3, .indices = {0, 0, 0}};
+        fxl_lens lens;
+        fxl_vertex_cache own;
+        fxl_model_view model_view;
+        fxl_view view;
+        fxl_depth_plane plane;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_orthographic(WIDTH, HEIGHT, scale, FXL_NEAR_MIN,
+                                                        cases[i].is_seen ? FXL_FAR_MAX : Q16(2),
+                                                        &lens));
+        fxl_view_set_lens(&view, &lens);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
+        fxl_vertex_cache_init(&own, NULL, 0);
+        fxl_model_view_of_polygon(&model_view, &corner, &view, &own);
+        lens.off_centre->orthographic->find_depth(&model_view, &face, &plane);
+        TEST_ASSERT_EQUAL(cases[i].is_seen, plane.one != 0);
+        TEST_ASSERT_TRUE(plane.gradient.along == 0 && plane.gradient.down == 0);
+        lens.centre_y++;
+        TEST_ASSERT_FALSE(fxl_lens_is_valid(&lens));
+    }
+}
+
+/* The sequence of faces is the same where no bounds of faces are known. */
+/* orthographic 2.5a */
+void test_faces_without_bounds_come_in_the_same_sequence(void)
+{
+    for (int round = 0; round < UNIT_REPEAT / 2000 + 2; round++) {
+        const fxl_pose pose = tiny_pose_about();
+        start(TINY_INSTANCES, LIST_WORDS);
+        for (uint32_t i = 0; i < 2; i++) {
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &pose, frames[i], WIDTH));
+            tiny->scene.face_bounds = NULL;
+            tiny->scene.face_bounds_count = 0;
+        }
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
+    }
+}
+
 /* --- what is refused --------------------------------------------------------------------------- */
 
 static void expect_conflict(const fxl_pose *pose, const char *first, const char *second)
@@ -348,6 +402,8 @@ void test_what_does_not_go_with_the_lens_is_refused(void)
     const fxl_pose pose = tiny_pose_before();
     fxl_wire wire;
     fxl_config config;
+    static fxl_outlines outlines;
+    const fxl_outline_style style = {.line = 77};
     start(TINY_INSTANCES, LIST_WORDS);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &fxl_clipper_world, NULL, 0));
@@ -369,6 +425,8 @@ void test_what_does_not_go_with_the_lens_is_refused(void)
     TEST_ASSERT_EQUAL(Q16(3), renderer.frame.view.lens.focal);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.refused_calls);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_outlines(&renderer, &outlines, &style));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_set_orthographic(&renderer, Q16(3)));
     memset(&renderer, 0, sizeof renderer);
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_set_orthographic(&renderer, Q16(3)));
 }
