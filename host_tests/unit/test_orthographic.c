@@ -427,6 +427,11 @@ void test_what_does_not_go_with_the_lens_is_refused(void)
     TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.refused_calls);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_outlines(&renderer, &outlines, &style));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_set_orthographic(&renderer, Q16(3)));
+    const fxl_memory memory = {order, 64, NULL, 0, NULL, 0};
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_bare(&renderer, &tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_orthographic(&renderer, Q16(3))); /* no target */
+    TEST_ASSERT_TRUE(renderer.clipper == NULL && renderer.order == NULL);
     memset(&renderer, 0, sizeof renderer);
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_set_orthographic(&renderer, Q16(3)));
 }

@@ -53,6 +53,8 @@ void test_a_rounded_eye_in_a_cone(void)
     TEST_ASSERT_TRUE(inside > UNIT_REPEAT / 20 && slack > UNIT_REPEAT / 100);
 }
 
+static bool is_orthographic;
+
 /* A frame into pixels[which]. */
 static fxl_counters draw(tiny_scene *tiny, const fxl_pose *pose, int which, bool with_memory,
                          const fxl_clipper *clipper)
@@ -63,6 +65,9 @@ static fxl_counters draw(tiny_scene *tiny, const fxl_pose *pose, int which, bool
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&tiny->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));
+    if (is_orthographic) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_orthographic(&renderer, Q16(3)));
+    }
     frame_draw_pose(&renderer, pose, pixels[which], HEIGHT, 0);
     return renderer.workspace.counters;
 }
@@ -243,4 +248,30 @@ void test_turned_clusters_that_no_sphere_test_takes(void)
     cluster.centre.z = -FXL_COORDINATE_MAX / 4 - Q16(5);
     TEST_ASSERT_EQUAL_HEX32(FXL_PLANES_ALL | FXL_MODEL_VIEW_SCALED,
                             fxl_turned_cluster_planes(&turned, &cluster));
+}
+
+/* Clusters change no pixel of an orthographic lens: of models that are turned, and of others. */
+/* orthographic 2.4a */
+void test_clusters_with_an_orthographic_lens(void)
+{
+    uint32_t drawn = 0;
+    is_orthographic = true;
+    for (int i = 0; i < UNIT_REPEAT / 200; i++) {
+        cluster_scene *made = cluster_make();
+        tiny_scene *tiny = made->tiny;
+        fxl_pose pose = unit_pose();
+        pose.position = (fxl_point){unit_between(Q16(-4), Q16(4)), unit_between(Q16(-4), Q16(4)),
+                                    unit_between(Q16(-6), Q16(6))};
+        if (i % 2 == 0) {
+            place_all(tiny);
+        }
+        drawn += draw(tiny, &pose, 0, i % 4 < 2, &fxl_clipper_view).drawn;
+        tiny->models[1].first_cluster = 0;
+        tiny->scene.clusters = NULL;
+        tiny->scene.cluster_count = 0;
+        (void)draw(tiny, &pose, 1, i % 4 < 2, &fxl_clipper_view);
+        TEST_ASSERT_EQUAL_MEMORY(pixels[1], pixels[0], sizeof pixels[0]);
+    }
+    is_orthographic = false;
+    TEST_ASSERT_GREATER_THAN_UINT32(UNIT_REPEAT / 500, drawn);
 }
