@@ -14,7 +14,7 @@ BUILT_PROGRAMS = ("host/libfixel.a",)
 PAGE = (CHECKOUT / "docs" / "setup.md").read_text(encoding="utf-8")
 ROWS = re.findall(r"^\| (\d+) \| `(fxl_\w+)` \| [^|]+ \| ([\d, ]*) ?\| (?:`(FXL_E_\w+)`)? ?\|$", PAGE, re.MULTILINE)
 DECLARED = re.compile(r"^fxl_status (fxl_\w+)\(", re.MULTILINE)
-SETS_UP = re.compile(r"_(init|init_with|init_bare|open|attach|choose|set_clipper|set_centre|set_colours|place)$|^fxl_attach_|"
+SETS_UP = re.compile(r"_(init|init_with|init_bare|open|attach|choose|set_clipper|set_centre|set_orthographic|set_colours|place)$|^fxl_attach_|"
                      r"^fxl_motion_begin$|^fxl_scene_check(_all)?$")
 # They set nothing up: the first moves a lens, the second computes where a child is, the third sets a placement of an instance.
 OTHERS = {"fxl_lens_set_centre", "fxl_placement_attach"}
@@ -56,6 +56,11 @@ static const fxl_light_settings day = {.ambient = FXL_Q2_30_ONE, .ramp = ramp, .
 static const fxl_outline_style ink = {.line = 1};
 static const uint32_t line_map[2];
 static const fxl_line_set line_set = {NULL, 0, line_map};
+static const fxl_q2_30 level[1];
+static const uint8_t ground_and_sky[2] = {1, 2};
+static const fxl_horizon sky = {level, ground_and_sky, 1};
+static fxl_changed changed;
+static uint64_t kept[FXL_CHANGED_MEMORY(4, 4, 0, 0)];
 static bool send(void *user, bool is_data, const uint8_t *bytes, size_t size) { (void)user; (void)is_data; (void)bytes; return size > 0; }
 static void wait_for(void *user, uint32_t milliseconds) { (void)user; (void)milliseconds; }
 static bool start(void *user, uint16_t first, uint16_t rows, const uint8_t *bytes, size_t size)
@@ -64,7 +69,7 @@ static bool start(void *user, uint16_t first, uint16_t rows, const uint8_t *byte
     return send(NULL, true, bytes, size);
 }
 static bool wait(void *user) { (void)user; return true; }
-static const fxl_pump_sink no_sink = {NULL, start, wait};
+static const fxl_pump_sink no_sink = {.start = start, .wait = wait};
 static const fxl_display_port port = {NULL, send, NULL, NULL, wait_for};
 static void say(const char *name, fxl_status status) { printf("%s %d\\n", name, (int)status); }
 #define CALL(name, ...) say(#name, name(__VA_ARGS__))
@@ -100,6 +105,7 @@ int main(void)
     CALL(fxl_renderer_set_clipper, &renderer, &fxl_clipper_view, clip_memory, sizeof clip_memory);
     CALL(fxl_renderer_choose, &renderer, &config);
     CALL(fxl_renderer_set_centre, &renderer, FXL_UNITS(160), FXL_UNITS(120));
+    CALL(fxl_renderer_set_orthographic, &renderer, FXL_UNITS(12));
     CALL(fxl_world_attach, &world, &renderer);
     CALL(fxl_world_set_colours, &world, &renderer, &recolouring);
     CALL(fxl_attach_surfaces, &renderer, &surfaces, &set, FXL_SURFACES_OF(fxl_palette));
@@ -109,6 +115,7 @@ int main(void)
     CALL(fxl_attach_beams, &renderer, &beams, beam_memory, sizeof beam_memory);
     CALL(fxl_attach_outlines, &renderer, &outlines, &ink);
     CALL(fxl_attach_lines, &renderer, &lines, &line_set);
+    CALL(fxl_attach_horizon, &renderer, &sky);
     CALL(fxl_workspace_init, &second, &renderer, second_memory, sizeof second_memory);
     CALL(fxl_display_place, &display, 16, 16);
     CALL(fxl_pump_init, &pump, &(fxl_pump_config){&pixels, 320, 240, 8, NULL}, &no_sink, pump_memory, sizeof pump_memory);
@@ -137,7 +144,9 @@ int main(void)
     CALL(fxl_attach_billboards, &renderer, &billboards, &boards, FXL_SPRITES_OF(fxl_palette));
     CALL(fxl_attach_outlines, &renderer, &outlines, &ink);
     CALL(fxl_attach_lines, &renderer, &lines, &line_set);
+    CALL(fxl_attach_horizon, &renderer, &sky);
     CALL(fxl_workspace_init, &second, &renderer, second_memory, sizeof second_memory);
+    CALL(fxl_changed_init, &changed, kept, sizeof kept);
     CALL(fxl_display_open, &display, &glass, &port, cube_palette[0]);
     CALL(fxl_pixels_init, &pixels, &fxl_pixels_rgb565, cube_palette[0]);
     CALL(fxl_display_place, &display, 320, 240);

@@ -15,8 +15,8 @@ extern "C" {
 /* What stands behind everything. The caller owns it, and keeps it as long as it is attached; it may
  * change between two frames: fxl_changed_find learns of it when the horizon is attached anew. */
 typedef struct fxl_horizon {
-    /* count sines of elevations in 2.30, ascending, each within -FXL_Q2_30_ONE..FXL_Q2_30_ONE: 0 is
-     * the horizon, FXL_Q2_30_ONE the zenith. */
+    /* count sines of elevations in 2.30, ascending, each from -1 to 1: 0 is the horizon, 1 the
+     * zenith. */
     const fxl_q2_30 *sines;
     /* count + 1 entries of the palette: colours[k] is seen where k of the sines are at most that of
      * the elevation. So colours[0] is that of the nadir. */

@@ -3,13 +3,21 @@
 
 import functools
 import pathlib
+import re
 
 from fixel.bench import frame_costs, predict
 from fixel.image import image
+from fixel.scene import scene_options
 
-# A board for each core that bench/costs.json has costs of.
-BOARDS = {"mps2-an385": "Cortex-M3", "mps2-an386": "Cortex-M4", "mps3-an547": "Cortex-M55", "microbit": "Cortex-M0, 16 KB of RAM",
-          "rv32": "RISC-V RV32IMC"}
+CORE = re.compile(r"-m(?:cpu|arch)=([\w-]+)")
+
+
+def boards(build):
+    """{a board for each core that bench/costs.json has costs of: its core}, the one that make takes by itself first."""
+    found = {}
+    for board in sorted(frame_costs.load()["boards"], key=lambda board: board != scene_options.BOARD):
+        found.setdefault(CORE.search(settings(board, build).core)[1], board)
+    return {board: core for core, board in found.items()}
 
 
 @functools.cache

@@ -32,12 +32,14 @@ GROUPS = {
                 "docs/seeds.md"],
     "Understand": ["DESIGN.md", "SOUNDNESS.md", "docs/safety/*.md", "CONTRIBUTING.md", "lib/*.md", "host_tests/*.md", "SECURITY.md", "CHANGELOG.md"],
 }
+BELOW = ("ports/*/*.md", "host_tests/*/*.md")   # documents that the list of contents leaves to a page which names them
 REFERENCE, REFERENCE_IN = "reference/index", "Look up"  # the reference's page, and its group
 NO_DOCUMENTS = (".github/*", "tools/*")     # forms, and what programs are made of
 LINK = re.compile(r"(!?\[[^\]]*\]\()([^)\s#:]+)((?:#[^)\s]*)?\))")
 FENCE = re.compile(r"^(?:```.*?^```$|    .*?$)", re.MULTILINE | re.DOTALL)
 PICTURES = (".png", ".gif", ".svg")
 UNNAMED = re.compile(r'<p class="breathe-sectiondef-title[^>]*>Unnamed Group</p>')     # functions that share a comment
+SYMBOL = re.compile(r'<symbol id="([\w-]+)".*?</symbol>\s*', re.DOTALL)      # of the theme's pictures a page uses some
 FOR_KEYS = {'<p class="caption" role="heading">': '<p class="caption" role="heading" aria-level="2">', "<pre>": '<pre tabindex="0">',
             '<div class="table-wrapper': '<div tabindex="0" class="table-wrapper'}
 FILES = "files"     # the folder of the copies of files
@@ -58,6 +60,7 @@ exclude_patterns = ["{files}"]
 html_theme = "furo"
 html_favicon = "docs/cube.png"
 html_copy_source = False
+html_use_index = False
 html_show_sourcelink = False
 html_show_search_summary = False    # it would fetch pages, which a browser refuses where these are files
 html_theme_options = {{"navigation_with_keys": True}}
@@ -148,11 +151,16 @@ def copied(text, document, tree):
     return "".join(made) + led(text[end:])
 
 
+def is_below(name):
+    """Whether the list of contents leaves a document out."""
+    return any(fnmatch.fnmatch(name, pattern) for pattern in BELOW)
+
+
 def contents(groups):
     """The page of all documents."""
     parts = ["# Documents\n"]
     for group, names in groups.items():
-        lines = "\n".join(name.removesuffix(".md") for name in names) + (f"\n{REFERENCE}" if group == REFERENCE_IN else "")
+        lines = "\n".join(name.removesuffix(".md") for name in names if not is_below(name)) + (f"\n{REFERENCE}" if group == REFERENCE_IN else "")
         parts.append(f"```{{toctree}}\n:maxdepth: 1\n:caption: {group}\n\n{lines}\n```\n")
     return "\n".join(parts)
 
@@ -165,7 +173,8 @@ def _stage(folder):
     for name in [name for group in groups.values() for name in group]:
         place = source / name
         place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_text(copied((ROOT / name).read_text(encoding="utf-8"), name, tree), encoding="utf-8")
+        text = copied((ROOT / name).read_text(encoding="utf-8"), name, tree)
+        place.write_text(("---\norphan: true\n---\n" if is_below(name) else "") + text, encoding="utf-8")
     for name in names:
         if name.startswith("docs/") and name.endswith(PICTURES):
             (source / name).parent.mkdir(parents=True, exist_ok=True)
@@ -198,6 +207,7 @@ def finished(text):
     text = UNNAMED.sub("", text)
     for before, after in FOR_KEYS.items():
         text = text.replace(before, after)
+    text = SYMBOL.sub(lambda found: found[0] if f'"#{found[1]}"' in text else "", text)
     parts = re.split(r"(<pre\b.*?</pre>)", text, flags=re.DOTALL)
     return "".join(part if number % 2 else re.sub(r"\n\s+", "\n", part) for number, part in enumerate(parts))
 

@@ -21,7 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 TEMPLATES = ROOT / "tools" / "templates"
 ESBUILD = ROOT / ".node" / "node_modules" / ".bin" / "esbuild"
 FIRST = "plaza"         # the scene of the first page
-LEFT_OUT = ("adversarial", "tiny", "knot-moving")   # scenes for tests, which no person looks at
+LEFT_OUT = ("adversarial", "tiny", "knot-moving", "f32p")   # scenes for tests, which no person looks at
 MOST = 12 << 20         # bytes of the site
 
 
@@ -56,7 +56,7 @@ def write_scenes(folder, build, say):
         say(number, len(scenes))
         image = place / f"{file.stem}.fxls"
         making.build(str(file), str(image))
-        cost = {board: costs.of_scene(file, image, board, build) for board in costs.BOARDS}
+        cost = {board: costs.of_scene(file, image, board, build) for board in costs.boards(build)}
         (place / f"{file.stem}.json").write_text(json.dumps(cost, separators=(",", ":")), encoding="utf-8")
         found.append({"name": file.stem, "said": title_of(file), "bytes": image.stat().st_size})
     return found
@@ -70,11 +70,11 @@ def bundle(folder, *files):
         raise ToolError("esbuild: failed", words=(done.stdout or "") + (done.stderr or ""))
 
 
-def page(scenes):
+def page(scenes, boards):
     """The first page."""
-    data = json.dumps({"first": FIRST, "scenes": scenes, "boards": costs.BOARDS}, separators=(",", ":")).replace("<", "\\u003c")
+    data = json.dumps({"first": FIRST, "scenes": scenes}, separators=(",", ":")).replace("<", "\\u003c")
     text = (TEMPLATES / "site.html").read_text(encoding="utf-8")
-    options = "".join(f'<option value="{html.escape(board)}">{html.escape(core)} ({html.escape(board)})</option>' for board, core in costs.BOARDS.items())
+    options = "".join(f'<option value="{html.escape(board)}">{html.escape(board)} ({html.escape(core)})</option>' for board, core in boards.items())
     for name, value in {"data": data, "version": html.escape(version.version()), "boards": options}.items():
         text = text.replace("{{" + name + "}}", value)
     return text
@@ -103,7 +103,7 @@ def main(argv):
         bundle(folder, "site.js", "site.css")
         shutil.copyfile(options.module, folder / "walk.wasm")
         shutil.copyfile(ROOT / "docs" / "plaza.png", folder / "plaza.png")
-        (folder / "index.html").write_text(page(scenes), encoding="utf-8")
+        (folder / "index.html").write_text(page(scenes, costs.boards(options.build)), encoding="utf-8")
         total, first = sizes(folder)
         if total > MOST:
             raise ToolError(f"the site has {total:,} bytes, of at most {MOST:,}")
