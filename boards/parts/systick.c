@@ -118,6 +118,20 @@ __attribute__((noinline)) uint64_t systick_ticks(void)
 
 #define NANOSECONDS 1000000000u /* in a second */
 
+/* By a divisor below 2^16, digit by digit of 16 bits: a board may have no room for a long division. */
+static inline uint64_t divided(uint64_t value, uint32_t divisor)
+{
+    uint64_t quotient = 0;
+    uint32_t rest = 0, shift;
+
+    for (shift = 64; shift > 0; shift -= 16u) {
+        rest = rest << 16 | ((uint32_t)(value >> (shift - 16u)) & 0xFFFFu);
+        quotient = quotient << 16 | rest / divisor;
+        rest %= divisor;
+    }
+    return quotient;
+}
+
 /* BOARD_SYSTICK_HZ, of board.mk, is its clock. board_start has called systick_start. The resolution
  * is a tick. The clock's own interrupt, about twenty instructions in 2^24 ticks, is counted, too.
  */
@@ -127,6 +141,9 @@ uint64_t clock_instructions(void)
 
     if (NANOSECONDS % BOARD_SYSTICK_HZ == 0) {
         return ticks * (NANOSECONDS / BOARD_SYSTICK_HZ);
+    }
+    if (BOARD_SYSTICK_HZ % 1000000u == 0) {
+        return divided(ticks * 1000u, BOARD_SYSTICK_HZ / 1000000u); /* < 2^60 */
     }
     /* Whole seconds and the rest, < 2^30 * 2^30: exact, and rounded down once. */
     return ticks / BOARD_SYSTICK_HZ * NANOSECONDS +
@@ -142,10 +159,10 @@ static uint32_t patience; /* wraps that the program may take without a sign of l
 
 __attribute__((weak)) void watchdog_start(uint32_t milliseconds)
 {
-    const uint64_t ticks = (uint64_t)milliseconds * (BOARD_SYSTICK_HZ / 1000u); /* < 2^44 */
+    const uint32_t span = systick_period() / (BOARD_SYSTICK_HZ / 1000u); /* whole milliseconds of a wrap */
 
     /* The current period may end at once. */
-    patience = (uint32_t)(ticks / systick_period()) + 2u;
+    patience = milliseconds / (span > 0 ? span : 1u) + 2u;
     systick_alarm(patience);
 }
 

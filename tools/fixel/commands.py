@@ -72,7 +72,7 @@ ROOMS = {
         "api-check": ("fixel.package.api_check", "compare the public headers and functions with the last tag"),
         "one-file": ("fixel.package.one_file", "write the library as fixel.h and fixel.c"),
         "site": ("fixel.site.site", "write the site: a page that draws, and all documents"),
-        "docs": ("fixel.site.documents", "write all documents, and the reference of the public functions, as pages"),
+        "docs": ("fixel.site.docs", "write all documents, and the reference of the public functions, as pages"),
         "packages": ("fixel.package.packages", "write packages for Arduino, PlatformIO, ESP-IDF, Zephyr, Conan and Rust"),
     },
     "Shell and Makefile": {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The site: a page that draws, and all documents.
 
-`fixel docs`, of `documents.py`, writes the Markdown of the tree as pages, with the reference of the public functions and types:
+`fixel docs`, of `docs.py`, writes the Markdown of the tree as pages, with the reference of the public functions and types:
 `reference.py` has Doxygen read the headers. `fixel site`, of `site.py`, writes these and the first page, whose scenes
 `firmware/web` draws as WebAssembly; `costs.py` says what their frames cost. `tools/templates/site.*` and `walk.mjs` are the page.
 """

@@ -14,7 +14,7 @@ from fixel.base import children, output, progress, scratch, version
 from fixel.base.errors import ToolError
 from fixel.commands import late
 
-costs, documents = late("fixel.site", "costs documents")
+costs, docs = late("fixel.site", "costs docs")
 making = late("fixel.scene", "making")
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
@@ -99,7 +99,7 @@ def main(argv):
         with progress.Progress("scenes") as say:
             scenes = write_scenes(folder, options.build, say)
         with progress.Progress("documents"):
-            count, functions, _ = documents.write(folder / "documents", pathlib.Path(made))
+            count, functions, _ = docs.write(folder / "documents", pathlib.Path(made))
         bundle(folder, "site.js", "site.css")
         shutil.copyfile(options.module, folder / "walk.wasm")
         shutil.copyfile(ROOT / "docs" / "plaza.png", folder / "plaza.png")
@@ -107,7 +107,7 @@ def main(argv):
         total, first = sizes(folder)
         if total > MOST:
             raise ToolError(f"the site has {total:,} bytes, of at most {MOST:,}")
-        documents.put(folder, options.out)
+        docs.put(folder, options.out)
     print(f"site: {count} documents, {functions} functions, {len(scenes)} scenes, {total:,} bytes, of which the first page loads {first:,}\n"
           f"  {options.out / 'index.html'}; to see it draw: python3 -m http.server --directory {options.out} 8066")
     return 0

@@ -91,7 +91,7 @@ def grouped(names):
             found[group] += taken
             left = [name for name in left if name not in taken]
     if left:
-        raise ToolError(f"{left[0]}: no group of the site's documents takes it; tools/fixel/site/documents.py lists them")
+        raise ToolError(f"{left[0]}: no group of the site's documents takes it; tools/fixel/site/docs.py lists them")
     return found
 
 
