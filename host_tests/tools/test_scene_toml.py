@@ -303,6 +303,8 @@ TRIED = [
     (keys.MOTION, BOX + "[objects.motion]\n", {"by": [1, 0, 0], "frames": 4}, PATH, {"by", "frames", "back", "repeats"}),
     (keys.MOTION, BOX + "[objects.motion]\n", {}, PATH, {"keys"}), (keys.MOTION_KEY, BOX + "[[objects.motion.keys]]\n", {}, PATH, None),
     (keys.IMAGES, MODEL + "[objects.images]\n", {}, PATH, None),
+    (keys.OBJECT, BOX, {}, PATH, {*keys.LINES}), (keys.EDGES, BOX + "[objects.edges]\n", {}, PATH, None),
+    (keys.POLYLINE, BOX + "[[objects.lines]]\n", {"at": [[0, 0, 0], [1, 0, 0]]}, PATH, None), (keys.DOTS, BOX + "[[objects.points]]\n", {"at": [[0, 0, 0]]}, PATH, None),
     (keys.TEXTURE, "[[textures]]\n", {"name": "u", "pattern": "bricks"}, BOX + PATH, {*keys.TEXTURE} - {"file", "most_colours"}),
     (keys.TEXTURE, "[[textures]]\n", {"name": "u"}, BOX + PATH, {"file"}),
     (keys.TEXTURE, "[[textures]]\n", {"name": "u", "file": "m.png"}, BOX + PATH, {"most_colours"}),
@@ -340,7 +342,7 @@ def test_every_key_of_every_table_is_tried_and_its_kind_reads_its_own_examples()
     tried = {id(table): set() for table in tables.values()}
     for table, _, _, _, names in TRIED:
         tried[id(table)] |= set(table if names is None else names)
-    parts = {"ANGLES", "PLACES", "TURNED", "MODEL", "SURFACE", "SOLID", "ANY_OBJECT"}       # of OBJECT and others
+    parts = {"ANGLES", "PLACES", "TURNED", "MODEL", "SURFACE", "SOLID", "ANY_OBJECT", "STROKE", "MARK", "LINES"}       # of OBJECT and others
     assert {name: set(table) - tried[id(table)] for name, table in tables.items() if name not in parts} == \
         {name: set() for name in tables if name not in parts}
     for table in tables.values():
