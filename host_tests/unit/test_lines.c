@@ -591,6 +591,11 @@ void test_lines_in_rgb565(void)
             TEST_ASSERT_EQUAL_HEX16(palette[frame[k]], pixels[k]);
         }
     }
+    const fxl_world_line line = {{0, 0, Q16(3)}, {Q16(1), 0, Q16(3)}, LINE, 2};
+    fxl_band band = whole_band((uint8_t *)pixels + 1);
+    band.palette = palette;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_frame_draw_line(&renderer, NULL, &line, &band));
 }
 
 /* An image's lines are those of its two sections, which come together. */
