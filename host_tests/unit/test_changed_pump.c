@@ -300,6 +300,7 @@ void test_what_finding_refuses(void)
     const fxl_pose away = {{0, 0, Q16(90)}, 0, 0, 0}; /* it sees nothing, so all is in the list */
     fxl_changed never = {0}, small;
     fxl_pump no_pump = {0};
+    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_pixels_rgb565, true, 1));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_changed_init(NULL, changed_kept, 8));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_changed_init(&never, NULL, 8));
     TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_changed_init(&never, (uint8_t *)changed_kept + 4, 8));
