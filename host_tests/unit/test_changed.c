@@ -257,6 +257,7 @@ void test_four_boxes_are_joined_where_they_grow_least(void)
 {
     static const fxl_screen_box added[] = {
         {0, 4, 0, 4}, {40, 4, 0, 4}, {0, 4, 30, 4}, {40, 4, 30, 4}, {6, 2, 0, 4}};
+    static const fxl_screen_box apart = {20, 4, 16, 2};
     const fxl_lens lens = unit_lens(CHANGED_WIDTH, CHANGED_HEIGHT);
     changed_start_plain(&changed_palette, &lens, false, 0);
     for (uint32_t i = 0; i < 2; i++) {
@@ -272,6 +273,10 @@ void test_four_boxes_are_joined_where_they_grow_least(void)
                      changed.boxes[0].rows == 4);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_changed_add(&changed, &added[1]));
     TEST_ASSERT_EQUAL(4, changed.count); /* it was there */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_changed_add(&changed, &apart));
+    TEST_ASSERT_EQUAL(4, changed.count); /* two are joined, and it takes the place of one */
+    TEST_ASSERT_EQUAL(34, changed.boxes[1].rows);
+    TEST_ASSERT_EQUAL_MEMORY(&apart, &changed.boxes[3], sizeof apart);
 }
 
 /* changed 2.2a */
