@@ -127,6 +127,29 @@ static void choose(attached *to, const fxl_order *order, const fxl_target *targe
     DEMAND(fxl_renderer_choose(&to->renderer, &config) == FXL_OK);
 }
 
+/* Horizons that are refused. */
+static void misuse_horizon(fxl_renderer *renderer)
+{
+    static fxl_renderer none;
+    static const fxl_q2_30 sines[] = {0, 1}, falling[] = {1, 0}, large[] = {FXL_Q2_30_ONE + 1, 0};
+    static const uint8_t colours[] = {1, 2, 3};
+    const fxl_horizon sound = {sines, colours, 2};
+    const struct {
+        fxl_horizon horizon;
+        fxl_status status;
+    } cases[] = {{{NULL, colours, 2}, FXL_E_ARGUMENT},
+                 {{sines, NULL, 2}, FXL_E_ARGUMENT},
+                 {{sines, colours, 0}, FXL_E_COUNT},
+                 {{sines, colours, FXL_HORIZON_MAX + 1}, FXL_E_COUNT},
+                 {{falling, colours, 2}, FXL_E_RANGE},
+                 {{large, colours, 2}, FXL_E_RANGE}};
+    for (uint32_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        DEMAND(fxl_attach_horizon(renderer, &cases[i].horizon) == cases[i].status);
+    }
+    DEMAND(fxl_attach_horizon(NULL, &sound) == FXL_E_ARGUMENT);
+    DEMAND(fxl_attach_horizon(&none, &sound) == FXL_E_ORDER);
+}
+
 /* What fxl_renderer_choose refuses, of a renderer without attachments. */
 static void misuse(attached *to)
 {
@@ -193,6 +216,7 @@ void draw_attached(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose 
     const fxl_memory memory = {made.order, scene->draw_list_needed, NULL, 0, NULL, 0};
     DEMAND(fxl_renderer_init_with(&made.renderer, scene, lens, &memory) == FXL_OK);
     misuse(&made);
+    misuse_horizon(&made.renderer);
     for (uint32_t i = 0; i < DRAW_TARGETS; i++) {
         for (uint32_t set = 0; set < SETS; set++) {
             DEMAND(fxl_renderer_init_with(&made.renderer, scene, lens, &memory) == FXL_OK);

@@ -269,6 +269,8 @@ void draw_rgb565(fxl_renderer *renderer, draw_parts *parts, const fxl_surface_se
     draw_twice(renderer, in);
     draw_detach(renderer);
     draw_twice_by_depth(renderer, parts, &made.set, is_lit, palette, &same);
+    const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+    draw_lines(renderer->scene, &renderer->frame.view.lens, &pose, &made.set, in);
     for (uint32_t i = 0; i < TEXTURES; i++) {
         free(made.texels[i]);
     }

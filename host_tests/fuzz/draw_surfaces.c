@@ -354,6 +354,10 @@ static void draw_made(const fxl_scene *scene, made_surfaces *made, fuzz_input *i
         misuse(&renderer, made, scene);
         draw_light_alone(&renderer, &parts, made, in);
     }
+    if (status == FXL_OK) {
+        const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+        draw_lines(scene, &lens, &pose, &made->set, in);
+    }
     free(order);
     free(room);
 }

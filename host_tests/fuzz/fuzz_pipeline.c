@@ -43,6 +43,7 @@ static void draw_made(made_scene *made, fuzz_input *in)
             draw_scene(&made->scene, &lens, &pose, &choice, in);
             if (i == 0) {
                 draw_attached(&made->scene, &lens, &pose);
+                draw_lines(&made->scene, &lens, &pose, NULL, in);
                 draw_setup(&made->scene, &lens, &pose);
                 first = pose;
             }

@@ -110,6 +110,11 @@ void draw_in_another(const fxl_renderer *renderer, const uint8_t *whole, uint8_t
 /* A frame into each target, with whatever may be attached, or a refusal that names two things. */
 void draw_attached(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose);
 
+/* Frames with lines or an orthographic lens, into each target, and with the surfaces of a set, if there is
+ * one; and without a set those of a world over the scene, by what changed. Takes no byte of the input. */
+void draw_lines(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
+                const fxl_surface_set *set, const fuzz_input *in);
+
 /* Setups of a scene, in exactly the memory that they ask for. */
 void draw_setup(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose);
 

@@ -398,6 +398,41 @@ static fxl_scene squares(bool with_tree)
     return scene;
 }
 
+/* Memory that is refused. */
+static void misuse_init(const fxl_scene *scene, const fxl_world_memory *sound)
+{
+    static fxl_world world;
+    fxl_world_memory memory = *sound;
+    DEMAND(fxl_world_init(NULL, scene, &memory) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_init(&world, NULL, &memory) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_init(&world, scene, NULL) == FXL_E_ARGUMENT);
+    memory.instances = NULL;
+    DEMAND(fxl_world_init(&world, scene, &memory) == FXL_E_ARGUMENT);
+    memory = *sound;
+    memory.slots = NULL;
+    DEMAND(fxl_world_init(&world, scene, &memory) == FXL_E_ARGUMENT);
+    memory.slots = (fxl_world_slot *)((uintptr_t)sound->slots + 2);
+    DEMAND(fxl_world_init(&world, scene, &memory) == FXL_E_ALIGNMENT);
+    memory = *sound;
+    memory.turned_capacity = 1;
+    memory.placements = NULL;
+    DEMAND(fxl_world_init(&world, scene, &memory) == FXL_E_ARGUMENT);
+    memory.placements = (fxl_placement *)((uintptr_t)sound->placements + 2);
+    DEMAND(fxl_world_init(&world, scene, &memory) == FXL_E_ALIGNMENT);
+    memory.placements = sound->placements;
+    memory.placement_code = NULL;
+    DEMAND(fxl_world_init(&world, scene, &memory) == FXL_E_ARGUMENT);
+    memory = *sound;
+    memory.colours = NULL;
+    DEMAND(fxl_world_init(&world, scene, &memory) == FXL_E_ARGUMENT);
+    memory = *sound;
+    memory.colour_count = UINT8_MAX + 1;
+    DEMAND(fxl_world_init(&world, scene, &memory) == FXL_E_COUNT);
+    memory.colour_count = 2;
+    memory.capacity = FXL_SCENE_INSTANCES_MAX + 1;
+    DEMAND(fxl_world_init(&world, scene, &memory) == FXL_E_COUNT);
+}
+
 /* The scene is the fuzzer's, or, if it is not in order, one of the two above. */
 void fuzz_world(fuzz_input *in)
 {
@@ -426,6 +461,7 @@ void fuzz_world(fuzz_input *in)
         DEMAND(fxl_scene_check_all(&scene, NULL) == FXL_OK);
     }
     memory.capacity = more > MORE ? more - MORE - 1 : scene.instance_count + more;
+    misuse_init(&scene, &memory);
     const fxl_status status = fxl_world_init(&of.world, &scene, &memory);
     DEMAND(status == FXL_OK || status == FXL_E_COUNT || status == FXL_E_CAPACITY);
     if (status == FXL_OK) {

@@ -236,6 +236,97 @@ static void fuzz_pump(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *ey
     DEMAND(fxl_pump_frame(&pump, renderer, eye) == FXL_E_RANGE);
 }
 
+/* --- boxes of a frame: nothing is recorded ------------------------------------------------------ */
+
+/* Sends, where the number of calls before is not that of the failure. */
+typedef struct {
+    uint32_t calls, fails_at;
+} box_wires;
+
+static bool start_box(void *user, const fxl_screen_box *box, const uint8_t *bytes, size_t size)
+{
+    box_wires *wires = (box_wires *)user;
+    DEMAND(box->columns > 0 && box->first_column + box->columns <= WIDTH && box->rows > 0 &&
+           box->first_row + box->rows <= HEIGHT && bytes != NULL && size > 0);
+    return wires->calls++ != wires->fails_at;
+}
+
+static bool start_rows(void *user, uint16_t first_row, uint16_t rows, const uint8_t *bytes,
+                       size_t size)
+{
+    const fxl_screen_box box = {0, WIDTH, first_row, rows};
+    return start_box(user, &box, bytes, size);
+}
+
+static bool wait_box(void *user)
+{
+    return user != NULL;
+}
+
+/* Boxes that are sent, or refused. */
+static void demand_box(fxl_pump *pump, fxl_renderer *renderer, fuzz_input *in)
+{
+    const fxl_screen_box box = {(uint16_t)fuzz_below(in, WIDTH + 1), (uint16_t)fuzz_below(in, 26),
+                                (uint16_t)fuzz_below(in, HEIGHT + 1),
+                                (uint16_t)fuzz_below(in, HEIGHT + 2)};
+    const fxl_screen_box eight = {8, 8, 8, (uint16_t)(1 + fuzz_below(in, 8))};
+    const fxl_screen_box *const boxes[] = {&box, &eight};
+    for (uint32_t i = 0; i < 2; i++) {
+        const fxl_status status = fxl_pump_begin_box(pump, boxes[i]);
+        DEMAND(status == FXL_OK || status == FXL_E_RANGE);
+        while (status == FXL_OK && fxl_pump_band(pump) != NULL) {
+            fxl_frame_fill(renderer, fxl_pump_band(pump), 0);
+            DEMAND(fxl_frame_draw(renderer, fxl_pump_band(pump)) == FXL_OK);
+            if (fxl_pump_send(pump) != FXL_OK) {
+                break;
+            }
+        }
+    }
+}
+
+/* A pump that sends what changed, by boxes or by whole rows. */
+static void demand_boxes(fuzz_input in, fxl_renderer *renderer, const fxl_pose *eye)
+{
+    static uint64_t memory[FXL_PUMP_MEMORY(WIDTH, HEIGHT, 24)], kept[1024];
+    static fxl_pixels pixels;
+    static fxl_pump pump, none;
+    fxl_changed changed;
+    DEMAND(fxl_changed_init(&changed, kept, sizeof kept) == FXL_OK);
+    for (uint32_t i = 0; i < 5 * (FORMATS + 1); i++) {
+        const uint32_t format = i / 5, columns = i % 5;
+        box_wires wires = {0, fuzz_below(&in, 4) ? UINT32_MAX : fuzz_below(&in, 8)};
+        const fxl_pump_sink sink = {&wires, start_rows, wait_box, columns < 4 ? start_box : NULL,
+                                    (uint8_t)((1u << columns % 4) - 1u)};
+        const fxl_pump_config config = {format < FORMATS ? &pixels : NULL, WIDTH, HEIGHT, 8, NULL};
+        DEMAND(format == FORMATS || fxl_pixels_init(&pixels, formats[format], palette) == FXL_OK);
+        DEMAND(fxl_pump_init(&pump, &config, &sink, memory, sizeof memory) == FXL_OK);
+        for (uint32_t k = 0; k < 4; k++) {
+            fxl_pose pose = *eye;
+            pose.yaw = k > 1 ? 0 : pose.yaw;
+            const fxl_status status = fxl_pump_changed(&pump, renderer, &pose, &changed);
+            if (status == FXL_OK) {
+                demand_box(&pump, renderer, &in);
+            }
+            DEMAND(status != FXL_E_DISPLAY || changed.renderer == NULL);
+            (void)fxl_frame_end(renderer);
+        }
+    }
+    const fxl_screen_box box = {0, 8, 0, 8};
+    memset(&none, 0, sizeof none);
+    DEMAND(fxl_pump_changed(NULL, renderer, eye, &changed) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pump_changed(&pump, NULL, eye, &changed) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pump_changed(&pump, renderer, eye, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pump_widen(NULL, &changed) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pump_widen(&pump, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pump_widen(&none, &changed) == FXL_E_ORDER);
+    DEMAND(fxl_pump_begin(&none) == FXL_E_ORDER && fxl_pump_wait(&none) == FXL_E_ORDER);
+    DEMAND(fxl_pump_begin_box(&none, &box) == FXL_E_ORDER);
+    DEMAND(fxl_pump_begin_box(NULL, &box) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pump_begin_box(&pump, NULL) == FXL_E_ARGUMENT);
+    pump.config.height -= 1;
+    DEMAND(fxl_pump_changed(&pump, renderer, eye, &changed) == FXL_E_RANGE);
+}
+
 /* A display with a glass of any size, on wires that fail sooner or later. */
 static void fuzz_driver(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *eye)
 {
@@ -359,6 +450,7 @@ void fuzz_show(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *eye)
         palette[i] = (uint8_t)(i * 37u);
     }
     fuzz_parts(*in);
+    demand_boxes(*in, renderer, eye);
     demand_refusals(in);
     fuzz_formats(in);
     fuzz_pump(in, renderer, eye);
