@@ -312,7 +312,7 @@ static bool submit_one(const fxl_traversal *traversal, const fxl_draw_entry *ent
 {
     const fxl_renderer *renderer = traversal->renderer;
     const fxl_billboards *billboards = renderer->billboards;
-    fxl_line_counters uncounted;
+    fxl_line_counters uncounted = {0};
     if (traversal->resume->faces != FACES_DONE &&
         !(billboards != NULL ? billboards->code->instance(traversal, entry)
                              : fxl_submit_any_instance(traversal, entry))) {
