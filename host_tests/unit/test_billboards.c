@@ -83,18 +83,6 @@ static rectangle exact_rectangle(double scale)
     return at;
 }
 
-/* place sampling: definition: exact_texel */
-/* The texel at a pixel's centre, or -1; -2 where a corner's rounding may decide. */
-static int exact_texel(double at, double from, double end, int texels_of_side)
-{
-    const double place = (at - from) / (end - from) * texels_of_side;
-    const double unsure = 4 * (texels_of_side + fabs(place)) / ((end - from) * 65536);
-    if (fabs(place - floor(place + 0.5)) < unsure) {
-        return -2;
-    }
-    return place < 0 || place > texels_of_side ? -1 : (int)place;
-}
-
 /* Every pixel of a frame without cubes. Returns how many were sure and show the sprite. */
 static uint32_t expect_sprite(double scale)
 {
@@ -104,8 +92,8 @@ static uint32_t expect_sprite(double scale)
     uint32_t shown = 0;
     for (int y = 0; y < BOARD_SCENE_HEIGHT; y++) {
         for (int x = 0; x < BOARD_SCENE_WIDTH; x++) {
-            const int u = exact_texel(x + 0.5, at.left, at.right, BOARD_SPRITE_WIDTH);
-            const int v = exact_texel(y + 0.5, at.top, at.bottom, BOARD_SPRITE_HEIGHT);
+            const int u = exact_sprite_texel(x + 0.5, at.left, at.right, BOARD_SPRITE_WIDTH);
+            const int v = exact_sprite_texel(y + 0.5, at.top, at.bottom, BOARD_SPRITE_HEIGHT);
             int expected = BACKGROUND;
             if (is_there && (u == -2 || v == -2)) {
                 continue;

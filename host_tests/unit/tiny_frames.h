@@ -4,6 +4,8 @@
 #ifndef TINY_FRAMES_H
 #define TINY_FRAMES_H
 
+#include <math.h>
+
 #include "tiny.h"
 #include "fixel/billboards.h"
 
@@ -59,6 +61,18 @@ typedef struct {
     fxl_renderer renderer;
     fxl_billboards billboards;
 } board_scene;
+
+/* place sampling: definition: exact_sprite_texel */
+/* The texel at a pixel's centre, or -1; -2 where a corner's rounding may decide. */
+static inline int exact_sprite_texel(double at, double from, double end, int texels_of_side)
+{
+    const double place = (at - from) / (end - from) * texels_of_side;
+    const double unsure = 4 * (texels_of_side + fabs(place)) / ((end - from) * 65536);
+    if (fabs(place - floor(place + 0.5)) < unsure) {
+        return -2;
+    }
+    return place < 0 || place > texels_of_side ? -1 : (int)place;
+}
 
 /* The scene anew. The sprite has no key and is 4 x 3 units about its centre. Its pixels are 100 and
  * more. */
