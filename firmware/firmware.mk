@@ -307,7 +307,7 @@ endef
 
 # What a program of the user's own links beside its objects: own.c, which hands out its pictures, and any of the library. Its
 # code may have warnings, and GNU's C. An exported scene is kept whole, so that the tools find its palette.
-OWN_WRAPPED := main fxl_frame_begin fxl_frame_fill fxl_frame_draw fxl_render
+OWN_WRAPPED := main fxl_frame_begin fxl_frame_fill fxl_frame_draw fxl_render fxl_changed_find
 OWN_CC = $(filter-out -std=% -W% -fdata-sections,$(CORE_CC.$(call CORE_NAME,$(1)))) -std=gnu11 -Wall
 OWN_LIB_OF = $(if $(BOARD_HOSTED.$(1)),$(BUILD)/host/objects/lib,$(BOARD_CORE_OUT)/lib)
 OWN_LIB_NAMES_OF = $(filter-out study/% draw/offsets,$(if $(BOARD_HOSTED.$(1)),$(LIB_HOST_NAMES),$(call CORE_LIB_NAMES,$(notdir $(BOARD_CORE_OUT)))))
@@ -323,7 +323,7 @@ $(call WALK_OF,$(1)): $(call OWN_OBJECT_OF,$(1),$(2))
 endef
 
 define OWN_PROGRAM_RULES
-$(FIRMWARE_OUT)/$(1)/libown.a: $(FIRMWARE_OUT)/$(1)/firmware/own/show_rows.o $(FIRMWARE_OUT)/$(1)/firmware/own/keys_held.o
+$(FIRMWARE_OUT)/$(1)/libown.a: $(foreach each,show_rows keys_held no_wires,$(FIRMWARE_OUT)/$(1)/firmware/own/$(each).o)
 	@rm -f $$@
 	@$(if $(BOARD_HOSTED.$(1)),ar,$(call CROSS_OF,$(1))ar) rcs $$@ $$^
 

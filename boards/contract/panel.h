@@ -12,7 +12,7 @@
  *   open, then for each frame begin, flush, ..., flush, end; then close.
  * The rectangles of a frame are whole rows (x = 0, width = the format's). They go downward
  * without a gap and end with the last row. A frame may come as one rectangle or as one for each
- * row. After a call that returned false the only call is close. close may come within a frame. */
+ * row. A dump (parts/dump.h) and a driver's panel also take frames of boxes. After a call that returned false the only call is close. close may come within a frame. */
 #ifndef BOARD_PANEL_H
 #define BOARD_PANEL_H
 

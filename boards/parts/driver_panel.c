@@ -73,18 +73,20 @@ static panel_answer open(const panel_format *format)
     return PANEL_READY;
 }
 
-/* Sends what is there in pieces of the pump's rows. Where a piece of a page is left over, the walk
- * was given bands that do not fit the display: ROWS= is then to be a multiple of 8. */
+/* Sends what is there in pieces of the pump's rows: whole rows, or those of a box (firmware/own/own.c).
+ * Where a piece of a page is left over, the walk was given bands that do not fit the display: ROWS= is
+ * then to be a multiple of 8. */
 static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const void *pixels)
 {
     uint16_t row;
 
-    (void)x; /* whole rows come */
     for (row = 0; row < height; row = (uint16_t)(row + ROWS)) {
         const uint16_t left = (uint16_t)(height - row);
         const fxl_band band = {.pixels =
                                    (uint8_t *)(uintptr_t)pixels + (size_t)row * width * pixel_bytes,
-                               .width = width,
+                               .width = pump.config.width,
+                               .first_column = x,
+                               .columns = width,
                                .stride = width,
                                .first_row = (uint16_t)(y + row),
                                .rows = left < ROWS ? left : (uint16_t)ROWS,

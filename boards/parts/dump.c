@@ -78,9 +78,19 @@ static bool begin(uint32_t number, const fxl_pose *pose)
     return put(head, sizeof head);
 }
 
+bool dump_box(const fxl_screen_box *box)
+{
+    uint8_t head[8];
+    uint8_t *to;
+
+    to = put_u16(put_u16(head, box->first_column), box->columns);
+    (void)put_u16(put_u16(to, box->first_row), box->rows);
+    return put(head, sizeof head);
+}
+
 static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const void *pixels)
 {
-    (void)x; /* whole rows come, downward */
+    (void)x; /* whole rows come, downward; or those of the box that was announced */
     (void)y;
     return put(pixels, (size_t)width * height * pixel_bytes); /* <= 2^21 */
 }

@@ -7,6 +7,8 @@
 #include "contract/panel.h"
 #include "contract/system.h"
 #include "fixel.h"
+#include "fixel/changed.h"
+#include "parts/dump.h"
 
 fxl_status __real_fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 fxl_status __wrap_fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
@@ -18,6 +20,8 @@ fxl_status __real_fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *
                              uint16_t stride);
 fxl_status __wrap_fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels,
                              uint16_t stride);
+fxl_status __real_fxl_changed_find(fxl_changed *changed, const fxl_renderer *renderer);
+fxl_status __wrap_fxl_changed_find(fxl_changed *changed, const fxl_renderer *renderer);
 int __real_main(int argc, char **argv);
 int __wrap_main(int argc, char **argv);
 
@@ -27,6 +31,10 @@ int __wrap_main(int argc, char **argv);
 static struct {
     const panel *shows[2]; /* null: not open, or not there */
     bool in_frame;
+    bool in_boxes;        /* in a frame of boxes: what fxl_changed_find found */
+    /* Of such a frame: dump_box, or null if the first panel is no dump. A pointer, so that programs without
+     * boxes do not link it. */
+    bool (*dump_box)(const fxl_screen_box *box);
     uint32_t frames, most; /* ended; after how many the program ends, 0: it ends itself */
     uint16_t width, height, row;
     uint8_t pixel_bits;
@@ -46,7 +54,8 @@ static struct {
  * over them until then. */
 static struct {
     const void *pixels; /* null: none */
-    uint16_t first_row, rows, stride;
+    fxl_screen_box box;
+    uint16_t stride;
 } held;
 
 static const void *cleared; /* pixels that fxl_frame_fill cleared and nothing drew into yet */
@@ -89,9 +98,33 @@ static bool close_panels(bool whole)
     return is_shown;
 }
 
+static void end_frame(void);
+
+/* What a dump has before the pixels of a box, and with a box of 0 columns behind the last one. */
+static void dump_head(const fxl_screen_box *box)
+{
+    if (shown.dump_box != NULL && !shown.dump_box(box)) {
+        fail("the frames could not be shown", SYSTEM_EXIT_DISPLAY);
+    }
+}
+
+/* A frame of boxes ends when the next one begins, or with the program: it has as many boxes as it has. */
+static void end_boxes(void)
+{
+    static const fxl_screen_box none = {0, 0, 0, 0};
+
+    if (shown.in_boxes) {
+        shown.in_boxes = false;
+        dump_head(&none);
+        shown.dump_box = NULL;
+        end_frame();
+    }
+}
+
 /* Ends the program where main drew no frame, or not the whole of its last one. */
 static void check_frames(void)
 {
+    end_boxes();
     if (shown.shows[0] == NULL) {
         fail("main drew no frame: it called neither fxl_render nor fxl_frame_draw",
              SYSTEM_EXIT_PROGRAM);
@@ -140,7 +173,10 @@ static void begin_frame(void)
              SYSTEM_EXIT_DISPLAY);
     }
     for (uint32_t i = 0; i < 2 && shown.shows[i] != NULL; i++) {
-        if (shown.shows[i]->begin != NULL && !shown.shows[i]->begin(shown.frames, &drawn.pose)) {
+        const uint32_t number =
+            i == 0 && shown.dump_box != NULL ? shown.frames | DUMP_BOXES : shown.frames;
+
+        if (shown.shows[i]->begin != NULL && !shown.shows[i]->begin(number, &drawn.pose)) {
             fail("the frames could not be shown", SYSTEM_EXIT_DISPLAY);
         }
     }
@@ -177,33 +213,64 @@ uint16_t own_width(void)
     return drawn.width;
 }
 
-void own_show(uint16_t first_row, uint16_t rows, const void *pixels, uint16_t stride)
+static void show_pixels(const fxl_screen_box *box, const void *pixels, uint16_t stride)
 {
     const uint32_t row_bytes = (uint32_t)stride * (drawn.pixel_bits / 8u);
-    const uint16_t at_once = stride == drawn.width ? rows : 1; /* a panel takes rows without a gap between them */
+    /* A panel takes rows without a gap between them. */
+    const uint16_t at_once = stride == box->columns ? box->rows : 1;
     const uint8_t *row = pixels;
 
-    if (drawn.renderer == NULL) {
-        fail("rows are shown before any were drawn", SYSTEM_EXIT_DISPLAY);
-    }
-    if (first_row == 0 && !shown.in_frame) {
-        begin_frame();
-    }
-    if (!shown.in_frame || first_row != shown.row || rows > shown.height - first_row) {
-        fail("the rows of a frame do not go downward, each once", SYSTEM_EXIT_DISPLAY);
-    }
-    for (uint16_t i = 0; i < rows; i = (uint16_t)(i + at_once)) {
+    for (uint16_t i = 0; i < box->rows; i = (uint16_t)(i + at_once)) {
         for (uint32_t each = 0; each < 2 && shown.shows[each] != NULL; each++) {
-            if (!shown.shows[each]->flush(0, (uint16_t)(first_row + i), shown.width, at_once, row)) {
-                fail("the frames could not be shown", SYSTEM_EXIT_DISPLAY);
+            if (!shown.shows[each]->flush(box->first_column, (uint16_t)(box->first_row + i),
+                                          box->columns, at_once, row)) {
+                fail(shown.in_boxes ? "a box could not be shown: DRIVER= may send other columns, or other rows, than the pump of the program"
+                                    : "the frames could not be shown",
+                     SYSTEM_EXIT_DISPLAY);
             }
         }
         row += row_bytes;
     }
-    shown.row = (uint16_t)(first_row + rows);
+}
+
+/* The rows of a frame that is drawn whole. */
+static void show_whole_rows(const fxl_screen_box *box, const void *pixels, uint16_t stride)
+{
+    if (box->first_row == 0 && !shown.in_frame) {
+        begin_frame();
+    }
+    if (!shown.in_frame || box->first_row != shown.row ||
+        box->rows > shown.height - box->first_row) {
+        fail("the rows of a frame do not go downward, each once", SYSTEM_EXIT_DISPLAY);
+    }
+    if (box->columns != shown.width) {
+        fail("a band of some columns cannot be shown: only a frame of which fxl_changed_find was asked has such bands", SYSTEM_EXIT_DISPLAY);
+    }
+    show_pixels(box, pixels, stride);
+    shown.row = (uint16_t)(box->first_row + box->rows);
     if (shown.row == shown.height) {
         end_frame();
     }
+}
+
+static void show(const fxl_screen_box *box, const void *pixels, uint16_t stride)
+{
+    if (!shown.in_boxes) {
+        show_whole_rows(box, pixels, stride);
+        return;
+    }
+    dump_head(box);
+    show_pixels(box, pixels, stride);
+}
+
+void own_show(uint16_t first_row, uint16_t rows, const void *pixels, uint16_t stride)
+{
+    const fxl_screen_box box = {0, drawn.width, first_row, rows};
+
+    if (drawn.renderer == NULL) {
+        fail("rows are shown before any were drawn", SYSTEM_EXIT_DISPLAY);
+    }
+    show(&box, pixels, stride);
 }
 
 static void show_held(void)
@@ -212,18 +279,17 @@ static void show_held(void)
 
     if (pixels != NULL) {
         held.pixels = NULL;
-        own_show(held.first_row, held.rows, pixels, held.stride);
+        show(&held.box, pixels, held.stride);
     }
 }
 
 /* Shows rows that were drawn. Those that the next ones may take the place of without a call that is
  * seen here are shown at once. stack: the stack of who called the library is above. */
-static void hold(uint16_t first_row, uint16_t rows, const void *pixels, uint16_t stride,
-                 bool is_seen, const uint8_t *stack)
+static void hold(const fxl_screen_box *box, const void *pixels, uint16_t stride, bool is_seen,
+                 const uint8_t *stack)
 {
     held.pixels = pixels;
-    held.first_row = first_row;
-    held.rows = rows;
+    held.box = *box;
     held.stride = stride;
     /* Pixels on the stack of main, or of who it called, may be gone when the next ones come. */
     if (!is_seen || ((const uint8_t *)pixels > stack && (const uint8_t *)pixels < first_frame)) {
@@ -251,6 +317,7 @@ fxl_status __wrap_fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     fxl_status status;
 
     show_held();
+    end_boxes();
     before = clock_instructions();
     status = __real_fxl_frame_begin(renderer, pose);
     if (status == FXL_OK) {
@@ -282,12 +349,11 @@ fxl_status __wrap_fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
     system_alive(); /* a program may draw over each band for long */
     note(renderer, band->width, band->first_row, (uint32_t)band->first_row + band->rows);
     if (&own_has_display_rows == NULL) {
-        if (band->columns != 0 && band->columns != band->width) {
-            fail("a band of some columns cannot be shown", SYSTEM_EXIT_DISPLAY);
-        }
+        const fxl_screen_box box = {band->first_column, band->columns != 0 ? band->columns : band->width,
+                                    band->first_row, band->rows};
+
         /* A program that clears no band may paint its own background into the next one. */
-        hold(band->first_row, band->rows, band->pixels, band->stride, cleared == band->pixels,
-             __builtin_frame_address(0));
+        hold(&box, band->pixels, band->stride, cleared == band->pixels, __builtin_frame_address(0));
     }
     cleared = NULL;
     return FXL_OK;
@@ -300,6 +366,7 @@ fxl_status __wrap_fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *
     fxl_status status;
 
     show_held();
+    end_boxes();
     before = clock_instructions();
     status = __real_fxl_render(renderer, eye, pixels, stride);
     if (status != FXL_OK) {
@@ -311,7 +378,40 @@ fxl_status __wrap_fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *
     if (&own_has_display_rows != NULL) {
         return FXL_OK;
     }
-    hold(0, renderer->frame.view.lens.height, pixels, stride, true, __builtin_frame_address(0));
+    const fxl_screen_box box = {0, drawn.width, 0, renderer->frame.view.lens.height};
+
+    hold(&box, pixels, stride, true, __builtin_frame_address(0));
+    return FXL_OK;
+}
+
+/* From here on the bands of the frame are those of boxes: the rest of the picture stays. */
+fxl_status __wrap_fxl_changed_find(fxl_changed *changed, const fxl_renderer *renderer)
+{
+    uint64_t before;
+    fxl_status status;
+
+    show_held();
+    before = clock_instructions();
+    status = __real_fxl_changed_find(changed, renderer);
+    if (status != FXL_OK) {
+        return status;
+    }
+    drawn.spent += clock_instructions() - before;
+    if (shown.in_frame) {
+        if (!shown.in_boxes) {
+            fail("fxl_changed_find was asked within a frame whose rows came", SYSTEM_EXIT_DISPLAY);
+        }
+        return FXL_OK;
+    }
+    note((fxl_renderer *)(uintptr_t)renderer, renderer->frame.view.lens.width, 0, 0);
+#if !defined OWN_REPEATS /* without a debugger there is no dump */
+    shown.dump_box = board_panels()[0] == &dump_panel ? dump_box : NULL;
+#endif
+    begin_frame();
+    shown.in_boxes = true;
+    if (own_keep != NULL) {
+        own_keep((fxl_renderer *)(uintptr_t)renderer);
+    }
     return FXL_OK;
 }
 

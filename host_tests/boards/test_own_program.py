@@ -272,6 +272,78 @@ def test_a_display_shows_the_bands_of_a_program(folder, board):
     assert refused.returncode == 2 and "larger than it is" in refused.stdout + refused.stderr and not (folder / "small").exists()
 
 
+def written_watch(folder, old="", new=""):
+    """examples/watch, or a program with another text in it."""
+    (folder / "watch").mkdir(exist_ok=True)
+    text = (CHECKOUT / "examples/watch/main.c").read_text(encoding="utf-8")
+    assert text.count(old) == 1 or not old
+    (folder / "watch/main.c").write_text(text.replace("SECONDS = 60", "SECONDS = 12").replace(old, new), encoding="utf-8")
+    return "watch"
+
+
+def test_a_picture_is_made_of_the_boxes_that_changed(folder):
+    """On the board, on the host and on the glass; it is that of the whole frame."""
+    _, boxes, frames = run(folder, written_watch(folder), "BOARD=mps2-an385", "DRIVER=st7789_240x240")
+    assert boxes["host_frames_equal"] and boxes["wires_frames_equal"] == 12 == len(set(boxes["wires_frame_sha256"]))
+    drawn = [sum(columns * rows for _, columns, _, rows in frame.boxes) for frame in frames]
+    assert drawn[0] == 240 * 240 and 0 < max(drawn[1:]) < drawn[0] // 2
+    _, whole, frames = run(folder, written_watch(folder, "fxl_pump_changed(&pump, &renderer, &eye, &changed)",
+                                                 "fxl_pump_frame(&pump, &renderer, &eye)"), "BOARD=host", "DRIVER=st7789_240x240")
+    assert whole["frame_crc"] == boxes["frame_crc"] and whole["wires_frame_sha256"] == boxes["wires_frame_sha256"]
+    assert frames[1].boxes is None and whole["sent_crc"][0] == boxes["sent_crc"][0] and whole["sent_crc"][1:] != boxes["sent_crc"][1:]
+
+
+# A watch of 128 x 64 or 128 x 128 pixels, whose seconds stand still every other frame.
+SMALL = """
+#define main watch_main
+#include "WATCH"
+#undef main
+static fxl_renderer small;
+static uint64_t room[512], sent[FXL_PUMP_MEMORY(128, 8, 8)];
+int main(void)
+{
+    static const fxl_display_port port = {NULL, display_send, NULL, NULL, display_pause};
+    const fxl_pose eye = {.position = {0, 0, FXL_UNITS(-10)}};
+    const fxl_display_config module = fxl_display_config_default(&DRIVER_OF, 0);
+    const fxl_config config = fxl_config_default(module.width, module.height);
+    const fxl_pump_config pieces = {&display.pixels, module.width, module.height, 8, NULL};
+    make_watch();
+    if (fxl_scene_check(&scene, NULL) || fxl_renderer_init(&small, &scene, &config, room, sizeof room) ||
+        fxl_display_open(&display, &module, &port, watch_palette[0]) || fxl_pump_init(&pump, &pieces, &display.sink, sent, sizeof sent) ||
+        fxl_changed_init(&changed, kept, sizeof kept)) { return 1; }
+    for (uint32_t i = 0; i < 6; i++) {
+        set_hands(START + i / 2);
+        if (fxl_pump_changed(&pump, &small, &eye, &changed)) { return 2; }
+    }
+    return 0;
+}
+"""
+
+
+@pytest.mark.parametrize("driver", ["ssd1306", "sh1107", "ls013b7dh03", "ssd1327"])
+def test_boxes_of_pages_greys_and_whole_rows_are_shown(folder, driver):
+    """A frame in which nothing changed is one too."""
+    text = SMALL.replace("WATCH", str(CHECKOUT / "examples/watch/main.c")).replace("DRIVER_OF", f"fxl_{driver}")
+    _, summary, frames = run(folder, "small.c", "BOARD=host", f"DRIVER={driver}", text=text)
+    assert summary["wires_frames_equal"] == 6 == len(frames) and len(set(summary["frame_crc"])) == 3
+    assert [bool(frame.boxes) for frame in frames] == [True, False] * 3
+
+
+def test_boxes_that_the_driver_does_not_take_are_refused(folder):
+    text = SMALL.replace("WATCH", str(CHECKOUT / "examples/watch/main.c")).replace("DRIVER_OF", "fxl_ssd1327")
+    (folder / "other.c").write_text(text, encoding="utf-8")
+    done = run_make("run", f"PROGRAM={folder / 'other.c'}", f"OUT={folder / 'other'}", "BOARD=host", "DRIVER=sh1107")
+    assert done.returncode == 2 and "own: a box could not be shown: DRIVER= may send other columns" in done.stdout + done.stderr
+
+
+def test_columns_of_a_frame_that_is_not_compared_are_refused(folder):
+    text = written_watch(folder, "fxl_pump_changed(&pump, &renderer, &eye, &changed)",
+                         "fxl_frame_begin(&renderer, &eye) || fxl_pump_begin_box(&pump, &(fxl_screen_box){0, 120, 0, 240}) || "
+                         "fxl_frame_draw(&renderer, fxl_pump_band(&pump))")
+    done = run_make("run", f"PROGRAM={folder / text}", f"OUT={folder / 'other'}", "BOARD=host")
+    assert done.returncode == 2 and "own: a band of some columns cannot be shown" in done.stdout + done.stderr
+
+
 def test_a_background_of_the_programs_own_does_not_hide_a_band(folder):
     """Nobody sees when the program paints it into the next band: so the band is shown as the renderer has drawn it."""
     _, _, frames = run(folder, "sky.c", "BOARD=host", text="#define BACKGROUND_OF_ITS_OWN\n" + HUD)

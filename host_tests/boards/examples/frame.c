@@ -4,7 +4,8 @@
  * program's file. The linker's --wrap=main puts this file's function between the start and the
  * program's main. With EXAMPLE_PALETTE the program has a palette of its own, which comes first:
  * EXAMPLE_PALETTE is its name. With EXAMPLE_FRAMES it shows so many frames, of which the last is its picture; with
- * EXAMPLE_BANDED it shows them by display_rows, to its own end. EXAMPLE_PIXEL is the type of its pixels, if that is not a byte. */
+ * EXAMPLE_BANDED it shows them by display_rows, to its own end; with EXAMPLE_BOXES it draws boxes of frames of SIDE x SIDE, with
+ * --wrap for fxl_frame_begin and fxl_frame_draw. EXAMPLE_PIXEL is the type of its pixels, if that is not a byte. */
 #include EXAMPLE
 
 #ifdef __cplusplus
@@ -32,6 +33,38 @@ void display_rows(uint16_t first_row, uint16_t rows, const uint8_t *shown)
     if (begun == EXAMPLE_FRAMES) {
         memcpy(frame[first_row], shown, (size_t)rows * WIDTH);
     }
+}
+
+#define EXAMPLE_PICTURE frame
+#elif defined(EXAMPLE_BOXES)
+#include "../../../firmware/own/no_wires.c"
+
+static uint8_t frame[SIDE][SIDE];
+static int begun;
+
+fxl_status __real_fxl_frame_begin(fxl_renderer *of, const fxl_pose *eye);
+fxl_status __wrap_fxl_frame_begin(fxl_renderer *of, const fxl_pose *eye);
+fxl_status __real_fxl_frame_draw(fxl_renderer *of, const fxl_band *band);
+fxl_status __wrap_fxl_frame_draw(fxl_renderer *of, const fxl_band *band);
+
+fxl_status __wrap_fxl_frame_begin(fxl_renderer *of, const fxl_pose *eye)
+{
+    begun++;
+    return __real_fxl_frame_begin(of, eye);
+}
+
+fxl_status __wrap_fxl_frame_draw(fxl_renderer *of, const fxl_band *band)
+{
+    const fxl_status status = __real_fxl_frame_draw(of, band);
+    const uint32_t columns = band->columns != 0 ? band->columns : band->width;
+
+    for (uint32_t row = 0; row < band->rows && begun <= EXAMPLE_FRAMES; row++) {
+        for (uint32_t column = 0; column < columns; column++) {
+            frame[band->first_row + row][band->first_column + column] =
+                band->pixels[row * band->stride + column];
+        }
+    }
+    return status;
 }
 
 #define EXAMPLE_PICTURE frame

@@ -205,6 +205,7 @@ class MemoryLcd:
     pixel of 1 is white. The polarity must change all the time: here from frame to frame."""
 
     HIGHEST, TURNS, UNIT, takes_pixels = 1, (0,), (1, 1), True
+    alternates = True       # with the next frame: it is sent whole
 
     def __init__(self, glass):
         self.glass = glass
@@ -245,7 +246,7 @@ class MemoryLcd:
 
     def picture(self, turns=0):
         """What the glass shows."""
-        require(self.polarity != self.polarity_of_frame, "its polarity did not change since the frame before")
+        require(not self.alternates or self.polarity != self.polarity_of_frame, "its polarity did not change since the frame before")
         self.polarity_of_frame = self.polarity
         return numpy.rot90(self.glass.cut(self.memory ^ self.glass.inverted), turns)
 

@@ -15,6 +15,8 @@ from fixel.base.errors import ToolError
 HEAD = struct.Struct("<4sHHHHI")
 PALETTE_BYTES = 768
 FRAME_HEAD = struct.Struct("<4sI3i3I")
+BOXES = 1 << 31     # beside the number of a frame of boxes
+BOX = struct.Struct("<4H")      # first column, columns, first row, rows
 FRAME_TAIL = struct.Struct("<9IIQ")
 TAIL = struct.Struct("<4sII")
 VERSION = 3
@@ -36,6 +38,7 @@ class Frame:
     counters: dict
     clamped: int        # steps in which a coordinate was held at the range's end
     instructions: int   # 0 where the board cannot tell, and in a frame that the walk drew as two rectangles
+    boxes: tuple | None = None  # (first column, columns, first row, rows) of each that was drawn; None: the whole frame was
 
     @property
     def sha256(self):
@@ -92,8 +95,10 @@ def parse_dump(data, name):
     for number in range(head.frames) if head.frames else itertools.count():
         if data[offset:offset + 4] == b"FEND":
             break
-        frames.append(parse_frame(data, offset, head, number, name))
-        offset += head.frame_bytes
+        where = f"{name}: frame {number} of {head.frames}, at byte {offset}"
+        taken = take_frame(_taker(data, offset, where), head, where)
+        frames.append(parse_frame(taken, head, number, where, frames[-1] if frames else None))
+        offset += len(taken)
     _check_tail(data, offset, len(frames), head.frames, name)
     return Dump(head.width, head.height, head.palette, frames)
 
@@ -120,21 +125,68 @@ def colours(bits, palette):
     return numpy.frombuffer(palette, numpy.uint8).reshape(256, 3) if bits == 8 else picture.rgb565_colours()
 
 
-def parse_frame(data, offset, head, number, name):
-    """The frame at an offset of a dump with that head, which must have that number."""
-    where = f"{name}: frame {number} of {head.frames}, at byte {offset}"
-    if offset + head.frame_bytes > len(data):
-        raise ToolError(f"{where}: incomplete: the file ends at byte {len(data)}")
-    magic, stated, *pose = FRAME_HEAD.unpack_from(data, offset)
+def _taker(data, offset, where):
+    """A function that hands out the bytes from an offset on, so many each time."""
+    view = memoryview(data)
+
+    def take(size):
+        nonlocal offset
+        if offset + size > len(data):
+            raise ToolError(f"{where}: incomplete: the file ends at byte {len(data)}")
+        offset += size
+        return view[offset - size:offset]
+    return take
+
+
+def take_frame(take, head, where):
+    """The bytes of the next frame of a dump with that head. take(size) hands out the next ones; where it answers None, so does this."""
+    parts = [take(FRAME_HEAD.size)]
+    if parts[0] is None or not FRAME_HEAD.unpack(parts[0])[1] & BOXES:
+        parts.append(parts[0] and take(head.frame_bytes - FRAME_HEAD.size))
+        return None if None in parts else b"".join(parts)
+    while parts[-1] is not None:
+        parts.append(take(BOX.size))
+        first_column, columns, first_row, rows = BOX.unpack(parts[-1]) if parts[-1] else (0, 0, 0, 0)
+        if first_column + columns > head.width or first_row + rows > head.height:
+            raise ToolError(f"{where}: a box is beyond the frame")
+        if columns == 0:
+            break
+        parts.append(take(columns * rows * head.pixel.itemsize))
+    parts.append(parts[-1] and take(FRAME_TAIL.size))
+    return None if None in parts else b"".join(parts)
+
+
+def _boxes(data, head, where, before):
+    """The picture that boxes make of the one before, and those boxes."""
+    pixels = numpy.full((head.height, head.width), -1, numpy.int32) if before is None else before.copy()
+    boxes, offset = [], FRAME_HEAD.size
+    while True:
+        first_column, columns, first_row, rows = box = BOX.unpack_from(data, offset)
+        offset += BOX.size
+        if columns == 0:
+            break
+        part = numpy.frombuffer(data, head.pixel, columns * rows, offset)
+        pixels[first_row:first_row + rows, first_column:first_column + columns] = part.reshape(rows, columns)
+        boxes.append(box)
+        offset += part.nbytes
+    if (pixels < 0).any():
+        raise ToolError(f"{where}: the first frame has boxes that leave pixels out")
+    return pixels.astype(head.pixel), tuple(boxes)
+
+
+def parse_frame(data, head, number, where, before):
+    """The frame whose bytes these are, which must have that number. where: what messages call it; before: the frame before, or None."""
+    magic, stated, *pose = FRAME_HEAD.unpack_from(data)
     if magic != b"FRAM":
         raise ToolError(f"{where}: does not begin with FRAM")
-    if stated != number:
+    if stated & ~BOXES != number:
         raise ToolError(f"{where}: it says that it is frame {stated}")
-    pixels = numpy.frombuffer(data, head.pixel, head.width * head.height, offset + FRAME_HEAD.size)
-    *counters, clamped, instructions = FRAME_TAIL.unpack_from(
-        data, offset + FRAME_HEAD.size + head.pixel_bytes)
-    return Frame(number, tuple(pose[:3]), tuple(pose[3:]), pixels.reshape(head.height, head.width),
-                 dict(zip(COUNTERS, counters)), clamped, instructions)
+    if stated & BOXES:
+        pixels, boxes = _boxes(data, head, where, before and before.pixels)
+    else:
+        pixels, boxes = numpy.frombuffer(data, head.pixel, head.width * head.height, FRAME_HEAD.size).reshape(head.height, head.width), None
+    *counters, clamped, instructions = FRAME_TAIL.unpack_from(data, len(data) - FRAME_TAIL.size)
+    return Frame(number, tuple(pose[:3]), tuple(pose[3:]), pixels, dict(zip(COUNTERS, counters)), clamped, instructions, boxes)
 
 
 def _check_tail(data, offset, read, promised, name):

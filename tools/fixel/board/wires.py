@@ -114,13 +114,17 @@ def compare(path, driver, drawn, progress=None):
     found = Wires()
     with reading.open_file(path) as file:
         turns = turns_of(driver, drawn.frames[0].pixels.shape[1], drawn.frames[0].pixels.shape[0]) if drawn.frames else 0
-        for picture, pixels in read(file, controllers.start(driver), turns):
+        model = controllers.start(driver)
+        for picture, pixels in read(file, model, turns):
             require(len(found.hashes) < len(drawn.frames), "more frames come than were drawn")
-            frame = drawn.frames[len(found.hashes)].pixels
+            number = len(found.hashes)
+            frame = drawn.frames[number].pixels
             wanted = shown(driver, frame, drawn.palette, turns)
             found.equal += picture.shape == wanted.shape and bool((picture == wanted).all())
             found.hashes.append(hashlib.sha256(picture.astype("<u2").tobytes("C")).hexdigest())
-            found.sent.add(pixels[-frame_bytes(driver, frame):])
+            # Of boxes all that came, but before a first frame the black around it comes too.
+            found.sent.add(pixels if number > 0 and drawn.frames[number].boxes is not None else pixels[-frame_bytes(driver, frame):])
+            model.alternates = number + 1 < len(drawn.frames) and drawn.frames[number + 1].boxes is None
             if progress:
                 progress(len(found.hashes), len(drawn.frames))
     require(len(found.hashes) == len(drawn.frames), f"{len(found.hashes)} frames come, and {len(drawn.frames)} were drawn")

@@ -31,6 +31,8 @@ PICTURES = {"cube": (None, False), "turn": (24, False), "look": (31, False), "te
             "maze": (60, True), "isometric": (145, True)}
 # Those that draw bands, of entries of their scene's palette: the frame that is their picture.
 BAND_PICTURES = {"attitude": 35}
+# Those that draw boxes of frames of 240 x 240: the frame that is their picture.
+BOX_PICTURES = {"watch": 1}
 # Those whose pixels are RGB565: the frame that is their picture.
 WIDE_PICTURES = {"model": 3, "neon": 60}
 
@@ -42,12 +44,15 @@ def picture_of(name):
 
 
 def draw_example(library, name):
-    """The picture of an example of PICTURES or BAND_PICTURES, and its palette."""
+    """The picture of an example of PICTURES, BAND_PICTURES or BOX_PICTURES, and its palette."""
     if name in BAND_PICTURES:
         program, flags = ROOT / "examples" / name / "main.c", ["-DEXAMPLE_BANDED", f"-DEXAMPLE_FRAMES={BAND_PICTURES[name]}"]
         return _with_palette(library, program, "board_palette", *flags)
+    if name in BOX_PICTURES:
+        flags = ["-DEXAMPLE_BOXES", f"-DEXAMPLE_FRAMES={BOX_PICTURES[name]}", "-Wl,--wrap=fxl_frame_begin,--wrap=fxl_frame_draw"]
+        return _with_palette(library, ROOT / "examples" / name / "main.c", "watch_palette", *flags, size=(240, 240))
     if name not in PICTURES:
-        raise ToolError(f"there is no example '{name}'; there are: {', '.join(sorted({**PICTURES, **BAND_PICTURES, **WIDE_PICTURES}))}")
+        raise ToolError(f"there is no example '{name}'; there are: {', '.join(sorted({**PICTURES, **BAND_PICTURES, **BOX_PICTURES, **WIDE_PICTURES}))}")
     frames, own = PICTURES[name]
     program, flags = ROOT / "examples" / name / "main.c", [] if frames is None else [f"-DEXAMPLE_FRAMES={frames}"]
     if own:
@@ -115,7 +120,7 @@ def draw(library, program=PROGRAM):
 def draw_wide(library, name):
     """The picture of an example of WIDE_PICTURES: an array of RGB565."""
     flags = [f"-DEXAMPLE_FRAMES={WIDE_PICTURES[name]}", "-DEXAMPLE_PIXEL=uint16_t"]
-    rows, _, _ = _run(library, ROOT / "examples" / name / "main.c", 0, *flags, row_bytes=2 * WIDTH)
+    rows, _, _ = _run(library, ROOT / "examples" / name / "main.c", 0, *flags, size=(2 * WIDTH, HEIGHT))
     return rows.view("<u2")
 
 
@@ -126,13 +131,13 @@ def draw_hud(library):
     return pixels, palette
 
 
-def _with_palette(library, program, name, *flags):
-    pixels, colours, _ = _run(library, program, 768, f"-DEXAMPLE_PALETTE={name}", *flags)
+def _with_palette(library, program, name, *flags, size=(WIDTH, HEIGHT)):
+    pixels, colours, _ = _run(library, program, 768, f"-DEXAMPLE_PALETTE={name}", *flags, size=size)
     return pixels, numpy.frombuffer(colours, dtype=numpy.uint8).reshape(-1, 3)
 
 
-def _run(library, program, more, *flags, row_bytes=WIDTH):
-    """What a program draws, the `more` bytes before it, and the scene's palette. flags: for the compiler."""
+def _run(library, program, more, *flags, size=(WIDTH, HEIGHT)):
+    """What a program draws, the `more` bytes before it, and the scene's palette. flags: for the compiler; size: bytes of a row, and rows."""
     if not pathlib.Path(library).exists():
         raise ToolError(f"{library}: there is no such library; `make build/host/libfixel.a` makes one")
     with scratch.folder("first") as folder:
@@ -147,7 +152,7 @@ def _run(library, program, more, *flags, row_bytes=WIDTH):
         if done.returncode != 0:
             raise ToolError(f"{program} cannot be compiled with {library}", words=done.stderr.strip())
         ran = children.run([f"{folder}/frame"])
-    if ran.returncode != 0 or len(ran.stdout) != more + row_bytes * HEIGHT:
+    if ran.returncode != 0 or len(ran.stdout) != more + size[0] * size[1]:
         raise ToolError(f"{program} drew nothing: it ended with {ran.returncode}", exit_code=1)
-    pixels = numpy.frombuffer(ran.stdout[more:], dtype=numpy.uint8).reshape(HEIGHT, row_bytes)
+    pixels = numpy.frombuffer(ran.stdout[more:], dtype=numpy.uint8).reshape(size[1], size[0])
     return pixels, ran.stdout[:more], numpy.array(scene.palette, dtype=numpy.uint8)

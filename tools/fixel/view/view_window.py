@@ -140,7 +140,7 @@ class Stream:
     """The reading end of a FIFO into which a board writes a frame dump."""
 
     def __init__(self, path):
-        self._data, self._number, self._head = bytearray(), 0, None
+        self._data, self._number, self._head, self._before = bytearray(), 0, None, None
         try:
             os.mkfifo(path)
             self._file = os.open(path, os.O_RDONLY | os.O_NONBLOCK)     # without waiting for a writer
@@ -181,12 +181,13 @@ class Stream:
         """The next frame; None where nobody wants it any more. waits makes no difference: the board
         always waits for its reader, and is at most one frame ahead."""
         del waits
-        data = self._take(self._head.frame_bytes, check)
+        where = f"{NAME}: frame {self._number}"
+        data = dump.take_frame(lambda size: self._take(size, check), self._head, where)
         if data is None:
             return None
-        frame = dump.parse_frame(data, 0, self._head, self._number, NAME)
+        self._before = dump.parse_frame(data, self._head, self._number, where, self._before)
         self._number += 1
-        return frame
+        return self._before
 
     def close(self):
         os.close(self._file)
