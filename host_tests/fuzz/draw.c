@@ -144,6 +144,22 @@ void draw_bands(fxl_renderer *renderer, uint8_t *pixels, uint32_t rows, uint32_t
     }
 }
 
+void draw_changed_boxes(fxl_renderer *renderer, const fxl_changed *changed, uint8_t *picture,
+                        uint8_t background)
+{
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    for (uint32_t i = 0; i < changed->count; i++) {
+        const fxl_screen_box *box = &changed->boxes[i];
+        fxl_band part =
+            draw_band(lens, picture + (size_t)box->first_row * lens->width + box->first_column,
+                      box->first_row, box->rows);
+        part.first_column = box->first_column;
+        part.columns = box->columns;
+        fxl_frame_fill(renderer, &part, background);
+        DEMAND(fxl_frame_draw(renderer, &part) == FXL_OK);
+    }
+}
+
 bool draw_accounted(const fxl_counters *counters)
 {
     return counters->in == (uint64_t)counters->backfacing + counters->outside + counters->degenerate +

@@ -3,10 +3,9 @@
  * things do not go together, and both are named, or the frame is drawn. And setups in exactly the
  * memory that they ask for: each draws what the calls by hand draw, or is refused with a sentence; a
  * step that refuses ends a setup. Takes no input and records nothing. */
-#include <string.h>
+#include <stdlib.h>
 
-#include "answers.h"
-#include "parts.h"
+#include "any_frame.h"
 #include "fixel/setup.h"
 #include "study/study.h"
 
@@ -14,8 +13,7 @@ enum {
     LIGHT = 1,
     OUTLINES = 2,
     BEAMS = 4,
-    SETS = 8,
-    TREE_ROOM = 1 << 16
+    SETS = 8
 };
 
 typedef struct {
@@ -23,35 +21,18 @@ typedef struct {
     fxl_light light;
     fxl_lit_surfaces lit;
     fxl_outlines outlines;
-    uint8_t ramp[2 * 256];
-    uint16_t palette[256];
-    void *order, *depth, *tree, *beams, *pixels;
-    uint32_t depth_size, tree_size, beams_size;
+    draw_room room;
+    void *pixels;
 } attached;
 
 static void attach(attached *to, uint32_t set)
 {
-    static const fxl_outline_style style = {.line = 1, .keeps_colours = true};
-    static const fxl_q2_30 sines[] = {-FXL_Q2_30_ONE / 4, 0, FXL_Q2_30_ONE / 8, FXL_Q2_30_ONE / 2};
-    static const uint8_t colours[] = {1, 2, 3, 4, 5};
-    static const fxl_horizon sky = {sines, colours, 4};
     fxl_renderer *renderer = &to->renderer;
-    const fxl_scene *scene = renderer->scene;
-    fxl_light_settings settings;
-    memset(&settings, 0, sizeof settings);
-    settings.ambient = FXL_Q2_30_ONE / 2;
-    settings.direction.y = -FXL_Q2_30_ONE;
-    settings.levels = 2;
-    settings.ramp = to->ramp;
-    const fxl_beam_set beams = {scene->beams, scene->beam_count, scene->lit};
-    DEMAND(fxl_attach_light(renderer, &to->light, set & LIGHT ? &settings : NULL) == FXL_OK);
+    attach_light(renderer, &to->light, set & LIGHT);
     DEMAND(fxl_attach_lit(renderer, set & LIGHT ? &to->lit : NULL) == FXL_OK);
-    DEMAND(fxl_attach_outlines(renderer, &to->outlines, set & OUTLINES ? &style : NULL) == FXL_OK);
-    DEMAND(fxl_attach_horizon(renderer, set & OUTLINES ? &sky : NULL) == FXL_OK);
-    if (scene->beam_count > 0) {
-        DEMAND(fxl_attach_beams(renderer, set & BEAMS ? &beams : NULL, to->beams, to->beams_size) ==
-               FXL_OK);
-    }
+    attach_outlines(renderer, &to->outlines, set & OUTLINES);
+    attach_horizon(renderer, set & OUTLINES);
+    attach_beams(renderer, &to->room, set & BEAMS);
 }
 
 /* The frame that fxl_render has drawn, as another core would draw it: the same pixels. */
@@ -81,7 +62,7 @@ static void demand_rectangle(attached *to, const fxl_pose *pose)
     const uint32_t bytes = renderer->target->pixel_bits / 8u;
     fxl_band band = {.width = lens->width,
                      .first_row = lens->height / 3,
-                     .palette = bytes == 2 ? to->palette : NULL,
+                     .palette = bytes == 2 ? to->room.palette : NULL,
                      .first_column = lens->width / 3};
     band.columns = band.stride = (uint16_t)((lens->width + 1) / 2);
     band.rows = (uint16_t)((lens->height + 1) / 2);
@@ -113,18 +94,6 @@ static void draw_set(attached *to, uint32_t set, const fxl_pose *pose)
         draw_as_another(to);
         demand_rectangle(to, pose);
     }
-}
-
-static void choose(attached *to, const fxl_order *order, const fxl_target *target)
-{
-    fxl_config config = fxl_config_for(1, 1, target);
-    config.order = order;
-    config.palette = to->palette;
-    config.depth = to->depth;
-    config.depth_size = to->depth_size;
-    config.tree = to->tree;
-    config.tree_size = to->tree_size;
-    DEMAND(fxl_renderer_choose(&to->renderer, &config) == FXL_OK);
 }
 
 /* Horizons that are refused. */
@@ -161,14 +130,14 @@ static void misuse(attached *to)
     DEMAND(fxl_renderer_choose(&none, &config) == FXL_E_ORDER);
     DEMAND(fxl_renderer_choose(renderer, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_choose(renderer, &config) == FXL_E_ARGUMENT);
-    config.palette = (const uint16_t *)(const void *)((uint8_t *)to->palette + 1);
+    config.palette = (const uint16_t *)(const void *)((uint8_t *)to->room.palette + 1);
     DEMAND(fxl_renderer_choose(renderer, &config) == FXL_E_ALIGNMENT);
-    config.palette = to->palette;
+    config.palette = to->room.palette;
     DEMAND(fxl_renderer_choose(renderer, &config) == FXL_E_CAPACITY);
-    config.depth = (uint8_t *)to->depth + 4;
+    config.depth = (uint8_t *)to->room.depth + 4;
     DEMAND(fxl_renderer_choose(renderer, &config) == FXL_E_ALIGNMENT);
     config.depth = NULL;
-    config.depth_size = to->depth_size;
+    config.depth_size = to->room.depth_size;
     DEMAND(fxl_renderer_choose(renderer, &config) == FXL_E_ARGUMENT);
     config.target = NULL;
     DEMAND(fxl_renderer_choose(renderer, &config) == FXL_E_ARGUMENT);
@@ -189,50 +158,27 @@ static void misuse(attached *to)
     DEMAND(fxl_attach_billboards(renderer, NULL, NULL, NULL) == FXL_OK);
 }
 
-static void open(attached *made, const fxl_scene *scene, const fxl_lens *lens)
-{
-    memset(made, 0, sizeof *made);
-    for (uint32_t i = 0; i < 256; i++) {
-        made->palette[i] = (uint16_t)(i * 0x0101u);
-    }
-    const uint32_t area = (uint32_t)lens->width * lens->height;
-    made->order = draw_memory(scene->draw_list_needed * sizeof(fxl_draw_entry));
-    made->depth_size = FXL_DEPTH_BYTES(lens->width, lens->height, 32);
-    const uint32_t spans = FXL_SPAN_BUFFER_BYTES_LEAST(lens->width, lens->height);
-    made->depth_size = made->depth_size < spans ? spans : made->depth_size;
-    made->tree_size = TREE_ROOM + (scene->bsp_nodes ? fxl_by_tree.memory_size(scene) : 0);
-    made->beams_size =
-        scene->beam_count > 0 ? fxl_beam_light_workspace_size(scene->beams, scene->beam_count) : 8;
-    made->depth = draw_memory(made->depth_size);
-    made->tree = draw_memory(made->tree_size);
-    made->beams = draw_memory(made->beams_size);
-    made->pixels = draw_memory(2 * (size_t)area);
-}
-
 void draw_attached(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose)
 {
     static attached made;
-    open(&made, scene, lens);
-    const fxl_memory memory = {made.order, scene->draw_list_needed, NULL, 0, NULL, 0};
-    DEMAND(fxl_renderer_init_with(&made.renderer, scene, lens, &memory) == FXL_OK);
+    draw_open_room(&made.room, scene, lens, 0);
+    made.pixels = draw_memory(2 * (size_t)lens->width * lens->height);
+    draw_init(&made.renderer, &made.room, scene, lens);
     misuse(&made);
     misuse_horizon(&made.renderer);
     for (uint32_t i = 0; i < DRAW_TARGETS; i++) {
         for (uint32_t set = 0; set < SETS; set++) {
-            DEMAND(fxl_renderer_init_with(&made.renderer, scene, lens, &memory) == FXL_OK);
-            choose(&made, NULL, draw_targets[i]);
+            draw_init(&made.renderer, &made.room, scene, lens);
+            draw_choose_in(&made.renderer, &made.room, NULL, draw_targets[i]);
             draw_set(&made, set, pose);
         }
         if (scene->bsp_nodes) {
-            DEMAND(fxl_renderer_init_with(&made.renderer, scene, lens, &memory) == FXL_OK);
-            choose(&made, &fxl_by_tree, draw_targets[i]);
+            draw_init(&made.renderer, &made.room, scene, lens);
+            draw_choose_in(&made.renderer, &made.room, &fxl_by_tree, draw_targets[i]);
             draw_set(&made, OUTLINES * (i & 1u), pose);
         }
     }
-    free(made.order);
-    free(made.depth);
-    free(made.tree);
-    free(made.beams);
+    draw_close_room(&made.room);
     free(made.pixels);
 }
 

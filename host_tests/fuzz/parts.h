@@ -26,6 +26,11 @@ fxl_band draw_band(const fxl_lens *lens, void *pixels, uint32_t first_row, uint3
 /* The first rows of the frame that a renderer has begun, over the background, so many at a time. */
 void draw_bands(fxl_renderer *renderer, uint8_t *pixels, uint32_t rows, uint32_t step);
 
+/* The boxes that changed of the frame that a renderer has begun, over the background, into a picture of the
+ * whole screen. */
+void draw_changed_boxes(fxl_renderer *renderer, const fxl_changed *changed, uint8_t *picture,
+                        uint8_t background);
+
 /* The faces that a frame looked at are all accounted for. */
 bool draw_accounted(const fxl_counters *counters);
 
@@ -111,9 +116,13 @@ void draw_in_another(const fxl_renderer *renderer, const uint8_t *whole, uint8_t
 void draw_attached(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose);
 
 /* Frames with lines or an orthographic lens, into each target, and with the surfaces of a set, if there is
- * one; and without a set those of a world over the scene, by what changed. Takes no byte of the input. */
+ * one; and without a set draw_changes. Takes no byte of the input. */
 void draw_lines(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose,
                 const fxl_surface_set *set, const fuzz_input *in);
+
+/* Frames of a world over a scene of at most MADE_MODELS models, by what changed. Goes on with the chance of
+ * draw_lines. */
+void draw_changes(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose);
 
 /* Setups of a scene, in exactly the memory that they ask for. */
 void draw_setup(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose);

@@ -221,16 +221,7 @@ static void demand_boxes(fxl_changed *changed, fxl_renderer *renderer, const fxl
     DEMAND(fxl_changed_find(changed, renderer) == FXL_OK);
     fxl_fill_band(&band, DRAW_BACKGROUND);
     DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
-    for (uint32_t i = 0; i < changed->count; i++) {
-        const fxl_screen_box *box = &changed->boxes[i];
-        fxl_band part =
-            draw_band(lens, built + (size_t)box->first_row * lens->width + box->first_column,
-                      box->first_row, box->rows);
-        part.first_column = box->first_column;
-        part.columns = box->columns;
-        fxl_fill_band(&part, DRAW_BACKGROUND);
-        DEMAND(fxl_frame_draw(renderer, &part) == FXL_OK);
-    }
+    draw_changed_boxes(renderer, changed, built, DRAW_BACKGROUND);
     DEMAND(memcmp(pixels, built, (size_t)lens->width * lens->height) == 0);
     DEMAND(fxl_frame_end(renderer) == FXL_OK);
 }

@@ -4,115 +4,18 @@
  * of each part of a band. */
 #include "fixel/lines.h"
 
-#include "../clip/volume.h"
 #include "../math/arith.h"
 #include "../math/memory.h"
 #include "../paint/billboard_paint.h"
-#include "../paint/line_paint.h"
 #include "../scene/placement_code.h"
-#include "../scene/scene_check.h"
 #include "../view/cull.h"
 #include "../view/model_view.h"
-#include "../view/project.h"
 #include "../view/view.h"
 #include "display_list.h"
+#include "line_view.h"
 #include "renderer.h"
 #include "submit_instance.h"
 #include "surface_polygon.h"
-
-/* --- checks --------------------------------------------------------------------------------- */
-
-/* lines 1.2 */
-static FXL_COLD fxl_status check_line(const fxl_line *line, const fxl_model *model)
-{
-    if (line->reserved != 0) {
-        return FXL_E_RESERVED;
-    }
-    if (line->width < 1 || line->width > FXL_LINE_WIDTH_MAX) {
-        return FXL_E_RANGE;
-    }
-    return line->from < model->vertex_count && line->to < model->vertex_count &&
-                   line->faces[0] <= model->face_count && line->faces[1] <= model->face_count
-               ? FXL_OK
-               : FXL_E_INDEX;
-}
-
-/* lines 1.2, formats 1.14 */
-FXL_COLD fxl_status fxl_lines_check(const fxl_line_set *set, const fxl_scene *scene,
-                                    fxl_scene_fault *fault)
-{
-    if (set == NULL || scene == NULL || set->line_map == NULL ||
-        (set->count > 0 && set->lines == NULL)) {
-        return fxl_fault_at(fault, "line table", 0, FXL_E_ARGUMENT);
-    }
-    if (!fxl_is_aligned(set->line_map, sizeof *set->line_map) ||
-        !fxl_is_aligned(set->lines, sizeof(uint16_t))) {
-        return fxl_fault_at(fault, "line table", 0, FXL_E_ALIGNMENT);
-    }
-    if (set->count > FXL_SCENE_FACES_MAX || set->line_map[0] != 0 ||
-        set->line_map[scene->model_count] != set->count) {
-        return fxl_fault_at(fault, "line table", 0, FXL_E_COUNT);
-    }
-    for (uint32_t i = 0; i < scene->model_count; i++) {
-        const uint32_t end = set->line_map[i + 1];
-        if (end < set->line_map[i] || end > set->count) {
-            return fxl_fault_at(fault, "model", i, FXL_E_COUNT);
-        }
-        for (uint32_t k = set->line_map[i]; k < end; k++) {
-            const fxl_status status = check_line(&set->lines[k], &scene->models[i]);
-            if (status != FXL_OK) {
-                return fxl_fault_at(fault, "line", k, status);
-            }
-        }
-    }
-    return FXL_OK;
-}
-
-/* --- a line in the view --------------------------------------------------------------------- */
-
-/* What becomes of a line. */
-typedef enum {
-    LINE_BACKFACING,
-    LINE_OUTSIDE,
-    LINE_REFUSED,
-    LINE_DRAWN,
-    LINE_CLIPPED /* drawn, and cut by a plane */
-} line_outcome;
-
-/* clip -> project. On LINE_DRAWN and LINE_CLIPPED the ends and distances of *painted are set. */
-/* lines 2.1 */
-static line_outcome place_line(const fxl_view *view, const fxl_volume *volume, fxl_clip_line *line,
-                               fxl_painted_line *painted)
-{
-    uint32_t intersections = 0;
-    line->carried = 0;
-    if (!fxl_line_by_codes(line, volume, &intersections)) {
-        return LINE_OUTSIDE;
-    }
-    if (fxl_project_visible(&view->projection, &line->from.position, &painted->ends[0]) != FXL_OK ||
-        fxl_project_visible(&view->projection, &line->to.position, &painted->ends[1]) != FXL_OK) {
-        return LINE_REFUSED;
-    }
-    painted->distances[0] = line->from.position.z;
-    painted->distances[1] = line->to.position.z;
-    return intersections > 0 ? LINE_CLIPPED : LINE_DRAWN;
-}
-
-static void find_volume(const fxl_view *view, fxl_volume *volume)
-{
-    fxl_volume_from_sides(&view->view_frustum, fxl_view_drawn_focal(view), FXL_PLANES_ALL, volume);
-}
-
-/* The canvas of a band. */
-static fxl_line_canvas canvas_of(const fxl_renderer *renderer, const fxl_workspace *workspace,
-                                 const fxl_band *band)
-{
-    const uint8_t bits = renderer->target->depth_bits;
-    const fxl_line_canvas canvas = {
-        band, bits != 0 ? (const fxl_depth_head *)workspace->target_memory : NULL,
-        renderer->frame.view.lens.near_z, bits == 32};
-    return canvas;
-}
 
 /* --- the lines of an instance --------------------------------------------------------------- */
 
@@ -155,8 +58,8 @@ static void find_plane(const line_instance *of, const fxl_face *face, fxl_depth_
 /* The faces of a line that face the eye. Returns how many; false in *visible: it has faces, and
  * none does. */
 /* lines 2.4 */
-static uint32_t front_faces(const line_instance *of, const fxl_line *line,
-                            const fxl_face *faces[2], bool *visible)
+static uint32_t front_faces(const line_instance *of, const fxl_line *line, const fxl_face *faces[2],
+                            bool *visible)
 {
     const fxl_renderer *renderer = of->traversal->renderer;
     const fxl_scene *scene = renderer->scene;
@@ -164,8 +67,9 @@ static uint32_t front_faces(const line_instance *of, const fxl_line *line,
     uint32_t count = 0;
     for (uint32_t i = 0; i < 2; i++) {
         const uint32_t number = line->faces[i];
-        if (number != 0 && is_front(scene, of->number, &scene->faces[model->first_face + number - 1],
-                                    &renderer->frame.view.camera.position)) {
+        if (number != 0 &&
+            is_front(scene, of->number, &scene->faces[model->first_face + number - 1],
+                     &renderer->frame.view.camera.position)) {
             faces[count++] = &scene->faces[model->first_face + number - 1];
         }
     }
@@ -189,7 +93,8 @@ static bool emit(const line_instance *of, const fxl_painted_line *painted, fxl_r
     const fxl_traversal *traversal = of->traversal;
     fxl_workspace *workspace = traversal->workspace;
     if (traversal->display_list == NULL) {
-        const fxl_line_canvas canvas = canvas_of(traversal->renderer, workspace, traversal->band);
+        const fxl_line_canvas canvas =
+            fxl_line_canvas_of(traversal->renderer, workspace, traversal->band);
         fxl_paint_wide_line(&canvas, painted);
         return true;
     }
@@ -211,7 +116,7 @@ static bool emit(const line_instance *of, const fxl_painted_line *painted, fxl_r
 
 /* transform -> clip -> project -> pixels. *fits: false where the display list has no room. */
 /* lines 1.1 */
-static line_outcome draw_line(const line_instance *of, const fxl_line *line, bool *fits)
+static fxl_line_outcome draw_line(const line_instance *of, const fxl_line *line, bool *fits)
 {
     const fxl_traversal *traversal = of->traversal;
     const fxl_renderer *renderer = traversal->renderer;
@@ -222,17 +127,17 @@ static line_outcome draw_line(const line_instance *of, const fxl_line *line, boo
     bool visible;
     const uint32_t count = front_faces(of, line, faces, &visible);
     if (!visible) {
-        return LINE_BACKFACING;
+        return FXL_LINE_BACKFACING;
     }
     fxl_find_corner(of->model_view, line->from, traversal, &clipped.from.position);
     fxl_find_corner(of->model_view, line->to, traversal, &clipped.to.position);
-    const line_outcome outcome =
-        place_line(&renderer->frame.view, &of->volume, &clipped, &painted);
+    const fxl_line_outcome outcome =
+        fxl_place_line(&renderer->frame.view, &of->volume, &clipped, &painted);
     painted.colour = line->colour;
     painted.width = line->width;
     painted.is_point = line->from == line->to;
     painted.plane_count = 0;
-    if (outcome < LINE_DRAWN || !is_in_band(traversal, &painted, &rows)) {
+    if (outcome < FXL_LINE_DRAWN || !is_in_band(traversal, &painted, &rows)) {
         return outcome;
     }
     if (renderer->target->depth_bits != 0) {
@@ -246,14 +151,14 @@ static line_outcome draw_line(const line_instance *of, const fxl_line *line, boo
 }
 
 /* lines 4.2 */
-static void count_line(fxl_line_counters *counters, line_outcome outcome)
+static void count_line(fxl_line_counters *counters, fxl_line_outcome outcome)
 {
     counters->in++;
-    counters->backfacing += outcome == LINE_BACKFACING;
-    counters->outside += outcome == LINE_OUTSIDE;
-    counters->refused += outcome == LINE_REFUSED;
-    counters->drawn += outcome >= LINE_DRAWN;
-    counters->clipped += outcome == LINE_CLIPPED;
+    counters->backfacing += outcome == FXL_LINE_BACKFACING;
+    counters->outside += outcome == FXL_LINE_OUTSIDE;
+    counters->refused += outcome == FXL_LINE_REFUSED;
+    counters->drawn += outcome >= FXL_LINE_DRAWN;
+    counters->clipped += outcome == FXL_LINE_CLIPPED;
 }
 
 /* The lines of a renderer that has some; they may be counted. */
@@ -271,8 +176,7 @@ static bool is_pick(const fxl_renderer *renderer)
 
 /* All lines of an instance, added to *counters. False where the display list has no room: then none
  * of them is in it, and none is counted. */
-static bool draw_lines(const fxl_traversal *traversal, uint32_t number,
-                       fxl_line_counters *counters)
+static bool draw_lines(const fxl_traversal *traversal, uint32_t number, fxl_line_counters *counters)
 {
     const fxl_renderer *renderer = traversal->renderer;
     const fxl_line_set *set = &lines_of(renderer)->set;
@@ -288,7 +192,7 @@ static bool draw_lines(const fxl_traversal *traversal, uint32_t number,
                         .number = number};
     const uint32_t used = renderer->frame.display_list.used;
     bool fits = true;
-    find_volume(&renderer->frame.view, &of.volume);
+    fxl_find_line_volume(&renderer->frame.view, &of.volume);
     for (uint32_t i = map[0]; i < map[1]; i++) {
         count_line(&sums, draw_line(&of, &set->lines[i], &fits));
         if (!fits) {
@@ -319,8 +223,7 @@ static bool submit_one(const fxl_traversal *traversal, const fxl_draw_entry *ent
         return false;
     }
     const bool counts = traversal->counters == &renderer->workspace.counters;
-    if (!draw_lines(traversal, entry->index,
-                    counts ? &lines_of(renderer)->counters : &uncounted)) {
+    if (!draw_lines(traversal, entry->index, counts ? &lines_of(renderer)->counters : &uncounted)) {
         traversal->resume->faces = FACES_DONE;
         return false;
     }
@@ -443,78 +346,6 @@ fxl_status fxl_attach_lines(fxl_renderer *renderer, fxl_lines *lines, const fxl_
         if (renderer->order == order_without(renderer)) {
             renderer->order = &by_distance_with_lines;
         }
-    }
-    return FXL_OK;
-}
-
-/* --- a line of the world -------------------------------------------------------------------- */
-
-/* Whether a depth buffer, if there is one, has rows for a whole band. */
-static bool holds_band(const fxl_renderer *renderer, const fxl_workspace *workspace,
-                       const fxl_band *band)
-{
-    const uint32_t row = band->width * (renderer->target->depth_bits / 8u);
-    return row == 0 ||
-           (workspace->target_memory_size - (uint32_t)sizeof(fxl_depth_head)) / row >= band->rows;
-}
-
-/* lines 5.2 */
-static fxl_status check_world_line(const fxl_renderer *renderer, const fxl_workspace *workspace,
-                                   const fxl_world_line *line, const fxl_band *band)
-{
-    const fxl_lens *lens = &renderer->frame.view.lens;
-    if (line == NULL || band == NULL || band->pixels == NULL) {
-        return FXL_E_ARGUMENT;
-    }
-    if (renderer->frame.state == FXL_FRAME_NONE || !fxl_has_pixels_of(renderer, band)) {
-        return FXL_E_ORDER;
-    }
-    if (fxl_orthographic_of(lens) != NULL) {
-        return FXL_E_COMBINATION;
-    }
-    if (band->width != lens->width || !fxl_band_is_within(band, lens->width, lens->height) ||
-        !fxl_point_in_range(&line->from) || !fxl_point_in_range(&line->to) || line->width < 1 ||
-        line->width > FXL_LINE_WIDTH_MAX) {
-        return FXL_E_RANGE;
-    }
-    if (!fxl_band_is_aligned(band)) {
-        return FXL_E_ALIGNMENT;
-    }
-    return holds_band(renderer, workspace, band) ? FXL_OK : FXL_E_CAPACITY;
-}
-
-/* lines 5.1 */
-fxl_status fxl_frame_draw_line(fxl_renderer *renderer, fxl_workspace *workspace,
-                               const fxl_world_line *line, const fxl_band *band)
-{
-    if (renderer == NULL) {
-        return FXL_E_ARGUMENT;
-    }
-    workspace = workspace != NULL ? workspace : &renderer->workspace;
-    const fxl_status status = check_world_line(renderer, workspace, line, band);
-    if (status != FXL_OK) {
-        return fxl_refuse(workspace, status);
-    }
-    const fxl_view *view = &renderer->frame.view;
-    fxl_band from_0 = *band;
-    fxl_painted_line painted;
-    fxl_clip_line clipped;
-    fxl_volume volume;
-    fxl_band_begin_at_column_0(&from_0);
-    find_volume(view, &volume);
-    fxl_transform_point(&view->camera, &line->from, &clipped.from.position);
-    fxl_transform_point(&view->camera, &line->to, &clipped.to.position);
-    if (place_line(view, &volume, &clipped, &painted) >= LINE_DRAWN) {
-        const fxl_line_canvas canvas = canvas_of(renderer, workspace, &from_0);
-        painted.colour = line->colour;
-        painted.width = line->width;
-        painted.is_point = line->from.x == line->to.x && line->from.y == line->to.y &&
-                           line->from.z == line->to.z;
-        painted.plane_count = 0;
-        if (canvas.head != NULL) {
-            fxl_depth_clear_rest(workspace, &from_0, renderer->target->depth_bits / 8u);
-        }
-        fxl_paint_wide_line(&canvas, &painted);
     }
     return FXL_OK;
 }
