@@ -383,8 +383,8 @@ packages: ## write packages for Arduino, PlatformIO, ESP-IDF, Zephyr, Conan and 
 
 site: ## write the site: a page that draws, and all documents, into build/site [OUT=]
 	@$(SET_UP) site
-	@$(MAKE) $(WEB_MODULE) $(BUILD)/host/predict
-	@$(TOOL) site --module $(WEB_MODULE) --build $(BUILD)
+	@$(MAKE) $(WEB_MODULE) $(WEB_JUDGE) $(BUILD)/host/predict
+	@$(TOOL) site --module $(WEB_MODULE) --judge $(WEB_JUDGE) --build $(BUILD)
 
 docs: ## write all documents, and the reference of all public functions and types, as pages into build/docs [OUT=]
 	@$(SET_UP) docs

@@ -2,6 +2,8 @@
 # The walk as a WebAssembly module: firmware/web/web.c in the place of a board and of main. clang and wasm-ld are enough: it
 # has no C library and imports nothing.
 #   $(WEB_MODULE)  the module
+# And the reference renderer with its verdict, host_tests/judges/web, by the C library of WASI, of which it imports nothing either.
+#   $(WEB_JUDGE)   the module
 
 WEB_OUT := $(BUILD)/web
 WEB_MODULE := $(WEB_OUT)/walk.wasm
@@ -19,3 +21,18 @@ $(WEB_OUT)/%.o: %.c firmware/web/web.mk
 $(WEB_MODULE): $(WEB_OBJECTS)
 	$(SAY)
 	$(FIRMWARE_QUIET)wasm-ld --no-entry --gc-sections --strip-debug --fatal-warnings --stack-first -z stack-size=65536 $^ -o $@
+
+WEB_JUDGE := $(WEB_OUT)/judge.wasm
+WEB_JUDGE_CC := clang --target=wasm32-wasi -O2 -std=c11 -ffp-contract=off -Wall -Wextra -Werror
+WEB_JUDGE_SOURCES := $(wildcard host_tests/judges/web/*.c host_tests/judges/reference/*.c) \
+    $(addprefix host_tests/judges/,live/answer.c judge/explain.c judge/beneath.c frames/moving_reference.c)
+WEB_JUDGE_OBJECTS = $(patsubst %.c,$(WEB_OUT)/%.o,$(WEB_JUDGE_SOURCES) $(filter $(LIB_SOURCES),$(patsubst %,lib/%.c,$(call LIB_NEEDED,$(WEB_JUDGE_SOURCES)))))
+
+$(WEB_OUT)/host_tests/%.o: host_tests/%.c firmware/web/web.mk
+	$(MAKE_FOLDER)
+	$(SAY)
+	$(FIRMWARE_QUIET)$(WEB_JUDGE_CC) -MMD -MP $(JUDGES_SEE) -c $< -o $@
+
+$(WEB_JUDGE): $(WEB_JUDGE_OBJECTS)
+	$(SAY)
+	$(FIRMWARE_QUIET)$(WEB_JUDGE_CC) -mexec-model=reactor -nostartfiles -Wl,--no-entry,--gc-sections,--strip-debug,--fatal-warnings,--stack-first,-z,stack-size=1048576 $^ -o $@

@@ -2,6 +2,7 @@
 // The first page of the site: the library as WebAssembly draws a scene, and the page says what the frame costs on a board.
 import { Held, press } from "./view_keys.js";
 import { Picture, paletteWords, savePicture } from "./view_picture.js";
+import { Views } from "./site_views.js";
 import { Refused, Walk } from "./walk.mjs";
 
 const FRAME_TIME = 1000 / 30;   // milliseconds of a frame of a path
@@ -13,6 +14,7 @@ const at = (id) => document.getElementById(id);
 const data = JSON.parse(at("data").textContent);
 const state = { walk: null, picture: null, name: "", image: null, costs: null, frame: null, paused: false, slow: false, byKeys: false,
   due: 0, colours: null, colourBytes: "" };
+const views = new Views({ select: at("view"), words: at("view-words"), pixel: at("pixel"), canvas: at("screen"), say, fetched });
 const held = new Held(() => { if (held.bits) { state.byKeys = true; go(); } });
 
 // --- scenes ------------------------------------------------------------------------
@@ -95,8 +97,23 @@ function show(frame) {
   }
   state.picture.put(frame.pixels, colours(frame));
   at("crc").textContent = frame.crc.toString(16).padStart(8, "0");
+  if (state.paused) {
+    lookClosely();
+  } else {
+    views.clear();
+    at("view").value = "board";
+  }
   at("number").textContent = state.byKeys ? "of your walk" : `${frame.number} of ${frame.pathFrames}`;
   tellCost();
+}
+
+/** Shows the frame that stands by the view that is chosen, if that is another than the library's. */
+function lookClosely() {
+  if (views.isOther) {
+    views.show(state.frame, state.picture, state.colours, state.image);
+  } else {
+    views.clear();
+  }
 }
 
 /** What each value of a pixel looks like, made once a palette. */
@@ -155,6 +172,10 @@ function step() {
 
 function pause(isPaused) {
   state.paused = isPaused;
+  if (!isPaused && views.isOther) {
+    at("view").value = "board";
+    views.clear();
+  }
   press("#pause", () => isPaused);
 }
 
@@ -231,6 +252,14 @@ function listen() {
   at("save").addEventListener("click", () => savePicture(at("screen"), `${state.name}-${state.frame.number}.png`));
   at("link").addEventListener("click", () => { pause(true); location.hash = linkOf(); });
   at("board").addEventListener("change", tellCost);
+  at("view").addEventListener("change", () => {
+    pause(true);
+    if (views.shown) {
+      views.put();
+    } else {
+      lookClosely();
+    }
+  });
   at("scene").addEventListener("change", () => { say(""); tried(() => openScene(at("scene").value)); });
   addEventListener("hashchange", () => { if (location.hash !== linkOf()) { openLink(); } });
   const stage = at("stage");

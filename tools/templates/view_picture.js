@@ -125,6 +125,36 @@ function strokeOutlines(context, outlines, scale) {
   return count;
 }
 
+/** How many polygons cover each pixel's centre. */
+export function overdraw(outlines, width, height) {
+  const counts = new Uint8Array(width * height);
+  for (let at = 0; at < outlines.byteLength;) {
+    const points = [], count = outlines.getUint16(at, true);
+    at += 4;
+    for (let i = 0; i < count; i++, at += 8) {
+      points.push([outlines.getFloat32(at, true), outlines.getFloat32(at + 4, true)]);
+    }
+    cover(points, width, height, counts);
+  }
+  return counts;
+}
+
+function cover(points, width, height, counts) {
+  const heights = points.map(([, y]) => y);
+  const first = Math.max(0, Math.ceil(Math.min(...heights) - 0.5)), end = Math.min(height, Math.ceil(Math.max(...heights) - 0.5));
+  for (let row = first; row < end; row++) {
+    const crossings = points.map((from, i) => [from, points[(i + 1) % points.length]])
+      .filter(([from, to]) => from[1] <= row + 0.5 !== to[1] <= row + 0.5)
+      .map(([from, to]) => from[0] + (row + 0.5 - from[1]) * (to[0] - from[0]) / (to[1] - from[1])).sort((a, b) => a - b);
+    for (let i = 0; i + 1 < crossings.length; i += 2) {
+      const end = Math.min(width, Math.ceil(crossings[i + 1] - 0.5));
+      for (let column = Math.max(0, Math.ceil(crossings[i] - 0.5)); column < end; column++) {
+        counts[row * width + column]++;
+      }
+    }
+  }
+}
+
 /** Hands a picture to the browser as a file of PNG. */
 export function savePicture(canvas, name) {
   const link = document.createElement("a");

@@ -2,11 +2,14 @@
 """make site: the first page in Chromium, served below a prefix and opened as a file; its frames, its links, its documents."""
 
 import contextlib
+import dataclasses
 import functools
+import hashlib
 import html.parser
 import http.server
 import json
 import pathlib
+import queue
 import re
 import threading
 import urllib.parse
@@ -17,7 +20,7 @@ import pytest
 
 from conftest import CHECKOUT
 from fixel.board import dump, programs
-from fixel.view import browser
+from fixel.view import browser, view_reference
 from outside import need, run
 
 AXE = CHECKOUT / ".node" / "node_modules" / "axe-core" / "axe.min.js"
@@ -25,6 +28,7 @@ PREFIX = "/some/place/"
 DESKTOP, NARROW = (1366, 768), (390, 844)
 FIRST_REQUESTS = 8
 FIRST_BYTES, ALL_BYTES = 1 << 20, 12 << 20
+JUDGED, DIFFERS = 4, 17  # frames a scene; a frame of the plaza that differs from double precision
 PATIENCE = 60_000   # milliseconds for what comes by itself: it ends a test that hangs
 STEPS = """async (count) => {
     const found = [];
@@ -146,6 +150,51 @@ def test_every_frame_of_every_scene_is_that_of_a_board(chromium, address, site, 
             assert page.evaluate(STEPS, len(expected)) == expected, scene["name"]
             count += len(expected)
     record_property("figure", f"{count} frames of {len(scenes_of(site))} scenes")
+
+
+def judged_by_host(image, frames):
+    """For each of the first frames, a pixel of which is spoilt: SHA-256 of what double precision draws, and of the verdict."""
+    found, wants = queue.Queue(), view_reference.FRAME | view_reference.VERDICT
+    asked = view_reference.Reference(CHECKOUT / "build" / "host" / "live", image, found.put, found.put)
+    with contextlib.closing(asked):
+        for number, frame in enumerate(frames):
+            pixels = frame.pixels.copy()
+            pixels.flat[number] ^= 1
+            asked.ask(dataclasses.replace(frame, pixels=pixels), wants)
+            answer = found.get(timeout=PATIENCE / 1000)
+            yield " ".join(hashlib.sha256(answer.parts[i]).hexdigest() for i in (0, 3))
+
+
+def test_the_page_judges_as_the_host_does(site, tmp_path, record_property):
+    for program in ("frames", "live"):
+        run("make", f"build/host/{program}", folder=CHECKOUT)
+    count = 0
+    for scene in scenes_of(site):
+        image, out = site / "scenes" / f"{scene['name']}.fxls", tmp_path / "frames.fxld"
+        programs.run_program([CHECKOUT / "build" / "host" / "frames", image, out])
+        frames = dump.read_dump(out).frames[:JUDGED]
+        said = run("node", CHECKOUT / "host_tests" / "anywhere" / "site" / "judged.mjs", site / "walk.wasm", site / "judge.wasm", image, len(frames), folder=tmp_path)
+        assert said.splitlines() == list(judged_by_host(image, frames)), scene["name"]
+        count += len(frames)
+    record_property("figure", f"{count} frames of {len(scenes_of(site))} scenes, a pixel of each spoilt")
+
+
+def test_what_differs_from_double_precision_is_shown(chromium, address):
+    with opened(chromium, f"{address}#scene=plaza&frame={DIFFERS}") as page:
+        page.select_option("#view", "differ")
+        shows(page, "#view-words", r"^1 pixel of 76,800 pixels differ from double precision; 0 beyond the bound")
+        box = page.locator("#screen").bounding_box()
+        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] * 0.6)
+        shows(page, "#pixel", r"^Pixel 160, 144: colour \d+, RGB \d+ \d+ \d+; instance \d+, face \d+, [\d.]+ away$")
+        for view, words in (("outlines", r"^\d+ polygons that are drawn"), ("overdraw", r"^Polygons a pixel: 1[.]\d\d on the mean, \d at most"),
+                            ("double", "^What the reference renderer draws in double precision"), ("board", "^$")):
+            page.select_option("#view", view)
+            shows(page, "#view-words", words)
+        assert sum("judge" in url for url in page.asked) == 2, "the worker and its module, once"
+        page.select_option("#view", "outlines")
+        page.click("#pause")
+        shows(page, "#view-words", "^$")
+        assert page.input_value("#view") == "board"
 
 
 def test_keys_alone_walk_pause_and_go_back(chromium, address):

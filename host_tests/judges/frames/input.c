@@ -35,6 +35,12 @@ int fail(const char *where, const char *what)
     return 2;
 }
 
+void give_up(const char *why)
+{
+    fprintf(stderr, "error: %s\n", why);
+    exit(2);
+}
+
 bool take_text(const char *value, void *to)
 {
     *(const char **)to = value;

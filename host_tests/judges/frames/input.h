@@ -14,6 +14,9 @@ uint8_t *read_file(const char *path, size_t *size);
 /* Says "error: where: what" on stderr. Returns 2, the exit code of a program that could not run. */
 int fail(const char *where, const char *what);
 
+/* Says "error: why" on stderr and ends the program with 2: there is not enough room to go on. */
+void give_up(const char *why);
+
 /* An option with a value: what takes that, and where it goes. */
 typedef struct {
     const char *name;

@@ -2,15 +2,10 @@
 #include "judge/beneath.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-void judge_give_up(const char *why)
-{
-    fprintf(stderr, "error: %s\n", why);
-    exit(2);
-}
+#include "frames/input.h"
 
 /* --- what a polygon shows ------------------------------------------------------------------- */
 
@@ -29,7 +24,7 @@ void judge_showing_add(judge_showing *found, uint16_t colour)
         }
     }
     if (found->count == JUDGE_COLOURS_MAX) {
-        judge_give_up("a surface may show so many colours at one pixel that the judge has no room");
+        give_up("a surface may show so many colours at one pixel that the judge has no room");
     }
     found->colours[found->count++] = colour;
 }
@@ -127,7 +122,7 @@ static void add_range(judge_beneath *to, const judge_range *range)
         }
     }
     if (to->count == JUDGE_RANGES_MAX) {
-        judge_give_up("so many surfaces are blended at one pixel that the judge has no room");
+        give_up("so many surfaces are blended at one pixel that the judge has no room");
     }
     to->ranges[to->count++] = *range;
 }
@@ -140,7 +135,7 @@ static void blend_ranges(judge_beneath *of, const ref_surface_view *look,
     const size_t size = (size_t)count * sizeof(judge_range);
     judge_range *before = malloc(size > 0 ? size : 1);
     if (!before) {
-        judge_give_up("there is not enough memory");
+        give_up("there is not enough memory");
     }
     memcpy(before, of->ranges, size);
     judge_beneath_leave_out(of, made.out);

@@ -29,9 +29,6 @@ typedef struct {
     uint16_t colours[JUDGE_COLOURS_MAX];
 } judge_showing;
 
-/* Ends the program: there is not enough room for a pixel. */
-void judge_give_up(const char *why);
-
 /* No colour, and all of it is left. */
 void judge_showing_begin(judge_showing *found);
 

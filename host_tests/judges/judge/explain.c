@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "frames/input.h"
 #include "reference/wire.h"
 #include "judge/beneath.h"
 #include "reference/scan.h"
@@ -333,7 +334,7 @@ static candidate *candidates_of(const ref_lens *lens, const ref_drawn *drawn,
     }
     candidate *near = malloc((near_count + 1) * sizeof *near);
     if (!near) {
-        judge_give_up("there is not enough memory");
+        give_up("there is not enough memory");
     }
     for (size_t i = 0; i < count && *found < near_count; i++) {
         if (!box_is_beyond(&boxes[i], question->x + 0.5, question->y + 0.5, 1)) {

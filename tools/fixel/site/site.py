@@ -29,6 +29,7 @@ def parser():
     """The options of the command."""
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     made.add_argument("--module", type=pathlib.Path, default=pathlib.Path("build/web/walk.wasm"), metavar="FILE", help="the walk as WebAssembly (build/web/walk.wasm)")
+    made.add_argument("--judge", type=pathlib.Path, default=pathlib.Path("build/web/judge.wasm"), metavar="FILE", help="the reference renderer as WebAssembly (build/web/judge.wasm)")
     made.add_argument("--out", type=pathlib.Path, default=pathlib.Path("build/site"), metavar="FOLDER", help="where to (build/site)")
     made.add_argument("--build", default="build", help="folder that make builds in")
     return made
@@ -100,8 +101,9 @@ def main(argv):
             scenes = write_scenes(folder, options.build, say)
         with progress.Progress("documents"):
             count, functions, _ = docs.write(folder / "documents", pathlib.Path(made))
-        bundle(folder, "site.js", "site.css")
+        bundle(folder, "site.js", "site.css", "judge_worker.js")
         shutil.copyfile(options.module, folder / "walk.wasm")
+        shutil.copyfile(options.judge, folder / "judge.wasm")
         shutil.copyfile(ROOT / "docs" / "plaza.png", folder / "plaza.png")
         (folder / "index.html").write_text(page(scenes, costs.boards(options.build)), encoding="utf-8")
         total, first = sizes(folder)
