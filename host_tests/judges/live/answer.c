@@ -151,6 +151,7 @@ static void draw(live_session *run, bool wants_faces)
     ref_frame_draw(&run->renderer, &band);
 }
 
+/* place pixel-format: a pixel's bytes, of the board and in an answer */
 static uint16_t board_pixel(const live_session *run, size_t number)
 {
     return run->renderer.rgb565 ? ref_u16(run->board + 2 * number) : run->board[number];
