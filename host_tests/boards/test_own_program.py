@@ -283,10 +283,11 @@ def written_watch(folder, old="", new=""):
 
 def test_a_picture_is_made_of_the_boxes_that_changed(folder):
     """On the board, on the host and on the glass; it is that of the whole frame."""
-    _, boxes, frames = run(folder, written_watch(folder), "BOARD=mps2-an385", "DRIVER=st7789_240x240")
+    done, boxes, frames = run(folder, written_watch(folder), "BOARD=mps2-an385", "DRIVER=st7789_240x240")
     assert boxes["host_frames_equal"] and boxes["wires_frames_equal"] == 12 == len(set(boxes["wires_frame_sha256"]))
     drawn = [sum(columns * rows for _, columns, _, rows in frame.boxes) for frame in frames]
     assert drawn[0] == 240 * 240 and 0 < max(drawn[1:]) < drawn[0] // 2
+    assert boxes["display_bytes"] == 115200 and boxes["display_bytes_by_boxes"] == round(2 * sum(drawn[1:]) / 11) and " came in boxes " in done.stdout
     _, whole, frames = run(folder, written_watch(folder, "fxl_pump_changed(&pump, &renderer, &eye, &changed)",
                                                  "fxl_pump_frame(&pump, &renderer, &eye)"), "BOARD=host", "DRIVER=st7789_240x240")
     assert whole["frame_crc"] == boxes["frame_crc"] and whole["wires_frame_sha256"] == boxes["wires_frame_sha256"]

@@ -9,6 +9,7 @@ import zlib
 
 import numpy
 import pytest
+import own_tools
 from board_programs import made
 from conftest import assert_one_sentence, dump_bytes, random_frames, run_cli, run_make
 
@@ -61,6 +62,30 @@ def test_an_rgb565_frame_is_sent_as_it_was_drawn(tmp_path):
     assert crcs["palette"]["frame_crc"] != crcs["palette"]["sent_crc"]
     frames = dump.read_dump(tmp_path / "rgb565" / "board.fxld").frames
     assert crcs["rgb565"]["frame_crc_all"] == f"{zlib.crc32(b''.join(frame.pixels.astype('>u2').tobytes() for frame in frames)):08x}"
+
+
+STILL = """
+[screen]
+width = 128
+height = 64
+[[objects]]
+solid = "box"
+position = [3, 0, 9]
+spin = { yaw = 6 }
+[path]
+keys = [{ position = [0, 0, 0], look_at = [0, 0, 6], frames = 4 }, { position = [0, 0, 0], look_at = [0, 0, 6] }]
+"""
+
+
+@pytest.mark.parametrize("driver", ["ssd1306", "ls013b7dh03"])
+def test_what_boxes_would_save_is_told_in_what_the_display_takes(tmp_path, driver):
+    """Pages of eight rows, and whole rows."""
+    (tmp_path / "still.toml").write_text(STILL, encoding="utf-8")
+    made("build/host/predict")
+    said, summary = own_tools.run("host", tmp_path / "out", f"SCENE={tmp_path / 'still.toml'}", "ALLOW_OUTSIDE=1", f"DRIVER={driver}")
+    whole = {"ssd1306": 1024, "ls013b7dh03": 20 * 64}[driver]
+    assert summary["display_bytes"] == whole and 0 < summary["display_bytes_by_boxes"] < whole / 2
+    assert f"{whole:,} to a display; boxes of what changed would take" in said and " % saved" in said
 
 
 def test_a_board_of_16_kib_sends_row_by_row(tmp_path):

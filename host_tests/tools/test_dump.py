@@ -71,6 +71,34 @@ def test_every_flipped_bit_is_refused(bit):
     refused(bytes(data))
 
 
+def box_dump(boxes, beyond=0):
+    """A dump of two frames of boxes; beyond: columns by which they leave the frame."""
+    out = WHOLE[:12] + struct.pack("<I", 0) + WHOLE[16:HEAD]
+    for number, (x, columns, y, rows) in enumerate(boxes):
+        out += b"FRAM" + struct.pack("<I3i3I", number | 1 << 31, 1, -2, 3, 4, 5, 6) + struct.pack("<4H", x + beyond, columns, y, rows)
+        out += FRAMES[number][y:y + rows, x:x + columns].tobytes() + bytes(8)
+        out += struct.pack("<9IIQ", *COUNTERS_OF_A_FRAME, 0, 1000)
+    return with_checksum(out + b"FEND" + struct.pack("<I", len(boxes)) + bytes(4))
+
+
+BOXES = [(0, 7, 0, 5), (2, 4, 1, 3)]
+
+
+def test_a_frame_of_boxes_is_the_one_before_with_them():
+    first, second = dump.parse_dump(box_dump(BOXES), "board.fxld").frames
+    expected = FRAMES[0].copy()
+    expected[1:4, 2:6] = FRAMES[1][1:4, 2:6]
+    assert numpy.array_equal(first.pixels, FRAMES[0]) and numpy.array_equal(second.pixels, expected)
+    assert first.boxes == (BOXES[0],) and second.boxes == (BOXES[1],) and second.pixels.dtype == numpy.uint8
+    assert second.instructions == 1000 and tuple(second.counters.values()) == COUNTERS_OF_A_FRAME
+
+
+def test_boxes_that_are_not_those_of_frames_are_refused():
+    assert "frame 1 of 0" in refused(box_dump(BOXES)[:-120]) and "incomplete" in refused(box_dump(BOXES)[:-120])
+    assert "leave pixels out" in refused(box_dump([(0, 7, 0, 4)]))
+    assert "beyond the frame" in refused(box_dump(BOXES, 1))
+
+
 def test_not_a_dump():
     assert "does not begin with FXLD" in refused(b"\x89PNG" + WHOLE[4:])
 

@@ -17,7 +17,7 @@ from board_programs import ROOT, built, made
 from conftest import assert_one_sentence, dry_run, run_cli, run_make, sampled
 from fixel.base.errors import ToolError
 from fixel.bench import bench_plan, costs, frame_costs, predict
-from fixel.board import counted, dump, emulator, flash_memory, fleet
+from fixel.board import counted, dump, emulator, flash_memory, fleet, sent_bytes
 from fixel.image import image, memory_needed
 from fixel.scene import making, target
 
@@ -384,3 +384,52 @@ def test_a_scene_by_chance(tmp_path, errors, seed, number):
 def test_most_scenes_of_a_seed_are_nearer(errors, seed):
     far = {number: error for (of, number), error in errors.items() if of == seed and abs(error) > DRAWN_WITHIN}
     assert len([key for key in errors if key[0] == seed]) == drawn_scenes.COUNT and len(far) <= 3, far
+
+
+STILL = """
+[screen]
+width = 128
+height = 64
+[[objects]]
+name = "stand"
+solid = "box"
+position = [-3, 0, 9]
+[[objects]]
+name = "turns"
+solid = "box"
+position = [3, 0, 9]
+spin = { yaw = 6 }
+[path]
+keys = [{ position = [0, 0, 0], look_at = [0, 0, 6], frames = 4 }, { position = [X, 0, 0], look_at = [X, 0, 6] }]
+"""
+
+
+def test_bytes_a_frame_and_what_boxes_save(tmp_path):
+    """The box of the cube that turns, before and now: all pixels that differ are in it, and it is not much larger."""
+    (tmp_path / "still.toml").write_text(STILL.replace("X", "0"), encoding="utf-8")
+    (tmp_path / "moves.toml").write_text(STILL.replace("X", "2"), encoding="utf-8")
+    still, moves = (predicted("mps2-an385", tmp_path / f"{name}.toml") for name in ("still", "moves"))
+    assert still["display_bytes"] == moves["display_bytes"] == 128 * 64 * 2
+    assert moves["display_share_saved"] == 0 and 0.9 < still["display_share_saved"] < 1
+    making.build(str(tmp_path / "still.toml"), tmp_path / "still.fxls")
+    scene, build = image.load(tmp_path / "still.fxls"), made("build/host/predict").parents[1]
+    found = frame_costs.boxes(build, tmp_path / "still.fxls", scene)
+    assert found[0] == [[0, 128, 0, 64]] and all(len(boxes) == 1 for boxes in found[1:]) and len(found) == 5
+    pages = frame_costs.boxes(build, tmp_path / "still.fxls", scene, steps=(1, 8))
+    rows = frame_costs.boxes(build, tmp_path / "still.fxls", scene, steps=(0, 1))
+    for (x, columns, y, count), (page,), (row,) in zip((boxes[0] for boxes in found[1:]), pages[1:], rows[1:]):
+        assert page == [x, columns, y // 8 * 8, -(-(y + count) // 8) * 8 - y // 8 * 8] and row == [0, 128, y, count]
+    assert still["display_bytes_by_boxes"] == round(2 * sum(box[1] * box[3] for box, in found[1:]) / 4)
+
+
+@pytest.mark.parametrize("driver, bytes_of_one, steps", [("", 2 * 8 * 16, (1, 1)), ("ssd1306", 16, (1, 8)), ("ssd1322", 64, (4, 1)),
+                                                         ("ls013b7dh03", 20 * 16, (0, 1)), ("ili9488", 3 * 128, (1, 1))])
+def test_bytes_of_boxes_are_those_of_the_display(driver, bytes_of_one, steps):
+    """The first frame is whole in any case."""
+    box = (8, 8, 0, 16)
+    told = sent_bytes.told(driver, 64, 32, [[(0, 64, 0, 32)], [box], []])
+    assert told["display_bytes_by_boxes"] == bytes_of_one // 2 and sent_bytes.steps_of(driver) == steps
+    assert told["display_share_saved"] == round(1 - bytes_of_one / 2 / told["display_bytes"], 4)
+    assert sent_bytes.told(driver, 64, 32, [[box]])["display_share_saved"] is None
+    assert "came in boxes" in sent_bytes.row(told, are_sent=True)[1] and "would take" in sent_bytes.row(told)[1]
+    assert "the whole frame" in sent_bytes.row(told | {"display_share_saved": 0.0})[1]

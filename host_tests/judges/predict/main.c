@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* predict SCENE.fxls BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES LIST_MOST FRAMES
+/* predict SCENE.fxls BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES LIST_MOST FRAMES COLUMNS ROWS
  *
  * Walks a scene's path as firmware/walk does on a board with these settings, and prints what the
- * library did in each frame, and the bytes of the display list, as JSON. ORDER_ENTRIES: 0: as many as the scene needs. LIST_MOST:
+ * library did in each frame, the boxes in which the frame differs from the one before, widened to
+ * COLUMNS and ROWS (fxl_changed_widen), and the bytes of the display list, as JSON. ORDER_ENTRIES: 0: as many as the scene needs. LIST_MOST:
  * bytes that limit the display list alone. FRAMES: at most so many; 0: all. Exit code 0: it ran; 1:
  * the board has no room; 2: it could not. */
 #include <errno.h>
@@ -24,6 +25,8 @@ enum {
     CACHE,
     LIST_MOST,
     FRAMES,
+    COLUMNS,
+    ROWS,
     SETTINGS
 };
 
@@ -95,8 +98,51 @@ static void print_counts(bool first)
     printf("]");
 }
 
-static fxl_status draw_all(session *run, uint32_t frames, uint32_t rows)
+/* Boxes of all frames, four numbers each. */
+static uint16_t (*found_boxes)[FXL_CHANGED_BOXES_MAX][4];
+
+/* Finds the boxes of the frame that was drawn, for the end of what is printed. */
+static fxl_status find_boxes(fxl_changed *changed, const session *run, const uint32_t *settings,
+                             uint32_t frame)
 {
+    fxl_status status = fxl_changed_find(changed, &run->renderer);
+    if (status == FXL_OK) {
+        status = fxl_changed_widen(changed, settings[COLUMNS], settings[ROWS]);
+    }
+    for (uint32_t i = 0; status == FXL_OK && i < changed->count; i++) {
+        const fxl_screen_box *box = &changed->boxes[i];
+        const uint16_t numbers[4] = {box->first_column, box->columns, box->first_row, box->rows};
+        memcpy(found_boxes[frame][i], numbers, sizeof numbers);
+    }
+    return status;
+}
+
+static void print_boxes(uint32_t frames)
+{
+    printf("],\n\"boxes\": [");
+    for (uint32_t i = 0; i < frames; i++) {
+        printf("%s[", i > 0 ? ",\n" : "\n");
+        for (uint32_t j = 0; j < FXL_CHANGED_BOXES_MAX && found_boxes[i][j][1] > 0; j++) {
+            const uint16_t *box = found_boxes[i][j];
+            printf("%s[%u, %u, %u, %u]", j > 0 ? ", " : "", box[0], box[1], box[2], box[3]);
+        }
+        printf("]");
+    }
+}
+
+static fxl_status draw_all(session *run, uint32_t frames, const uint32_t settings[SETTINGS])
+{
+    const fxl_scene *scene = &run->image.scene;
+    const uint32_t rows =
+        settings[BAND] / (run->image.lens.width * (run->image.pixel_bits / 8u));
+    const size_t kept = 8u * (size_t)FXL_CHANGED_MEMORY(scene->instance_count, scene->instance_count,
+                                                        scene->model_count, scene->model_count);
+    fxl_changed changed;
+    found_boxes = session_memory((frames + 1u) * sizeof *found_boxes);
+    memset(found_boxes, 0, (frames + 1u) * sizeof *found_boxes);
+    if (fxl_changed_init(&changed, session_memory(kept + 8u), kept) != FXL_OK) {
+        return FXL_E_CAPACITY;
+    }
     uint8_t *pixels = session_memory((size_t)run->image.lens.width * run->image.lens.height * 2u);
     is_wide = run->image.pixel_bits == 16;
     walk_path path;
@@ -116,7 +162,12 @@ static fxl_status draw_all(session *run, uint32_t frames, uint32_t rows)
         counted.instances = run->image.scene.instance_count;
         counted.instances_seen = run->renderer.frame.visible_count;
         print_counts(i == 0);
+        status = find_boxes(&changed, run, settings, i);
+        if (status != FXL_OK) {
+            return status;
+        }
     }
+    print_boxes(frames);
     return FXL_OK;
 }
 
@@ -126,7 +177,7 @@ int main(int count, char **arguments)
     uint32_t settings[SETTINGS];
     if (!parse(count, arguments, settings)) {
         return fail("usage", "predict SCENE.fxls BAND_BYTES ORDER_ENTRIES LIST_BYTES "
-                             "CACHE_ENTRIES LIST_MOST FRAMES");
+                             "CACHE_ENTRIES LIST_MOST FRAMES COLUMNS ROWS");
     }
     const char *wrong = session_open(&run, arguments[1]);
     const uint32_t taken = wrong == NULL ? taken_bytes(&run.image) : 0;
@@ -152,8 +203,7 @@ int main(int count, char **arguments)
         printf("%s\"%s\"", i > 0 ? ", " : "", names[i]);
     }
     printf("],\n\"frames\": [");
-    const fxl_status status = draw_all(
-        &run, frames, settings[BAND] / (run.image.lens.width * (run.image.pixel_bits / 8u)));
+    const fxl_status status = draw_all(&run, frames, settings);
     if (status != FXL_OK) {
         return fail(arguments[1], fxl_status_text(status));
     }

@@ -132,19 +132,34 @@ def count(*words, **more):
     return counted(*words, **more)[:2]
 
 
-def counted(build, image, band, order, words, cache, most=0, frames=0, name=None):
+def counted(*words, **more):
     """(names, array of a row for each frame) of what the library does, and the bytes of its display list. band, words: bytes of a
     band and of the display list with what else takes of it; order, cache: entries; most: bytes that limit the list; name: the
     user's file, for messages."""
+    data = _walked(*words, **more)
+    return data["names"], np.array(data["frames"], dtype=float), data["list_bytes"]
+
+
+BESIDE = 1 << 20        # bytes for what a scene has beside its faces, which have memory of their own in a program of the user's
+
+
+def boxes(build, file, scene, frames=0, steps=(1, 1)):
+    """Of each frame of a path the boxes in which it differs from the one before, as [first column, columns, first row, rows].
+    scene: that of the image file; steps: columns and rows that boxes begin and end with, 0 columns for whole rows."""
+    row, beside = scene.width * scene.pixel_bits // 8, 2 * scene.width * scene.height * scene.depth_bits // 8
+    return _walked(build, file, scene.height * row, 0, BESIDE + beside + 1, 1, 1, frames, steps=steps)["boxes"]
+
+
+def _walked(build, image, band, order, words, cache, most=0, frames=0, name=None, steps=(1, 1)):
+    """What build/host/predict says of a scene image."""
     program = pathlib.Path(build) / "host" / "predict"
     if not program.exists():
         raise ToolError(f"{program} is not built: make predict builds it")
-    done = limits.run([program, str(image), *map(str, (band, order, words, cache, most, frames))], WALK_CPU, text=True)
+    done = limits.run([program, str(image), *map(str, (band, order, words, cache, most, frames, *steps))], WALK_CPU, text=True)
     if done.returncode:
         said = done.stderr.strip().removeprefix("error: ").replace(str(image), str(name or image))
         raise (NoRoom if done.returncode == 1 else ToolError)(said or f"{program} ended with {done.returncode}")
-    data = json.loads(done.stdout)
-    return data["names"], np.array(data["frames"], dtype=float), data["list_bytes"]
+    return json.loads(done.stdout)
 
 
 def fit(rows, wanted, weights, known=None):

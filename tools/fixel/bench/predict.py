@@ -22,7 +22,7 @@ from fixel.model import suffixes
 from fixel.scene import look, scene_options
 
 frame_costs = late("fixel.bench", "frame_costs")
-model_look = late("fixel.board", "model_look")
+model_look, sent_bytes = late("fixel.board", "model_look sent_bytes")
 image = late("fixel.image", "image")
 making = late("fixel.scene", "making")
 
@@ -31,7 +31,6 @@ COSTS = ROOT / "bench" / "costs.json"
 # What make knows of a board, and what it is.
 SETTINGS = {"band": "bytes of a band", "order": "entries of the order", "list": "bytes of the display list", "cache": "entries of the vertex cache"}
 BAND_ROWS = 16          # of a program that export --c --program writes
-BESIDE = 1 << 20        # bytes for what a scene has beside its faces, which have memory of their own in such a program
 
 # place pixel-format: what is counted (wide_...), and what it costs
 # What a board's program may leave out: WALK_WITHOUT_... of its settings.
@@ -150,7 +149,7 @@ def of_memory(options, file, costs):
         vertices, words = memory_needed.divided(scene, units)
         ways = {}
         for way, rows, most in (("fxl_render", scene.height, 1), ("bands", BAND_ROWS, memory_needed.WORD * words or 1)):
-            names, counts = frame_costs.count(options.build, file, rows * row, 0, BESIDE + beside + most, vertices, most,
+            names, counts = frame_costs.count(options.build, file, rows * row, 0, frame_costs.BESIDE + beside + most, vertices, most,
                                               options.frames or 0, options.scene)
             ways[way] = round(float(frame_costs.instructions(costs, names, counts).mean()))
         found.append({"size": f"NAME_MEMORY{ending}", "bytes": memory_needed.UNIT * units, **ways})
@@ -165,7 +164,8 @@ def predict(options, file):
     result = {"board": options.board, "core": core, "scene": options.scene, "frames": scene.frames,
               "faces": sum(len(model.faces) for model in scene.models), "lines_not_counted": lines_of(scene), "orthographic": bool(scene.scale),
               "why_not": None, **frame_costs.memory(board, size, has_looks(scene)), "instructions_per_frame": None,
-              "ram_of_your_program": memory_needed.of_program(scene), "your_memory": [], "parts": []}
+              "ram_of_your_program": memory_needed.of_program(scene), "your_memory": [], "parts": [],
+              **sent_bytes.told("", scene.width, scene.height, None)}
     try:
         names, counts = count(options, scene, size, board, file)
     except frame_costs.NoRoom as error:
@@ -175,6 +175,7 @@ def predict(options, file):
     result["instructions_per_frame"] = {"min": round(taken.min()), "mean": round(taken.mean()), "max": round(taken.max())}
     result["parts"] = [{"what": what, "times": round(float(times), 1), "instructions": round(float(spent))}
                        for what, times, spent in parts(names, counts, known["cores"][core])]
+    result |= sent_bytes.told("", scene.width, scene.height, frame_costs.boxes(options.build, file, scene, options.frames or 0))
     result["your_memory"] = of_memory(options, file, known["cores"][core])
     return result
 
@@ -199,6 +200,7 @@ def print_prediction(result):
                              "what its frames take"])
     if taken and result["lines_not_counted"]:
         rows.append(["not counted", f"{count_of(result['lines_not_counted'], 'line')}, edges and points among them: their instructions come on top"])
+    rows.append(sent_bytes.row(result))
     print(table(rows))
     if result["parts"]:
         print(table([[part["what"], round(part["times"], None if part["times"] >= 100 else 1), part["instructions"]]

@@ -13,7 +13,7 @@ from fixel.base import output, picture, reading, scratch
 from fixel.base.errors import one_line
 from fixel.base.progress import Progress, steps
 from fixel.base.table import coloured, count_of, table
-from fixel.board import counted, dump, emulator, firmware, flash_memory, crc, methods, model_look, spilled, wires
+from fixel.board import counted, dump, emulator, firmware, flash_memory, crc, methods, model_look, sent_bytes, spilled, wires
 
 PREFIX = "own-"     # of the programs' names: firmware/firmware.mk
 FRAMES = 120        # after which a program without an end is ended
@@ -79,13 +79,21 @@ def same(one, other):
         all(numpy.array_equal(a.pixels, b.pixels) for a, b in zip(one.frames, other.frames))
 
 
+def boxes_of(frames):
+    """The boxes of each frame, if a frame has some; else None."""
+    if all(frame.boxes is None for frame in frames):
+        return None
+    height, width = frames[0].pixels.shape
+    return [[(0, width, 0, height)] if frame.boxes is None else frame.boxes for frame in frames]
+
+
 def summarise(options, program, drawn, equal, sent):
     """summary.json."""
     return {"board": options.board, "cpu": program.cpu, "program": options.program, "width": drawn.width, "height": drawn.height,
             "frames": len(drawn.frames),
             **counted.summary(drawn.frames, program),
             "host_frames_equal": equal, "polygons_spilled": sum(frame.counters["spilled"] for frame in drawn.frames),
-            "driver": options.driver} | sent
+            "driver": options.driver, **sent_bytes.told(options.driver, drawn.width, drawn.height, boxes_of(drawn.frames))} | sent
 
 
 def passes(summary):
@@ -107,6 +115,7 @@ def print_summary(summary, options):
                  counted.row(summary),
                  ["equal to host", summary["host_frames_equal"]],
                  ["CRC of all frames", crc.both(summary["frame_crc_all"], summary["sent_crc_all"])],
+                 sent_bytes.row(summary, are_sent=True),
                  *wires.rows(summary)]))
     if summary["polygons_spilled"]:
         print(spilled.of_own(summary["polygons_spilled"], exported_name(methods.elf_of(options.board, options.build, methods.program(options)))))

@@ -7,6 +7,7 @@ of the program that failed (boards/contract/system.h).
 """
 
 import argparse
+import pathlib
 import shutil
 import sys
 
@@ -19,8 +20,9 @@ from fixel.commands import late
 from fixel.scene import scene_options
 
 picture = late("fixel.base", "picture")
+frame_costs = late("fixel.bench", "frame_costs")
 drawing, dump, emulator, firmware, host_programs = late("fixel.board", "drawing dump emulator firmware programs")
-model_look, order_check, own_run, spilled, wires = late("fixel.board", "model_look order_check own_run spilled wires")
+model_look, order_check, own_run, sent_bytes, spilled, wires = late("fixel.board", "model_look order_check own_run sent_bytes spilled wires")
 image_header, scene_image = late("fixel.image", "image_header image")
 close_faces = late("fixel.model", "close_faces")
 numpy = late("numpy")
@@ -163,6 +165,7 @@ def print_summary(summary, out):
             counted.row(summary),
             ["equal to host", summary["host_frames_equal"]],
             ["CRC of all frames", crc.both(summary["frame_crc_all"], summary["sent_crc_all"])],
+            sent_bytes.row(summary, unknown=summary["boxes_unknown"]),
             *wires.rows(summary),
             *([["kept", f"{', '.join(summary['kept'])}: computed by an earlier command (FRESH=1 computes all)"]]
               if summary["kept"] else [])]
@@ -217,6 +220,18 @@ def say_what_will_differ(image, options):
             print(f"  {one_line(note)}", file=sys.stderr)
 
 
+def boxes_of(options, image, drawn):
+    """(The boxes of what changes from frame to frame, why they are not known). None and "" where there is nothing to say of them."""
+    if options.program != methods.WALK or options.visibility or options.clipper or len(drawn.frames) < 2:
+        return None, ""
+    if sent_bytes.eye_moves(drawn.frames):
+        return [[(0, drawn.width, 0, drawn.height)] for _ in drawn.frames], ""
+    scene = scene_image.load(image)
+    if not (pathlib.Path(options.build) / "host" / "predict").exists():
+        return None, "make predict says what boxes of what changed would take"
+    return frame_costs.boxes(options.build, image, scene, len(drawn.frames), sent_bytes.steps_of(options.driver)), ""
+
+
 def run(options, folder):
     """The whole run; its files go into folder. The summary."""
     output.make_folder(options.build)
@@ -249,7 +264,10 @@ def run(options, folder):
         write_pictures(folder, drawn, twin)
         shutil.move(file, folder / "board.fxld")
         spills = spilled.note(options, elf, image, polygon_totals(drawn.frames)["spilled"])
-    return summarise(options, program, drawn, equal) | sent | verdicts | {"kept": options.kept.parts, "spilled_note": spills}
+        boxes, unknown = boxes_of(options, image, drawn)
+    return summarise(options, program, drawn, equal) | sent | verdicts | {
+        "kept": options.kept.parts, "spilled_note": spills, "boxes_unknown": unknown,
+        **sent_bytes.told(options.driver, drawn.width, drawn.height, boxes)}
 
 
 def main(argv):
