@@ -11,7 +11,7 @@ BOARD_OPENOCD := -f interface/cmsis-dap.cfg -f target/nrf51.cfg
 # are sent one by one. One in black and white takes less, and wants eight rows of 128, in RGB565 too.
 BOARD_BAND_BYTES := $(if $(DRIVER),$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),2048,1024),2560)
 BOARD_ORDER_ENTRIES := 200
-BOARD_LIST_BYTES := $(if $(DRIVER),$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),2664,3368),4096)
+BOARD_LIST_BYTES := $(if $(DRIVER),$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),2656,3360),4096)
 BOARD_DRIVER_ROWS := 1
 BOARD_CACHE_ENTRIES := 8
 
@@ -20,7 +20,7 @@ BOARD_OWN_FLAGS := -Os
 
 # Beside the game and the driver of a display, RGB565 with a depth buffer would take 3 to 4 KiB of flash more than there is.
 # Depth buffers of 32 bits a pixel would take 7 KiB of flash more than there is.
-BOARD_SETTINGS := BOARD_SYSTICK_HZ=16000000u WALK_WITHOUT_ORTHOGRAPHIC WALK_WITHOUT_DEPTH_32 WALK_WITHOUT_LINES GAME_WITHOUT_RGB565_DEPTH
+BOARD_SETTINGS := BOARD_SYSTICK_HZ=16000000u WALK_WITHOUT_ORTHOGRAPHIC WALK_WITHOUT_DEPTH_32 WALK_WITHOUT_LINES WALK_WITHOUT_HORIZON GAME_WITHOUT_RGB565_DEPTH
 
 # Flash has pages of 1 KiB.
 BOARD_MEMORY := flash_base=0x00000000 flash_size=256K flash_sector=1K program_size=194K \

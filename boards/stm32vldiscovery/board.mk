@@ -15,7 +15,7 @@ BOARD_OPENOCD := -f board/stm32vldiscovery.cfg
 # knows nothing of the entries, so only its own object differs.
 BOARD_BAND_BYTES := 1024
 BOARD_ORDER_ENTRIES := $(if $(filter surfaces,$(VISIBILITY)),106,178)
-BOARD_LIST_BYTES := 576
+BOARD_LIST_BYTES := 568
 BOARD_CACHE_ENTRIES := 0
 
 # The game would take 6 KiB of flash more than there is.
@@ -31,7 +31,7 @@ BOARD_OWN_FLAGS := -Os
 # A BSP tree would take 4 KiB of flash more than the program has, and of stack more than there is. Surfaces take
 # 36 KiB of flash: the program of VISIBILITY=surfaces has them, and scenes have 36 KiB less. Billboards
 # would take 4 KiB, RGB565 more.
-BOARD_SETTINGS := BOARD_SYSTICK_HZ=24000000u WALK_WITHOUT_ORTHOGRAPHIC WALK_WITHOUT_BSP WALK_WITHOUT_SURFACES WALK_WITHOUT_BILLBOARDS WALK_WITHOUT_LINES WALK_WITHOUT_DEPTH WALK_WITHOUT_RGB565
+BOARD_SETTINGS := BOARD_SYSTICK_HZ=24000000u WALK_WITHOUT_ORTHOGRAPHIC WALK_WITHOUT_BSP WALK_WITHOUT_SURFACES WALK_WITHOUT_BILLBOARDS WALK_WITHOUT_LINES WALK_WITHOUT_HORIZON WALK_WITHOUT_DEPTH WALK_WITHOUT_RGB565
 
 # Flash has pages of 1 KiB. A program with surfaces takes 36 of the 61 KiB that scenes have beside others.
 BOARD_MEMORY := flash_base=0x08000000 flash_size=128K flash_sector=1K program_size=67K \

@@ -73,6 +73,11 @@ bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image)
         return false;
     }
 #endif
+#if defined WALK_WITHOUT_HORIZON
+    if (image->horizon.sines != NULL) {
+        return false;
+    }
+#endif
     methods->draws = *draws;
 #if !defined WALK_FLAT
     if (image->surfaces.face_map != NULL && draws->surfaces == NULL) {

@@ -34,9 +34,9 @@ typedef struct {
 
 /* Chooses the methods for a scene. A scene is drawn with the target that it asks for; by its BSP tree
  * if it has one, unless it asks for the order by distance. False if the scene wants a tree, surfaces,
- * billboards, lines, a depth buffer, RGB565 or an orthographic lens, and the board has too little memory for
- * it: it sets WALK_WITHOUT_ORTHOGRAPHIC, WALK_WITHOUT_BSP, WALK_WITHOUT_SURFACES, WALK_WITHOUT_BILLBOARDS, WALK_WITHOUT_LINES,
- * WALK_WITHOUT_DEPTH,
+ * billboards, lines, a horizon, a depth buffer, RGB565 or an orthographic lens, and the board has too little
+ * memory for it: it sets WALK_WITHOUT_ORTHOGRAPHIC, WALK_WITHOUT_BSP, WALK_WITHOUT_SURFACES,
+ * WALK_WITHOUT_BILLBOARDS, WALK_WITHOUT_LINES, WALK_WITHOUT_HORIZON, WALK_WITHOUT_DEPTH,
  * WALK_WITHOUT_DEPTH_32 (16 bits alone), WALK_WITHOUT_RGB565 or WALK_WITHOUT_RGB565_DEPTH (RGB565
  * without a depth buffer alone). */
 bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image);

@@ -235,6 +235,15 @@ static fxl_status open_parts(walk_plan *of, fxl_setup_plan *plan)
         plan->attach_lines = fxl_attach_lines;
     }
 #endif
+#if !defined WALK_WITHOUT_HORIZON
+    if (image->horizon.sines != NULL) {
+        static fxl_horizon horizon; /* a renderer keeps a pointer to it */
+
+        horizon = image->horizon;
+        plan->horizon = &horizon;
+        plan->attach_horizon = fxl_attach_horizon;
+    }
+#endif
     (void)draws;
     of->clipper_memory = memory;
     return status;
@@ -267,6 +276,7 @@ fxl_status walk_plan_open(walk_plan *of, fxl_setup_plan *plan, fxl_setup *setup)
     plan->motions = NULL;
     plan->light = NULL;
     plan->lines = NULL;
+    plan->horizon = NULL;
     under_way = NULL;
     return status;
 }

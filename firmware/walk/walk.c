@@ -193,7 +193,7 @@ static int choose_methods(walk_methods *methods, const fxl_scene_image *image)
 #endif
     if (!walk_methods_choose(methods, image)) {
         system_text("walk: this program has no room to draw by a BSP tree, with surfaces or with a "
-                    "depth buffer (VISIBILITY=sorted), billboards or lines\n");
+                    "depth buffer (VISIBILITY=sorted), billboards, lines or a horizon\n");
         if (image->surfaces.face_map != NULL && walk_targets[0].surfaces == NULL) {
             system_text("walk: VISIBILITY=surfaces builds a program that draws surfaces\n");
         }

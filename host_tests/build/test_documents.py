@@ -313,7 +313,7 @@ def test_another_field_changes_all_that_is_written(monkeypatch):
     before = formats.texts()
     monkeypatch.setattr(formats, "SECTIONS", (*fields.SECTIONS, other))
     after = formats.texts()
-    assert "SECTION_OTHER = 36," in after["lib/scene/scene_sections.h"] and "| 36 | other | yes | 1..7 | i32 × 3 an x | 12 |" in \
+    assert "SECTION_OTHER = 38," in after["lib/scene/scene_sections.h"] and "| 38 | other | yes | 1..7 | i32 × 3 an x | 12 |" in \
         after["docs/formats.md"]
     assert before["lib/paint/surface_sections.h"] == after["lib/paint/surface_sections.h"]
 

@@ -18,7 +18,7 @@ from fixel.base.errors import ToolError
 
 BUILT_PROGRAMS = ("host/loader",)
 SEED, MUTANTS = 13, 600     # mutants of each image
-SCENES = (("host_tests/fuzz/scenes/beam_surfaces", "all"), ("scenes/tiny", None), ("scenes/cube", None), ("scenes/w2", None), ("scenes/beam", None),
+SCENES = (("host_tests/fuzz/scenes/beam_surfaces", "all"), ("scenes/horizon", None), ("scenes/tiny", None), ("scenes/cube", None), ("scenes/w2", None), ("scenes/beam", None),
           ("scenes/knot", "none"), ("scenes/knot", "all"), ("scenes/beam", "all"), ("host_tests/fuzz/scenes/clusters", None),
           ("host_tests/fuzz/scenes/placements", None), ("host_tests/fuzz/scenes/placements", "0"),
           ("host_tests/fuzz/scenes/light", None), ("host_tests/fuzz/scenes/surfaces", None),
@@ -127,7 +127,7 @@ def test_both_take_or_refuse_images_with_several_faults(build, blob, tmp_path):
 
 
 # These have every table.
-@pytest.mark.parametrize("blob", [("scenes/beam", "all"), *SCENES[-6:-5], *SCENES[-4:]], indirect=True, ids=lambda item: item[0])
+@pytest.mark.parametrize("blob", [("scenes/beam", "all"), SCENES[1], *SCENES[-6:-5], *SCENES[-4:]], indirect=True, ids=lambda item: item[0])
 def test_both_say_the_same_at_the_ends_of_ranges(build, blob, tmp_path):
     assert_agreement(build, [blob, *at_the_ends(blob)], tmp_path)
 

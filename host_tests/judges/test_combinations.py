@@ -98,6 +98,7 @@ ATTRIBUTES = {
                    '[[objects]]\nbillboard = "b"\nposition = [-1.2, -2, -2]\n', ""),
     "outlines": ("", ""),
     "lines": ("", 'edges = { colour = "white", width = 4 }'),
+    "horizon": ('[horizon]\ndegrees = [-25, -8, 0, 9, 30]\ncolours = ["#402010", "#604020", "#806040", "#80b0f0", "#6090e0", "#4070c0"]\n', ""),
 }
 
 # What only frames of RGB565 show, and how the tool calls it.

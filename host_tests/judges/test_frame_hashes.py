@@ -22,7 +22,7 @@ OTHERS = [CHECKOUT / "host_tests" / "judges" / "frames" / f"{name}.toml" for nam
 BOARDS = ("microbit", "mps2-an385", "mps3-an547", "mps2-an505")
 # Sorted models need more entries for the order of drawing than 16 KB of RAM hold, and so do pieces of what moves among a
 # tree; and these two images are larger than a scene partition of 256 KB.
-NO_ROOM = {"microbit": {"gallery", "knot", "lines", "spot", "teapot", "w3", "w3b", "c500", "e300", "f32", "f32p", "g2000"},
+NO_ROOM = {"microbit": {"gallery", "horizon", "knot", "lines", "spot", "teapot", "w3", "w3b", "c500", "e300", "f32", "f32p", "g2000"},
            "mps3-an547": {"spot", "teapot"}}
 # Each record's scene, and the layers that are to have a tree where they are not those that the scene names.
 SCENES = {**{file.stem: (file, None) for file in [*OWN, *OTHERS]},

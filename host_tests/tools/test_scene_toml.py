@@ -274,6 +274,7 @@ TRIED = [
     (keys.SCREEN, "[screen]\n", {}, BOX + PATH, None), (keys.VIEW, "[view]\n", {}, BOX + PATH, None),
     (keys.GLOW, "[glow]\n", {}, "[[beams]]\ndirection = [1, -1, 0]\nwindow = [[0, 0, 0], [0, 1, 0], [0, 1, 1]]\n" + BOX + PATH, None),
     (keys.PALETTE, "[palette]\n", {"reserve": 9}, TEXTURED + 'blend = true\n' + PATH, None),
+    (keys.HORIZON, "[horizon]\n", {"degrees": [0], "colours": ["red", "blue"]}, BOX + PATH, None),
     (keys.BEAM, "[[beams]]\n", {"direction": [1, -1, 0], "window": [[0, 0, 0], [0, 1, 0], [0, 1, 1]]}, BOX + PATH, {"direction", "window"}),
     (keys.BEAM, "[[beams]]\n", {"window": [[0, 0, 0], [0, 1, 0], [0, 1, 1]]}, BOX + PATH, {"position"}),
     (keys.PATH, BOX + "[path]\n", {}, "", {"keys", "orbit", "steps"}), (keys.PATH, BOX + "[path]\n", {"keys": [{"position": [0, 0, 0]}]}, "", {"interpolation"}),

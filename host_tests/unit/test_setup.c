@@ -253,6 +253,7 @@ void test_steps_that_are_refused(void)
     static const fxl_surface_set no_surfaces;
     static const fxl_billboard_set no_billboards;
     static const fxl_line_set no_lines;
+    static const fxl_horizon no_horizon = {NULL, NULL, 1};
     config.fov = 60;
     refuse_step(FXL_SETUP_RENDERER, FXL_E_RANGE, "config->fov", "FXL_DEGREES(10)");
     config = fxl_config_default(WIDTH, HEIGHT);
@@ -296,6 +297,11 @@ void test_steps_that_are_refused(void)
     plan.attach_lines = fxl_attach_lines;
     plan.lines = &no_lines;
     refuse_step(FXL_SETUP_LINES, FXL_E_ARGUMENT, "set->line", "not be null");
+    plan.attach_lines = NULL;
+    plan.attach_horizon = fxl_attach_horizon;
+    plan.horizon = &no_horizon;
+    refuse_step(FXL_SETUP_HORIZON, FXL_E_ARGUMENT, "horizon->sines", "not be null");
+    plan.attach_lines = fxl_attach_lines;
     plan.attach_beams = fxl_attach_beams; /* what comes after a refused step is not tried */
     plan.attach_surfaces = fxl_attach_surfaces;
     plan.attach_lit = fxl_attach_lit;
@@ -305,6 +311,7 @@ void test_steps_that_are_refused(void)
     plan.attach_surfaces = NULL;
     plan.attach_billboards = NULL;
     plan.attach_lines = NULL;
+    plan.attach_horizon = NULL;
     TEST_ASSERT_EQUAL(FXL_OK, init(LARGE)); /* with light, and light at corners of no surface */
     TEST_ASSERT_EQUAL(FXL_SETUP_DONE, setup.step);
     plan.path = poses;

@@ -65,6 +65,7 @@ void test_extras_of_a_zeroed_renderer(void)
     expect(FXL_E_ORDER, fxl_attach_outlines(&renderer, NULL, NULL));
     expect(FXL_E_ORDER, fxl_attach_lines(&renderer, &lines, &line_set));
     expect(FXL_E_ORDER, fxl_attach_lines(&renderer, NULL, NULL));
+    expect(FXL_E_ORDER, fxl_attach_horizon(&renderer, NULL));
 }
 
 /* A world counts the calls that it refuses in itself. */

@@ -264,9 +264,9 @@ static void fill_horizon(const fxl_renderer *renderer, const fxl_band *band, uin
 /* --- attaching ------------------------------------------------------------------------------- */
 
 /* horizon 1.6 */
-static fxl_status check_horizon(const fxl_horizon *horizon)
+fxl_status fxl_horizon_check(const fxl_horizon *horizon)
 {
-    if (horizon->sines == NULL || horizon->colours == NULL) {
+    if (horizon == NULL || horizon->sines == NULL || horizon->colours == NULL) {
         return FXL_E_ARGUMENT;
     }
     if (horizon->count < 1 || horizon->count > FXL_HORIZON_MAX) {
@@ -288,7 +288,7 @@ fxl_status fxl_attach_horizon(fxl_renderer *renderer, const fxl_horizon *horizon
     }
     fxl_status status = renderer->target == NULL ? FXL_E_ORDER : FXL_OK;
     if (status == FXL_OK && horizon != NULL) {
-        status = check_horizon(horizon);
+        status = fxl_horizon_check(horizon);
     }
     if (status != FXL_OK) {
         return fxl_refuse(&renderer->workspace, status);

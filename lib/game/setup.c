@@ -130,6 +130,10 @@ static FXL_COLD fxl_status attach(fxl_setup *setup, const fxl_setup_plan *plan,
         fxl_lines *lines = (fxl_lines *)(void *)(block + shares->motions + shares->beams + shares->tree);
         status = plan->attach_lines(renderer, lines, plan->lines);
     }
+    if (status == FXL_OK && plan->attach_horizon != NULL) {
+        setup->step = FXL_SETUP_HORIZON;
+        status = plan->attach_horizon(renderer, plan->horizon);
+    }
     return status;
 }
 

@@ -17,6 +17,7 @@ static const char *explain_step(const fxl_setup *setup, bool has_tables,
         fxl_surfaces_reasons, /* FXL_SETUP_LIT */
         fxl_billboards_reasons, /* FXL_SETUP_BILLBOARDS */
         fxl_lines_reasons, /* FXL_SETUP_LINES */
+        fxl_horizon_reasons, /* FXL_SETUP_HORIZON */
         fxl_setup_reasons, /* FXL_SETUP_DONE */
     };
     if (!has_tables && (setup->step == FXL_SETUP_RENDERER || setup->step >= FXL_SETUP_DONE)) {

@@ -190,6 +190,9 @@ static void open_sections(const fxl_image_header *head, fxl_scene_image *opened)
     opened->lines.lines = (const fxl_line *)first_of(head, SECTION_LINES);
     opened->lines.count = count_of(head, SECTION_LINES);
     opened->lines.line_map = (const uint32_t *)first_of(head, SECTION_LINE_MAP);
+    opened->horizon.sines = (const fxl_q2_30 *)first_of(head, SECTION_HORIZON_SINES);
+    opened->horizon.count = count_of(head, SECTION_HORIZON_SINES);
+    opened->horizon.colours = (const uint8_t *)first_of(head, SECTION_HORIZON_COLOURS);
 }
 
 /* formats 1.5 */

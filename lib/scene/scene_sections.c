@@ -161,6 +161,9 @@ static FXL_COLD fxl_status check_presence(const fxl_image_header *head, fxl_scen
          SECTION_SPRITE_PIXELS,
          {SECTION_BILLBOARDS, SECTION_BILLBOARD_MAP, SECTION_SPRITE_PIXELS, 0}},
         {SECTION_LINES, SECTION_LINE_MAP, {SECTION_LINES, SECTION_LINE_MAP, 0, 0}},
+        {SECTION_HORIZON_SINES,
+         SECTION_HORIZON_COLOURS,
+         {SECTION_HORIZON_SINES, SECTION_HORIZON_COLOURS, 0, 0}},
     };
     for (uint32_t kind = SECTION_PALETTE; kind <= SECTION_INSTANCES; kind++) {
         if (kind != SECTION_INDICES && count_of(head, kind) == 0) {
@@ -196,6 +199,7 @@ static FXL_COLD fxl_status check_counts(const fxl_image_header *head, fxl_scene_
         {SECTION_WHOLE_FACES, SECTION_FACES, 0},
         {SECTION_BILLBOARD_MAP, SECTION_MODELS, 0},
         {SECTION_LINE_MAP, SECTION_MODELS, 1},
+        {SECTION_HORIZON_COLOURS, SECTION_HORIZON_SINES, 1},
     };
     if (count_of(head, SECTION_PALETTE) != 256) {
         return missing(SECTION_PALETTE, fault);

@@ -45,7 +45,9 @@ enum {
     SECTION_LENS_SCALE = 33,
     SECTION_LINES = 34,
     SECTION_LINE_MAP = 35,
-    SECTION_KINDS = 36 /* one more than the greatest */
+    SECTION_HORIZON_SINES = 36,
+    SECTION_HORIZON_COLOURS = 37,
+    SECTION_KINDS = 38 /* one more than the greatest */
 };
 
 /* Of each kind: bytes of an entry, whether a reader that does not know it must refuse the image, the most
@@ -85,7 +87,9 @@ enum {
     {4, 1, FXL_SCENE_FACES_MAX, "whole face table"},     \
     {4, 1, 1, "lens scale"},                             \
     {12, 1, FXL_SCENE_FACES_MAX, "line table"},          \
-    {4, 1, 65536, "line map"},
+    {4, 1, 65536, "line map"},                           \
+    {4, 1, FXL_HORIZON_MAX, "horizon"},                  \
+    {1, 1, 65, "horizon colours"},
 
 FXL_STATIC_ASSERT(FXL_SCENE_VERTICES_MAX == 1000000, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(FXL_SCENE_INDICES_MAX == 4000000, FXL_AS_DOCUMENTED);
@@ -102,6 +106,7 @@ FXL_STATIC_ASSERT(FXL_LIGHT_LEVELS_MAX == 64, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(FXL_SCENE_TABLE_MAX == 65535, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(FXL_SCENE_IMAGE_MAX == 16777216, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(FXL_SCENE_CORNERS_MAX == 196605, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(FXL_HORIZON_MAX == 64, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(sizeof(fxl_image_header) == 92, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_image_header, magic) == 0, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_image_header, version) == 4, FXL_AS_DOCUMENTED);

@@ -174,6 +174,9 @@ static fxl_status attach_pictures(session *run, bool without_surfaces)
     if (status == FXL_OK && run->image.lines.line_map) {
         status = fxl_attach_lines(renderer, &run->lines, &run->image.lines);
     }
+    if (status == FXL_OK && run->image.horizon.sines) {
+        status = fxl_attach_horizon(renderer, &run->image.horizon);
+    }
     return status;
 }
 
@@ -244,10 +247,10 @@ fxl_status session_light(session *run, const named_light *light)
     return status == FXL_OK ? light_all(run, &settings) : status;
 }
 
-/* palette: of frames of 16 bits a pixel; else null. */
-static fxl_status draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t background,
-                             const uint16_t *palette, uint8_t *pixels, session_band_drawer *draw,
-                             void *with)
+/* renderer: what clears the bands; null: the palette's target. palette: of frames of 16 bits a pixel; else null. */
+static fxl_status draw_bands(const fxl_renderer *renderer, const fxl_lens *lens, uint32_t rows,
+                             uint8_t background, const uint16_t *palette, uint8_t *pixels,
+                             session_band_drawer *draw, void *with)
 {
     const size_t row_bytes = (size_t)lens->width * (palette ? 2 : 1);
     fxl_status status = FXL_OK;
@@ -260,7 +263,7 @@ static fxl_status draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t backgr
                                .first_row = (uint16_t)row,
                                .rows = (uint16_t)(rows < left ? rows : left),
                                .palette = palette};
-        (palette ? fxl_rgb565.fill : fxl_palette.fill)(NULL, &band, background);
+        (renderer ? renderer->fill : fxl_palette.fill)(renderer, &band, background);
         status = draw(with, &band);
     }
     return status;
@@ -269,7 +272,7 @@ static fxl_status draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t backgr
 fxl_status session_draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t background,
                               uint8_t *pixels, session_band_drawer *draw, void *with)
 {
-    return draw_bands(lens, rows, background, NULL, pixels, draw, with);
+    return draw_bands(NULL, lens, rows, background, NULL, pixels, draw, with);
 }
 
 fxl_status session_draw_band(void *renderer, const fxl_band *band)
@@ -309,6 +312,7 @@ fxl_status session_draw(session *run, const fxl_pose *pose, uint32_t rows, uint8
     fxl_status status = fxl_frame_begin(&run->renderer, pose);
     run->bands = 0;
     return status == FXL_OK
-               ? draw_bands(&run->image.lens, rows, background, palette, pixels, draw_in_turn, run)
+               ? draw_bands(&run->renderer, &run->image.lens, rows, background, palette, pixels,
+                            draw_in_turn, run)
                : status;
 }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "frames/input.h"
+#include "reference/horizon.h"
 #include "reference/wire.h"
 #include "judge/beneath.h"
 #include "reference/scan.h"
@@ -131,7 +132,8 @@ typedef struct {
     int x, y;
     uint16_t colour;          /* an entry of the palette, or of RGB565 */
     const ref_rgb565 *rgb565; /* of the frame; null: it is one of a palette */
-    uint8_t background;
+    const uint8_t *backgrounds; /* what may be seen where no polygon is */
+    int background_count;
     int line;    /* the colour of outlines, as `colour`; below 0: none are drawn */
     bool doubt;  /* near and far may leave more or less of a polygon; see below */
     bool texels; /* a face may show another texel within the bound of its coordinates */
@@ -242,6 +244,16 @@ static double outline_shown(const ref_drawn *drawn, const judge_question *questi
     return judge_beneath_shown(beneath, &line);
 }
 
+/* What it costs that one of the backgrounds explains the pixel. */
+static double background_shown(const judge_question *question, const judge_beneath *beneath)
+{
+    double least = INFINITY;
+    for (int i = 0; i < question->background_count; i++) {
+        least = fmin(least, judge_beneath_background(beneath, question->backgrounds[i]));
+    }
+    return least;
+}
+
 /* accuracy 4.2 */
 /* Returns the smallest distance d that explains a colour at a pixel's centre. Every polygon of the
  * reference renderer that has an edge within d of the centre may be put in or out there. d
@@ -292,7 +304,7 @@ static double explain_by_order(const ref_lens *lens, const ref_drawn *drawn, con
         least_cost =
             made.out > 0 || drawn[i].look.surface ? judge_beneath_least(&beneath) : least_cost;
     }
-    return fmin(best, judge_beneath_background(&beneath, question->background));
+    return fmin(best, background_shown(question, &beneath));
 }
 
 /* --- by depth ------------------------------------------------------------------------------- */
@@ -372,7 +384,7 @@ static double explain_by(const candidate *near, size_t count, const candidate *s
         }
     }
     return fmax(shown ? judge_beneath_shown(&beneath, &shown->found)
-                      : judge_beneath_background(&beneath, question->background),
+                      : background_shown(question, &beneath),
                 cost);
 }
 
@@ -415,9 +427,16 @@ judge_reason judge_pixel(const ref_renderer *renderer, const judge_box *boxes, u
                                .y = y,
                                .colour = colour,
                                .rgb565 = renderer->rgb565,
-                               .background = background,
+                               .backgrounds = &background,
+                               .background_count = 1,
                                .line = line < 0 ? line : ref_pixel_of(renderer, (uint8_t)line)};
     judge_reason reason = {0};
+    if (renderer->scene->horizon.count > 0) {
+        int low, high;
+        (void)ref_horizon_level(renderer, x, y, &low, &high);
+        question.backgrounds = &renderer->scene->horizon.colours[low];
+        question.background_count = high - low + 1;
+    }
     for (int way = 0; way < ways; way++) {
         question.doubt = way & 1;
         question.texels = way & 2;

@@ -11,6 +11,7 @@
 #include "frames/moving_reference.h"
 #include "judge/explain.h"
 #include "oracle/tie.h"
+#include "reference/horizon.h"
 #include "reference/scan.h"
 #include "reference/placement.h"
 
@@ -151,7 +152,7 @@ static bool put_shown(const judge_task *asked, ref_renderer *renderer, const ref
     if (!renderer->shown) {
         return false;
     }
-    ref_fill_band(band, ref_pixel_of(renderer, asked->image->background));
+    ref_frame_fill(renderer, band, asked->image->background);
     ref_frame_draw(renderer, band);
     for (size_t i = 0; i < area; i++) {
         const uint32_t place = renderer->shown[i];
@@ -173,7 +174,7 @@ static bool judge_one(const judge_task *asked, ref_renderer *renderer, uint16_t 
     if (!ref_frame_begin(renderer, &pose)) {
         return false;
     }
-    ref_fill_band(&band, ref_pixel_of(renderer, asked->image->background));
+    ref_frame_fill(renderer, &band, asked->image->background);
     ref_frame_draw(renderer, &band);
     if (asked->twin) {
         judge_dump_put(asked->twin, number, pixels, &renderer->counters);

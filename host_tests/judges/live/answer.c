@@ -7,6 +7,7 @@
 #include "reference/billboard.h"
 #include "judge/explain.h"
 #include "reference/frustum.h"
+#include "reference/horizon.h"
 #include "reference/scan.h"
 
 /* Of a request, and what it wants. */
@@ -147,7 +148,7 @@ static void draw(live_session *run, bool wants_faces)
     ref_band band = {NULL, lens->width, lens->width, 0, lens->height, run->frame};
     memset(run->shown, 0, run->area * sizeof *run->shown);
     run->renderer.shown = wants_faces ? run->shown : NULL;
-    ref_fill_band(&band, ref_pixel_of(&run->renderer, run->image.background));
+    ref_frame_fill(&run->renderer, &band, run->image.background);
     ref_frame_draw(&run->renderer, &band);
 }
 

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "fixel/billboards.h"
+#include "fixel/horizon.h"
 #include "fixel/lines.h"
 #include "fixel/surfaces.h"
 #include "fixel/scene.h"
@@ -60,9 +61,14 @@ static fxl_status open_all(const uint8_t *image, uint32_t size, fxl_scene_fault 
     if (status == FXL_OK) {
         status = open_billboards(&opened, fault);
     }
-    return status == FXL_OK && opened.lines.line_map != NULL
-               ? fxl_lines_check(&opened.lines, &opened.scene, fault)
-               : status;
+    if (status == FXL_OK && opened.lines.line_map != NULL) {
+        status = fxl_lines_check(&opened.lines, &opened.scene, fault);
+    }
+    if (status == FXL_OK && opened.horizon.sines != NULL) {
+        *fault = (fxl_scene_fault){"horizon", 0};
+        status = fxl_horizon_check(&opened.horizon);
+    }
+    return status;
 }
 
 /* place field: images that all refuse alike */

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "judge_frame.h"
 
+#include "file.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -58,16 +60,26 @@ static world_ray ray_through(const viewpoint *v, double x, double y)
                        v->s->near, v->s->far};
 }
 
-static uint8_t colour_of(const scene *s, world_hit hit)
+/* What is seen by a ray that meets nothing. */
+static uint8_t colour_behind(const scene *s, const world_ray *ray)
 {
-    return hit.found ? hit.colour : s->background;
+    const double sine = ray->direction.y / sqrt(vector_dot(ray->direction, ray->direction));
+    uint32_t level = 0;
+    while (level < s->horizon.count && get_i32(s->horizon.at + 4 * level) / 1073741824.0 <= sine)
+        level++;
+    return s->horizon.count ? s->levels.at[level] : s->background;
+}
+
+static uint8_t colour_of(const scene *s, const world_ray *ray, world_hit hit)
+{
+    return hit.found ? hit.colour : colour_behind(s, ray);
 }
 
 static bool shows(const viewpoint *v, double x, double y, uint8_t colour)
 {
     world_ray ray = ray_through(v, x, y);
     world_hit hit = world_nearest(&v->s->world, &ray, NULL);
-    return colour_of(v->s, hit) == colour || (hit.found && world_shows(&v->s->world, &ray, colour));
+    return colour_of(v->s, &ray, hit) == colour || (hit.found && world_shows(&v->s->world, &ray, colour));
 }
 
 /* accuracy 4.4 */
@@ -97,7 +109,7 @@ void judge_frame(scene *s, const dump_frame *frame, verdict *v, uint8_t *pixels)
             world_ray ray = ray_through(&view, x, y);
             world_hit hit = world_nearest(&s->world, &ray, guess);
             guess = hit.polygon;
-            uint8_t seen = colour_of(s, hit);
+            uint8_t seen = colour_of(s, &ray, hit);
             if (pixels)
                 pixels[(size_t)j * s->width + i] = seen;
             if (seen == reference || world_shows(&s->world, &ray, reference))

@@ -31,6 +31,7 @@ typedef struct reader {
     table textures, surfaces, mapped, map; /* where faces that let through are left out */
     const uint8_t *centre;                 /* of the lens; null: in the middle */
     const uint8_t *scale;                  /* of an orthographic lens; null: it has an eye */
+    table horizon, levels;
 } reader;
 
 static double q16(const uint8_t *at)
@@ -116,6 +117,10 @@ static void open_image(reader *r, const char *path)
     }
     r->centre = sections[KIND_LENS_CENTRE].at;
     r->scale = sections[KIND_LENS_SCALE].at;
+    if (r->names == SCENE_COLOURS) {
+        r->horizon = sections[KIND_HORIZON_SINES];
+        r->levels = sections[KIND_HORIZON_COLOURS];
+    }
 }
 
 static const uint8_t *model_of(const reader *r, const uint8_t *instance)
@@ -249,6 +254,8 @@ scene scene_read(const char *path, scene_names names)
         .near = q16(bytes + 24) + inset,
         .far = q16(bytes + 28) - inset,
         .background = names == SCENE_COLOURS ? bytes[36] : 0,
+        .horizon = r->horizon,
+        .levels = r->levels,
     };
     /* Half the field of view, pi times the turn: half the screen's width lies
      * this far to the side at a depth of one focal length. */

@@ -4,6 +4,7 @@
 #define RAYCAST_SCENE_FILE_H
 
 #include "play.h"
+#include "scene_sections.h"
 #include "world.h"
 
 /* What a pixel is: a colour; or the name of a face (reference/render.h), of all faces or of those
@@ -21,6 +22,7 @@ typedef struct {
     double centre_x, centre_y; /* pixels: where the screen is straight ahead */
     double scale;              /* pixels a world unit, of an orthographic lens; else 0 */
     uint8_t background;
+    table horizon, levels; /* sines in 2.30; colours, one more; empty: the background is seen */
     world world;
     struct reader *image; /* of which scene_play makes the world anew */
     bool moves;

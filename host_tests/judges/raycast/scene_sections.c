@@ -9,12 +9,12 @@
 static const uint32_t bytes_of[KINDS] = {0,   3,   12, 2,  20, 28,  16, 24, 4,   20, 48,
                                          176, 256, 48, 40, 76, 32,  28, 20, 256, 16, 1,
                                          12,  8,   12, 2,  12, 256, 32, 2,  1,   8,  4,
-                                         4,   12,  4};
+                                         4,   12,  4,  4,  1};
 static const uint32_t most_of[KINDS] = {
     0,     256,   1000000, 4000000, 1000000, 65535,   65535, 1000000, 1000000, 1000000, 65535,
     4,     1,     65535,   65535,   65535,   1000000, 1,     4,       64,      65535,   1 << 24,
     65535, 65535, 196605,  1000000, 65535,   256,     65535, 65535,   1 << 24, 1,       1000000,
-    1,     1000000, 65536};
+    1,     1000000, 65536,   64,      65};
 
 /* Takes the entry of one section, whose bytes may begin at `from`, or later if `gap`. Returns where
  * it ends. */
@@ -76,6 +76,12 @@ static void check_set(const char *path, const uint8_t *bytes, const table *s)
     need(path, !s[KIND_LINES].count == !s[KIND_LINE_MAP].count, "lines without their map");
     need(path, !s[KIND_LINES].count || s[KIND_LINE_MAP].count == s[KIND_MODELS].count + 1,
          "the line map has not an entry for each model, and one more");
+    need(path, !s[KIND_HORIZON_SINES].count == !s[KIND_HORIZON_COLOURS].count,
+         "a part of the horizon is missing");
+    need(path,
+         !s[KIND_HORIZON_SINES].count ||
+             s[KIND_HORIZON_COLOURS].count == s[KIND_HORIZON_SINES].count + 1,
+         "the horizon has not a colour more than sines");
     need(path, s[KIND_BSP_NODES].count || get_u32(bytes + 84) == 0,
          "a BSP instance without a tree");
     need(path, s[KIND_BLEND_TABLE].count || get_u32(bytes + 88) == 0, "a colour of no blend table");

@@ -40,7 +40,9 @@ enum {
     KIND_LENS_SCALE = 33,
     KIND_LINES = 34,
     KIND_LINE_MAP = 35,
-    KINDS = 36
+    KIND_HORIZON_SINES = 36,
+    KIND_HORIZON_COLOURS = 37,
+    KINDS = 38
 };
 
 /* A section: its first entry, and how many there are. Null and 0: there is none. */

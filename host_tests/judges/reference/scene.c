@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference/scene.h"
 
+#include "reference/horizon.h"
 #include "reference/sections.h"
 /* place field: the reference's reader: sizes of entries, and offsets as numbers */
 #include "reference/billboard.h"
@@ -350,6 +351,9 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     }
     if (!ref_lines_read(bytes, &image->scene)) {
         return "the scene image's lines are not usable";
+    }
+    if (!ref_horizon_read(bytes, &image->scene.horizon)) {
+        return "the scene image's horizon is not usable";
     }
     if (!inside_world(&image->start.position) || !read_path(bytes, image)) {
         return "the scene image's path is not usable";

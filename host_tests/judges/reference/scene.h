@@ -80,6 +80,15 @@ typedef struct {
     uint8_t colour, width;
 } ref_line;
 
+#define REF_HORIZON_MAX 64
+
+/* What stands behind everything (docs/extras/horizon.md). */
+typedef struct {
+    int count; /* 0: there is none */
+    double sines[REF_HORIZON_MAX];
+    uint8_t colours[REF_HORIZON_MAX + 1];
+} ref_horizon;
+
 typedef struct {
     ref_lattice_point *vertices; /* relative to the instance's centre */
     uint16_t *indices;
@@ -102,6 +111,7 @@ typedef struct {
     const ref_light *light;     /* light at run time; or null */
     ref_line *lines;    /* null where there are none */
     uint32_t *line_map; /* of each model where its lines begin; behind them their number */
+    ref_horizon horizon;
 } ref_scene;
 
 /* place pixel-format: what the image asks for */

@@ -54,7 +54,9 @@ static const struct {
                               [REF_WHOLE_FACES] = {4, 1000000},
                               [REF_LENS_SCALE] = {4, 1},
                               [REF_LINES] = {12, 1000000},
-                              [REF_LINE_MAP] = {4, 65536}};
+                              [REF_LINE_MAP] = {4, 65536},
+                              [REF_HORIZON_SINES] = {4, 64},
+                              [REF_HORIZON_COLOURS] = {1, 65}};
 
 static const uint8_t *entry_at(const uint8_t *bytes, uint32_t number)
 {
@@ -173,6 +175,9 @@ static bool set_is_sound(const uint8_t *bytes)
            has(bytes, REF_LINES) == has(bytes, REF_LINE_MAP) &&
            (!has(bytes, REF_LINE_MAP) ||
             count_of(bytes, REF_LINE_MAP) == count_of(bytes, REF_MODELS) + 1) &&
+           has(bytes, REF_HORIZON_SINES) == has(bytes, REF_HORIZON_COLOURS) &&
+           (!has(bytes, REF_HORIZON_SINES) || count_of(bytes, REF_HORIZON_COLOURS) ==
+                                                  count_of(bytes, REF_HORIZON_SINES) + 1) &&
            (has(bytes, REF_BSP_NODES) || ref_u32(bytes + BSP_INSTANCE_AT) == 0) &&
            (has(bytes, REF_BLEND_TABLE) || ref_u32(bytes + BLEND_FIRST_AT) == 0);
 }

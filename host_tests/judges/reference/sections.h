@@ -47,7 +47,9 @@ enum {
     REF_LENS_SCALE,
     REF_LINES,
     REF_LINE_MAP,
-    REF_LAST_KIND = REF_LINE_MAP
+    REF_HORIZON_SINES,
+    REF_HORIZON_COLOURS,
+    REF_LAST_KIND = REF_HORIZON_COLOURS
 };
 
 /* Tells what is wrong with the header of an image, with the table of sections, with where they lie,

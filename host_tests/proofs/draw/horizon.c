@@ -5,13 +5,13 @@
 static fxl_horizon horizon;
 
 /* [[row]]
- * function = "check_horizon"
+ * function = "fxl_horizon_check"
  * property = "up to 64 sines: accepted where they are 1 to 64, ascend, and are within 1; null pointers are refused"
  * checks = 89
  * unwind = 65
  * stubs = { fxl_refuse = "not called" }
  */
-void prove_check_horizon(void)
+void prove_horizon_check(void)
 {
     static fxl_q2_30 sines[FXL_HORIZON_MAX];
     static uint8_t colours[FXL_HORIZON_MAX + 1];
@@ -21,7 +21,7 @@ void prove_check_horizon(void)
     horizon.colours = nondet_bool() ? NULL : colours;
     horizon.count = nondet_u32();
     ASSUME(i < FXL_HORIZON_MAX);
-    const fxl_status status = check_horizon(&horizon);
+    const fxl_status status = fxl_horizon_check(nondet_bool() ? NULL : &horizon);
     ASSERT("1 to 64, within 1", status != FXL_OK || (horizon.count >= 1 && horizon.count <= FXL_HORIZON_MAX && horizon.colours != NULL &&
                                                      (i >= horizon.count || WITHIN(sines[i], FXL_Q2_30_ONE))));
     ASSERT("ascending", status != FXL_OK || i == 0 || i >= horizon.count || sines[i - 1] <= sines[i]);
@@ -39,7 +39,7 @@ fxl_status fxl_refuse(fxl_workspace *workspace, fxl_status status)
  * function = "fxl_attach_horizon"
  * property = "any renderer, with a target or without, and null pointers: attached whole, detached, or nothing is changed"
  * checks = 34
- * stands_in = { check_horizon = "any_check" }
+ * stands_in = { fxl_horizon_check = "any_check" }
  * stubs = { fxl_refuse = "its own row" }
  */
 fxl_status any_check(const fxl_horizon *of)

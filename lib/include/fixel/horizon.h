@@ -5,24 +5,17 @@
 #define FXL_HORIZON_H
 
 #include "fixel/render.h"
+#include "fixel/scene.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-#define FXL_HORIZON_MAX 64u
-
-/* What stands behind everything. The caller owns it, and keeps it as long as it is attached; it may
- * change between two frames: fxl_changed_find learns of it when the horizon is attached anew. */
-typedef struct fxl_horizon {
-    /* count sines of elevations in 2.30, ascending, each from -1 to 1: 0 is the horizon, 1 the
-     * zenith. */
-    const fxl_q2_30 *sines;
-    /* count + 1 entries of the palette: colours[k] is seen where k of the sines are at most that of
-     * the elevation. So colours[0] is that of the nadir. */
-    const uint8_t *colours;
-    uint32_t count; /* 1..FXL_HORIZON_MAX */
-} fxl_horizon;
+/* Checks a horizon of tables that are as long as they must be.
+ * FXL_E_ARGUMENT: it is null, or one of its tables is.
+ * FXL_E_COUNT: count is outside 1..FXL_HORIZON_MAX.
+ * FXL_E_RANGE: a sine is out of range, or below the one before it. */
+fxl_status fxl_horizon_check(const fxl_horizon *horizon);
 
 /* Attaches a horizon to a renderer, or, where it is null, detaches it. fxl_render, fxl_frame_fill and
  * fxl_pump_frame then draw it in the place of the background, as the eye of the frame sees it; the
@@ -33,8 +26,7 @@ typedef struct fxl_horizon {
  * elevation is within 2^-20 of t.
  * FXL_E_ARGUMENT: renderer is null, or a table of the horizon is.
  * FXL_E_ORDER: the renderer was never initialised, or has no target.
- * FXL_E_COUNT: count is outside 1..FXL_HORIZON_MAX.
- * FXL_E_RANGE: a sine is out of range, or below the one before it.
+ * Others: those of fxl_horizon_check.
  * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_attach_horizon(fxl_renderer *renderer, const fxl_horizon *horizon);
 

@@ -344,6 +344,20 @@ typedef struct {
                                  (included) to line_map[i + 1] (not included) */
 } fxl_line_set;
 
+#define FXL_HORIZON_MAX 64u
+
+/* What stands behind everything. The caller owns it, and keeps it as long as it is attached; it may
+ * change between two frames: fxl_changed_find learns of it when the horizon is attached anew. */
+typedef struct fxl_horizon {
+    /* count sines of elevations in 2.30, ascending, each from -1 to 1: 0 is the horizon, 1 the
+     * zenith. */
+    const fxl_q2_30 *sines;
+    /* count + 1 entries of the palette: colours[k] is seen where k of the sines are at most that of
+     * the elevation. So colours[0] is that of the nadir. */
+    const uint8_t *colours;
+    uint32_t count; /* 1..FXL_HORIZON_MAX */
+} fxl_horizon;
+
 /* A scene: tables that the caller owns and that must outlive it. Without face bounds the frames are
  * the same; sorting takes longer (with a depth buffer only surfaces that are mixed need it). */
 typedef struct {
@@ -396,6 +410,7 @@ typedef struct {
     fxl_scene_surfaces surfaces;      /* for fxl_surfaces_open, which checks them */
     fxl_scene_billboards billboards;  /* for fxl_billboards_open, which checks them */
     fxl_line_set lines; /* for fxl_attach_lines, which checks them; without lines line_map is null */
+    fxl_horizon horizon; /* for fxl_attach_horizon, which checks it; without one sines is null */
 } fxl_scene_image;
 
 /* The element at which a check failed, for messages: what it is, and its number, counted from 0. */

@@ -6,6 +6,7 @@
 
 #include "fixel/beams.h"
 #include "fixel/billboards.h"
+#include "fixel/horizon.h"
 #include "fixel/lines.h"
 #include "fixel/motion.h"
 #include "fixel/surfaces.h"
@@ -58,6 +59,8 @@ typedef struct {
                                     const fxl_sprite_painter *painter);
     const fxl_line_set *lines;
     fxl_status (*attach_lines)(fxl_renderer *renderer, fxl_lines *lines, const fxl_line_set *set);
+    const fxl_horizon *horizon;
+    fxl_status (*attach_horizon)(fxl_renderer *renderer, const fxl_horizon *horizon);
 } fxl_setup_plan;
 
 /* The steps of a set-up, in their order. */
@@ -72,6 +75,7 @@ enum {
     FXL_SETUP_LIT,
     FXL_SETUP_BILLBOARDS,
     FXL_SETUP_LINES,
+    FXL_SETUP_HORIZON,
     FXL_SETUP_DONE
 };
 
@@ -94,7 +98,7 @@ typedef struct {
 } fxl_setup;
 
 /* Sets a renderer up with all that a scene has: copies of the instances that its motions move, its
- * lens, order, target, beams, light, surfaces, billboards and lines. memory is one block of the caller's,
+ * lens, order, target, beams, light, surfaces, billboards, lines and horizon. memory is one block of the caller's,
  * aligned to 8 bytes, to which the setup keeps pointers. NAME_SETUP_MEMORY(rows) of the exported
  * header is a size for it, in units of uint64_t. The block is divided: copies of what moves, beams,
  * the tree, a depth buffer of so many rows; all that is left is the renderer's, as

@@ -6,7 +6,7 @@ scene links no check."""
 
 import itertools
 
-from fixel.image import c_names, c_setup, c_surfaces, c_text, image, image_beam, image_lines, image_models, memory_needed
+from fixel.image import c_names, c_setup, c_surfaces, c_text, image, image_beam, image_horizon, image_lines, image_models, memory_needed
 from fixel.image.c_text import braces, comment, record, split64, table
 from fixel.base.errors import ToolError
 from fixel.base.table import count_of
@@ -276,11 +276,12 @@ def header(scene, name, source, frames=False):
     holds = ", ".join([count_of(len(tables.vertices), "vertex"), count_of(len(tables.faces), "face"),
                        count_of(len(tables.models), "model"), count_of(len(scene.objects), "instance")])
     includes = ["fixel.h", *([c_surfaces.INCLUDE] if scene.surfaces else []),
-                *([c_surfaces.BILLBOARDS_INCLUDE] if scene.billboards else []), *([image_lines.INCLUDE] if any(model.lines for model in scene.models) else []), c_setup.INCLUDE]
+                *([c_surfaces.BILLBOARDS_INCLUDE] if scene.billboards else []), *([image_lines.INCLUDE] if any(model.lines for model in scene.models) else []),
+                *([image_horizon.INCLUDE] if scene.horizon else []), c_setup.INCLUDE]
     return c_text.header(
         f"Written by tools/scene.py from {printable(source)}: {holds}. The tool has checked the scene, so no program need "
         "call fxl_scene_check.", f"{name.upper()}_SCENE_H", includes,
         [_memory(scene, name), _capacity(scene, name), *tables.text(), tables.record(),
          *c_names.text(scene, name), *_motions(scene, name), *_light(scene, name), *c_surfaces.text(scene, name),
-         *c_surfaces.billboards_text(scene, name), *image_lines.text(scene, name), *_view(scene, name, frames), _palette(scene, name), *_reserved(scene, name),
+         *c_surfaces.billboards_text(scene, name), *image_lines.text(scene, name), *image_horizon.text(scene, name), *_view(scene, name, frames), _palette(scene, name), *_reserved(scene, name),
          *c_setup.text(scene, name, frames)])

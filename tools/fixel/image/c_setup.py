@@ -121,10 +121,11 @@ def text(scene, name, frames):
     palette = [table("uint16_t", palette_565(scene, name), [_rgb565(*entry) for entry in scene.palette], "The palette in RGB565.",
                      (256,))] if scene.pixel_bits == 16 else []
     rows.append(part(_has_lines(scene), f"&{name}_lines", "fxl_attach_lines"))
+    rows.append(part(scene.horizon is not None, f"&{name}_horizon", "fxl_attach_horizon"))
     return [*palette, _memory(scene, name),
             record("fxl_setup_plan", f"{name}_setup", rows,
                    "For fxl_setup_init: scene, configuration, order, renderer, palette, first pose; path; memory for pieces; centre of "
-                   "the lens, scale of an orthographic one; motions, beams, light, surfaces, light at corners, billboards, lines, each with what sets it up.")]
+                   "the lens, scale of an orthographic one; motions, beams, light, surfaces, light at corners, billboards, lines, horizon, each with what sets it up.")]
 
 
 PROGRAM = """/* Written by tools/scene.py export --c --program: draws %(source)s. It is yours to change. */

@@ -229,6 +229,8 @@ SECTIONS = (
             1_000_000, limit="FXL_SCENE_FACES_MAX", record="fxl_line"),
     Section("line map", "line map", (Field("I", "", "number of the first line of a model; behind those of all models the number of lines"),),
             65_536, 2),
+    Section("horizon", "horizon", (Field("i", "", "sine of an elevation (2.30), ascending"),), 64, limit="FXL_HORIZON_MAX", documented="horizon sines"),
+    Section("horizon colours", "horizon colours", (Field("B", "", "colour of a level, that of the nadir first; one more than sines"),), 65, 2),
 )
 KINDS = {section.name: number for number, section in enumerate(SECTIONS, 1)}
 ALWAYS = ("palette", "vertices", "faces", "models", "objects")
@@ -242,6 +244,7 @@ TOGETHER = (
      ("surfaces", "mapped faces", "face map", "mapped corners")),
     (("billboards", "billboard map", "sprite pixels"), ("billboards", "billboard map", "sprite pixels")),
     (("lines", "line map"), ("lines", "line map")),
+    (("horizon", "horizon colours"), ("horizon", "horizon colours")),
 )
 
 

@@ -118,7 +118,7 @@ def _key_tables():
     own = {*keys.OBJECT} - {*keys.SURFACE, *keys.TURNED, *keys.LINES}
     return {
         "top": [("", keys.TOP, {"background"}), ("screen.", keys.SCREEN, None), ("view.", keys.VIEW, None), ("light.", keys.LIGHT, baked),
-                ("glow.", keys.GLOW, None), ("palette.", keys.PALETTE, None),
+                ("glow.", keys.GLOW, None), ("palette.", keys.PALETTE, None), ("horizon.", keys.HORIZON, None),
                 ("", keys.TOP, {"tree", "textures", "billboards", "objects", "beams", "path"})],
         "objects": [("", keys.OBJECT, own), ("ring.", keys.RING, None), ("repeat.", keys.REPEAT, None), ("", keys.SPRITE, {"billboard"})],
         "textures": [("", keys.TEXTURE, None)], "surfaces": [("", keys.SURFACE, None), ("images.", keys.IMAGES, None)],

@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 import zlib
 
 from fixel.base import reading
-from fixel.image import (image_beam, image_billboard, image_cluster, image_header, image_light, image_lines, image_models, image_placement,
-                         image_surface, image_tables)
+from fixel.image import (image_beam, image_billboard, image_cluster, image_header, image_horizon, image_light, image_lines, image_models,
+                         image_placement, image_surface, image_tables)
 from fixel.base.errors import ToolError
 from fixel.image.fields import HEAD, IMAGE_MAX, MAGIC, VERSION
 from fixel.image.image_header import POSES, STRIDES
@@ -50,6 +50,7 @@ class SceneImage:
     placements: list = field(default_factory=list)  # of the last objects
     motions: list = field(default_factory=list)     # of the last of those
     light: image_light.Light = None                 # at run time
+    horizon: image_horizon.Horizon = None           # in the place of the background
     surfaces: image_surface.Surfaces = None
     billboards: image_billboard.Billboards = None
     depth_bits: int = 0         # of the depth buffer that the scene asks for: 0, 16 or 32
@@ -85,6 +86,7 @@ def pack(image):
     tables |= image.light.tables() if image.light else {}
     tables["centre of the lens"] = [image_header.CENTRE.pack(*image.centre)] if image.centre else []
     tables["scale of the lens"] = [image_header.SCALE.pack(image.scale)] if image.scale else []
+    tables |= image_horizon.tables(image.horizon)
     count, body = image_tables.pack(tables)
     size = HEAD.size + len(body)
     if size > IMAGE_MAX:
@@ -187,7 +189,7 @@ def unpack(blob):
     image_lines.read(tables, models)
     return SceneImage(head.width, head.height, head.fov, head.near_z, head.far_z, head.inset, head.background,
                       tables["palette"], models, objects, kind, path, (*head.start, *head.start_yaw), gait, tree, beams, lit,
-                      centre, _scale(head, tables), placements, motions, light, surfaces, billboards, image_header.DEPTHS[head.target % image_header.RGB565],
+                      centre, _scale(head, tables), placements, motions, light, image_horizon.read(tables), surfaces, billboards, image_header.DEPTHS[head.target % image_header.RGB565],
                       pixel_bits, bool(head.target & image_header.BY_DISTANCE), head.dark,
                       size=head.image_size, crc=head.crc, unknown=unknown)
 

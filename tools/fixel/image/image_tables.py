@@ -112,6 +112,8 @@ def _check_counts(tables):
         fail("count", f"{len(tables['billboard map'])} entries of the billboard map for {len(tables['models'])} models")
     if tables["line map"] and len(tables["line map"]) != len(tables["models"]) + 1:
         fail("count", f"{len(tables['line map'])} entries of the line map for {len(tables['models'])} models")
+    if tables["horizon colours"] and len(tables["horizon colours"]) != len(tables["horizon"]) + 1:
+        fail("count", f"{len(tables['horizon colours'])} colours of the horizon for {len(tables['horizon'])} sines")
 
 
 def _unpacked(one, table, count):

@@ -5,7 +5,7 @@ fuzzer their values. What a key means says docs/scenes.md."""
 
 from fractions import Fraction
 
-from fixel.image import image, image_beam, image_billboard, image_header, image_light, image_lines, image_placement, image_surface
+from fixel.image import image, image_beam, image_billboard, image_header, image_horizon, image_light, image_lines, image_placement, image_surface
 from fixel.model import simplify, solids
 from fixel.model.mesh import FILE_FACES_MAX
 from fixel.model.quantity import COORDINATE_MAX
@@ -56,6 +56,9 @@ PALETTE = {
     "reserve": Key(Whole(0, palette.ENTRIES - 1), None, "the number of `palette.colours`"),
     "colours": Key(COLOURS, ()),
     "blend": Key(Whole(1, 16), 8)}
+HORIZON = {
+    "degrees": Key(Several(Number(-90, 90, "degrees"), (1, image_horizon.LEVELS_MAX)), REQUIRED),
+    "colours": Key(Several(COLOUR, (2, image_horizon.LEVELS_MAX + 1)), REQUIRED)}
 BEAM = {
     "direction": Key(VECTOR, None, "one of"), "position": Key(POSITION, None, "these two"),
     "window": Key(Several(POSITION, (3, image_beam.PLANES_MAX - 1)), REQUIRED)}
@@ -176,7 +179,7 @@ SPRITE = {**ANY_OBJECT, "billboard": Key(NAME)}     # an object that shows a bil
 
 TOP = {
     "background": Key(COLOUR, (16, 24, 32), '`"#101820"`'), "tree": Key(Text("layers"), "none"),
-    "screen": Key(Sub(SCREEN)), "view": Key(Sub(VIEW)), "light": Key(Sub(LIGHT)), "glow": Key(Sub(GLOW)), "palette": Key(Sub(PALETTE)),
+    "screen": Key(Sub(SCREEN)), "view": Key(Sub(VIEW)), "light": Key(Sub(LIGHT)), "glow": Key(Sub(GLOW)), "palette": Key(Sub(PALETTE)), "horizon": Key(Sub(HORIZON)),
     "textures": Key(rows(TEXTURE, 256)), "billboards": Key(rows(BILLBOARD, 256)), "beams": Key(rows(BEAM, image_beam.BEAMS_MAX)),
     "objects": Key(Several(Read(lambda value, where: value, "a table", ({"solid": "box"},), ()), (1, MANY)), REQUIRED),
     "path": Key(Sub(PATH), None, "a circle about all of the scene, in 60 frames")}

@@ -8,7 +8,7 @@ import math
 import operator
 import os
 
-from fixel.image import image, image_beam, image_header, image_lines
+from fixel.image import image, image_beam, image_header, image_horizon, image_lines
 from fixel.model import clusters, quantity
 from fixel.model.surface import MEAN_NOTE
 from fixel.scene import keys, palette, target, texture, toml_billboard, toml_light, toml_model, toml_motion, toml_table, toml_texture
@@ -218,12 +218,31 @@ def _reserved(top):
     return [*given, *[(0, 0, 0)] * (count - len(given))]
 
 
+def _horizon(top):
+    """The horizon, whose colours are still wishes; None: there is none."""
+    if "horizon" not in top:
+        return None
+    table = top["horizon"]
+    if "scale" in top.table("view"):
+        raise ToolError(f"{table.where}: an orthographic lens and a horizon do not go together: all its rays have one elevation; leave out one")
+    degrees, colours = table["degrees"], table["colours"]
+    if len(colours) != len(degrees) + 1:
+        raise ToolError(f"{table.at('colours')}: {len(colours)} colours for {len(degrees)} elevations; give one more than elevations, from "
+                        "the ground up")
+    if any(low > high for low, high in zip(degrees, degrees[1:])):
+        raise ToolError(f"{table.at('degrees')}: an elevation is below the one before it; give them ascending")
+    return image_horizon.Horizon(tuple(round(quantity.sine_cosine(each)[0] * image_horizon.ONE) for each in degrees), tuple(colours))
+
+
 def _texel_colours(instances):
     looks = (look for looks in {id(p.looks): p.looks for p in instances}.values() for look in looks if look and not look.is_565)
     return {c for colours in {id(look.colours): look.colours for look in looks}.values() for c in colours}
 
 
-def _count_colours(instances, lit):
+LEVEL_FACES = 64    # faces that a colour of the horizon counts as, where colours are merged: a choice
+
+
+def _count_colours(instances, lit, horizon):
     wanted, times = {}, collections.Counter(id(instance.colours) for instance in instances)
     for colours in {id(instance.colours): instance.colours for instance in instances}.values():
         for colour in colours:
@@ -237,6 +256,8 @@ def _count_colours(instances, lit):
     if lit:
         for colour in [c for c in wanted if not isinstance(c, int)]:
             wanted[lit(colour)] = wanted.get(lit(colour), 0) + 1
+    for colour in set(horizon.colours if horizon else ()):
+        wanted[colour] = wanted.get(colour, 0) + LEVEL_FACES
     return wanted
 
 
@@ -251,11 +272,11 @@ def _lit_table(instances, indices, lit):
 
 
 # place light: a new setting: what reads [light]
-def _palette(background, instances, reserved, light, lit):
+def _palette(background, instances, reserved, light, lit, horizon):
     """Palette, index of each wanted colour, number of colours that were merged or 0, and for each entry the one that it
     is in a beam. The ramp of light at run time goes into the light."""
     at_run_time = isinstance(light, toml_light.RunTime)
-    wanted = _count_colours(instances, None if at_run_time else lit)
+    wanted = _count_colours(instances, None if at_run_time else lit, horizon)
     if at_run_time:
         colours, indices, merged, light.image.ramp, in_beam = palette.allocate_lit(background, wanted, reserved, light, lit)
         return colours, indices, merged, in_beam
@@ -360,7 +381,7 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
     background = top["background"]
     kind, entries, start, gait = _path(top, frames)
     beams, lit = _beams(top)
-    reserved = _reserved(top)
+    reserved, horizon = _reserved(top), _horizon(top)
     light = toml_light.read(top)
     pictures = texture.Pictures(folder)
     objects = Objects(name, files, light, notes, progress, toml_texture.read(top, pictures),
@@ -372,15 +393,16 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
     progress.stage(f"{name}: the palette and the models")
     instances, placements, motions = toml_motion.settle(instances)
     try:
-        colours, indices, merged, in_beam = _palette(background, instances, reserved, light, lit)
+        colours, indices, merged, in_beam = _palette(background, instances, reserved, light, lit, horizon)
     except ToolError as error:
         raise ToolError(f"{name}: {error}") from error
-    if merged and not (_is_565(top) and len(_count_colours(instances, None)) < palette.ENTRIES - len(reserved)):
+    if merged and not (_is_565(top) and len(_count_colours(instances, None, horizon)) < palette.ENTRIES - len(reserved)):
         notes.append(f"{name}: {_merged_text(merged, palette.ENTRIES - 1 - len(reserved), _is_565(top), isinstance(light, toml_light.RunTime))}")
     records = Records(indices)
     models, placed, boards = _models(instances, indices, records)
     scene = SceneImage(*lens[:-2], 0, colours, models, placed, kind, entries, start, gait)
     scene.scale, scene.centre = lens[-2:]
+    scene.horizon = horizon and horizon._replace(colours=tuple(indices[colour] for colour in horizon.colours))
     _target(top, scene)
     scene.layers = top["tree"]
     scene.beams, scene.placements, scene.motions, scene.surfaces = beams, placements, motions, records.result(

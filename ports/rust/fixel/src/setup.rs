@@ -24,6 +24,7 @@ struct Parts {
     light: sys::fxl_light_settings,
     surfaces: sys::fxl_surface_set,
     billboards: sys::fxl_billboard_set,
+    horizon: sys::fxl_horizon,
     palette: [u16; 256],
 }
 
@@ -301,6 +302,11 @@ unsafe fn plan<T: Target>(parts: *mut Parts, scene: &Scene<'_>) {
         sys::fxl_light_settings_of(&image.light, &raw mut (*parts).light);
         plan.light = &raw const (*parts).light;
         plan.attach_light = Some(sys::fxl_attach_light);
+    }
+    if !image.horizon.sines.is_null() {
+        (*parts).horizon = image.horizon;
+        plan.horizon = &raw const (*parts).horizon;
+        plan.attach_horizon = Some(sys::fxl_attach_horizon);
     }
 }
 
