@@ -381,10 +381,13 @@ packages: ## write packages for Arduino, PlatformIO, ESP-IDF, Zephyr, Conan and 
 	@$(SET_UP) tools
 	@$(TOOL) packages
 
+# The program of the emulated board in the site, as make flash BOARD=pico DRIVER=st7789 has it.
+SITE_PICO := $(BUILD)/boards/pico/walk-on-st7789-alone.elf
 site: ## write the site: a page that draws, and all documents, into build/site [OUT=]
 	@$(SET_UP) site
 	@$(MAKE) $(WEB_MODULE) $(WEB_JUDGE) $(BUILD)/host/predict
-	@$(TOOL) site --module $(WEB_MODULE) --judge $(WEB_JUDGE) --build $(BUILD)
+	@$(MAKE) $(SITE_PICO) BOARD=pico DRIVER=st7789
+	@$(TOOL) site --module $(WEB_MODULE) --judge $(WEB_JUDGE) --pico $(SITE_PICO) --build $(BUILD)
 
 docs: ## write all documents, and the reference of all public functions and types, as pages into build/docs [OUT=]
 	@$(SET_UP) docs

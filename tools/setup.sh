@@ -27,7 +27,7 @@
 #   riscv   compiler, C library and QEMU for the board rv32 (70 MB to fetch)
 #   api     compiler for the host, and abidiff of libabigail
 #   docs    Doxygen (50 MB on disk); Python packages as for run, and for documents
-#   site    compiler for the host, Clang, the linker of LLVM and the C library of WASI for WebAssembly, node with esbuild; the same as docs
+#   site    compiler for the host and cross compiler, Clang, the linker of LLVM and the C library of WASI for WebAssembly, node with esbuild; the same as docs
 #   oracle  compiler for the host, GMP, Python packages as for run: what the samples of a report take
 #   cluster the same as oracle, and Python packages for plots, tests, and campaigns on a cluster
 #   anywhere the same as run, pico, riscv, api and docs, a C++ compiler, CMake, pkg-config, GCC for AVR, which must refuse the library,
@@ -190,7 +190,7 @@ find_missing() {
         oracle) need_host_compiler; need_gmp; need_python run ;;
         cluster) need_host_compiler; need_gmp; need_python run report test cluster ;;
         docs) has doxygen || need doxygen; need_python run site ;;
-        site) need_host_compiler; has doxygen || need doxygen; need_webassembly; need_wasi; need_node; need_python run site ;;
+        site) need_cross_compiler; need_host_compiler; has doxygen || need doxygen; need_webassembly; need_wasi; need_node; need_python run site ;;
         anywhere)
             need_board; need_riscv; need_node; need_compilers; has pkg-config || need pkg-config; has abidiff || need abigail-tools
             has doxygen || need doxygen; has avr-gcc || need gcc-avr

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The first page of the site: the library as WebAssembly draws a scene, and the page says what the frame costs on a board.
 import { Held, press } from "./view_keys.js";
-import { Picture, paletteWords, savePicture } from "./view_picture.js";
+import { Picture, paletteWords, rgb565Words, savePicture } from "./view_picture.js";
 import { Views } from "./site_views.js";
 import { Refused, Walk } from "./walk.mjs";
 
@@ -124,15 +124,6 @@ function colours(frame) {
     state.colours = frame.bits === 16 ? rgb565Words() : paletteWords(frame.palette);
   }
   return state.colours;
-}
-
-function rgb565Words() {
-  const bytes = new Uint8Array(3 * 65536);
-  for (let i = 0; i < 65536; i++) {
-    const red = i >> 11, green = i >> 5 & 63, blue = i & 31;
-    bytes.set([red << 3 | red >> 2, green << 2 | green >> 4, blue << 3 | blue >> 2], 3 * i);
-  }
-  return paletteWords(bytes);
 }
 
 function tellCost() {

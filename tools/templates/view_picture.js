@@ -16,6 +16,16 @@ export function paletteWords(bytes) {
   return words;
 }
 
+/** The words of all values of RGB565. */
+export function rgb565Words() {
+  const bytes = new Uint8Array(3 * 65536);
+  for (let i = 0; i < 65536; i++) {
+    const red = i >> 11, green = i >> 5 & 63, blue = i & 31;
+    bytes.set([red << 3 | red >> 2, green << 2 | green >> 4, blue << 3 | blue >> 2], 3 * i);
+  }
+  return paletteWords(bytes);
+}
+
 /** The same in dim grey. */
 export function dimmed(words) {
   return words.map((word) => {

@@ -197,6 +197,33 @@ def test_what_differs_from_double_precision_is_shown(chromium, address):
         assert page.input_value("#view") == "board"
 
 
+@pytest.mark.parametrize("scene", ["plaza", "car", "room"])
+def test_an_emulated_pico_sends_the_frames_of_the_page(chromium, address, scene):
+    with opened(chromium, f"{address}pico.html#{scene}", waits=False) as page:
+        shows(page, "#words", r"^(\d+) of \1 frames equal")
+        shows(page, "#verdict", r"^frame [1-9]\d*: equal")
+        page.click("#pause")
+        assert page.inner_text("#wires-crc") == page.inner_text("#library-crc")
+
+
+def test_a_frame_of_the_pico_that_differs_is_said(chromium, address):
+    with opened(chromium, f"{address}documents/index.html", waits=False) as page:
+        page.add_init_script("""const Real = Worker; window.Worker = class extends Real {
+            addEventListener(name, take) { super.addEventListener(name, (event) => { event.data.picture?.pixels.fill(0); take(event); }); } };""")
+        page.goto(f"{address}pico.html#cube")
+        shows(page, "#verdict", r"^frame \d+ differs")
+        shows(page, "#words", r"^0 of \d+ frames equal")
+
+
+def test_a_pico_that_does_not_start_says_why(chromium, address, site):
+    with opened(chromium, f"{address}documents/index.html", waits=False) as page:
+        flash = bytearray((site / "pico.bin").read_bytes())
+        flash[4] ^= 1
+        page.route("**/pico.bin", lambda route: route.fulfill(body=bytes(flash)))
+        page.goto(f"{address}pico.html")
+        shows(page, "#banner", "^the boot ROM does not start it")
+
+
 def test_keys_alone_walk_pause_and_go_back(chromium, address):
     with opened(chromium, f"{address}#frame=5") as page:
         start = crc(page)
@@ -309,14 +336,15 @@ def test_the_documents_and_their_search_work_as_files(chromium, site):
         assert "crc" in " ".join(page.locator("#search-results li").all_inner_texts()).lower()
 
 
-@pytest.mark.parametrize("document", ["index", "README", "SPEC", "docs/scenes", "docs/performance", "reference/fixel-scene", "docs/safety/rules"])
+@pytest.mark.parametrize("document", ["pico", *(f"documents/{name}" for name in (
+    "index", "README", "SPEC", "docs/scenes", "docs/performance", "reference/fixel-scene", "docs/safety/rules"))])
 def test_no_document_scrolls_sideways(chromium, address, document):
-    with opened(chromium, f"{address}documents/{document}.html", NARROW, waits=False) as page:
+    with opened(chromium, f"{address}{document}.html", NARROW, waits=False) as page:
         assert page.evaluate("document.documentElement.scrollWidth") <= NARROW[0]
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("page", ["index", "documents/index", "documents/README", "documents/SPEC", "documents/docs/performance",
+@pytest.mark.parametrize("page", ["index", "pico", "documents/index", "documents/README", "documents/SPEC", "documents/docs/performance",
                                   "documents/reference/fixel-render"])
 def test_nothing_serious_keeps_anybody_out(chromium, address, page, scheme):
     """By axe-core. It is put into the page, which the page's policy forbids."""

@@ -8,8 +8,9 @@
 // node rp2040.mjs RP2040JS SILENCE IMAGE --memory FILE SIZE: writes what the core reads of its flash, and runs nothing.
 import { closeSync, openSync, readFileSync, readSync, writeFileSync, writeSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { advance, boot, hex, listen, powered } from './rp2040_machine.mjs';
 
-const FLASH = 0x10000000, RAM = 0x20000000, STAGE = 0x20041f00, STAGE_BYTES = 256; // where the boot ROM copies it to
+const FLASH = 0x10000000, RAM = 0x20000000;
 const WARNINGS = 100, END = 'FIXEL,end';
 const BOARD = 22, UNALIGNED = 42, BUS = 46, USAGE = 47, HANG = 50, DONE = 93; // boards/contract/system.h
 
@@ -120,32 +121,18 @@ class Semihosting {
   close() { for (const { fd } of this.files.values()) closeSync(fd); }
 }
 
-// What a display on SPI0 gets, as a record of its wires (docs/formats.md, section 5): wires.bin in the folder in which this runs. Each byte takes
-// the time that the wire takes. Pauses of a millisecond or more are those of the wire. The pins are those of ports/pico_sdk: nothing comes out of
-// SPI0 where another one was made its clock or its data.
-const SELECT = 17, CLOCK = 18, DATA = 19, DATA_COMMAND = 20, RESET = 21, FRAME = 22, HIGH = 1, SPI = 1;
+// What a display on SPI0 gets, as a record of its wires (docs/formats.md, section 5): wires.bin in the folder in which this runs. Pauses of a
+// millisecond or more are those of the wire.
 const NAME = 'wires.bin';
 
 class Wires {
   constructor(mcu) {
-    Object.assign(this, { mcu, file: null, kind: null, bytes: [], frames: 0, heard: 0, last: 0 });
-    const spi = mcu.spi[0], pin = mcu.gpio;
-    const sent = mcu.clock.createAlarm(() => spi.completeTransmit(0));
-    spi.onTransmit = (value) => {
-      const begun = mcu.clock.nanos, takes = spi.dataBits * 1e9 / spi.clockFrequency;
-      sent.schedule(takes);
-      const joined = pin[CLOCK].functionSelect === SPI && pin[DATA].functionSelect === SPI;
-      if (joined && pin[SELECT].value !== HIGH) this.take(pin[DATA_COMMAND].value === HIGH ? 'D' : 'C', value, spi.dataBits, begun);
-      this.last = begun + takes;
-    };
-    pin[SELECT].addListener(() => this.flush());
-    pin[FRAME].addListener((now, before) => { if (before <= HIGH && now <= HIGH) this.end(); });
-    // The display wakes from its reset now: what was sent before is none of its business.
-    pin[RESET].addListener((now) => { if (now === HIGH) this.last = mcu.clock.nanos; });
+    Object.assign(this, { mcu, file: null, kind: null, bytes: [], frames: 0, heard: 0 });
+    listen(mcu, { byte: (...what) => this.take(...what), selected: () => this.flush(), frame: () => this.end() });
   }
 
-  take(kind, value, bits, begun) {
-    const paused = Math.floor((begun - this.last) / 1e6);
+  take(isData, value, bits, silence) {
+    const kind = isData ? 'D' : 'C', paused = Math.floor(silence / 1e6);
     if (paused > 0) { this.flush(); this.number('P', paused); }
     if (kind !== this.kind) { this.flush(); this.kind = kind; }
     if (bits > 8) this.bytes.push(value >> 8);
@@ -187,8 +174,7 @@ class Wires {
 
 const [folder, silence, image, ...words] = process.argv.slice(2);
 const { RP2040 } = createRequire(import.meta.url)(folder);
-const mcu = new RP2040(), core = mcu.core, clock = mcu.clock;
-mcu.flash.set(readFileSync(image)); // a new RP2040 has an erased one
+const mcu = powered(RP2040, readFileSync(image)), core = mcu.core;
 
 if (words[0] === '--memory') {
   const seen = new DataView(new ArrayBuffer(Number(words[2])));
@@ -198,7 +184,6 @@ if (words[0] === '--memory') {
 }
 
 let status = -1, warned = 0, heard = 0;
-const hex = (value) => `0x${(value >>> 0).toString(16).padStart(8, '0')}`;
 const say = (text) => writeSync(1, text);
 
 function fail(code, sentence) {
@@ -219,27 +204,6 @@ function warn(name, text) {
 }
 mcu.logger = { debug() {}, info() {}, warn, error: warn };
 
-function crc(bytes) { // CRC-32/MPEG-2, as the boot ROM has it
-  let sum = 0xffffffff;
-  for (const byte of bytes) {
-    sum ^= byte << 24;
-    for (let bit = 0; bit < 8; bit++) sum = sum & 0x80000000 ? sum << 1 ^ 0x04c11db7 : sum << 1;
-  }
-  return sum >>> 0;
-}
-
-// What the boot ROM does with a flash that begins with a second stage.
-function boot() {
-  const stage = mcu.flash.subarray(0, STAGE_BYTES);
-  if (crc(stage.subarray(0, 252)) !== new DataView(mcu.flash.buffer).getUint32(252, true)) {
-    return fail(BOARD, `the boot ROM does not start it: the second stage has the CRC ${hex(crc(stage.subarray(0, 252)))}`);
-  }
-  mcu.sram.set(stage, STAGE - RAM);
-  core.SP = STAGE;
-  core.LR = 0;
-  core.PC = STAGE;
-}
-
 const host = new Semihosting(mcu, words, say, () => core.cycles, (code) => { status = code; });
 const frames = words[0] === '--alone' ? Number(words[1]) : null;
 mcu.onBreak = (number) => {
@@ -249,9 +213,6 @@ mcu.onBreak = (number) => {
   else host.call();
 };
 const wires = new Wires(mcu);
-// The package's PLL is always locked. By the data sheet (2.18) it locks if it and its oscillator have power.
-const { pllSys } = mcu, readPll = pllSys.readUint32.bind(pllSys);
-pllSys.readUint32 = (offset) => (offset === 0 && pllSys.pwr & 0x21 ? readPll(offset) & 0x7fffffff : readPll(offset));
 // What is printed on the serial port. A line END ends a program that goes on for ever on a real board.
 let line = '';
 mcu.uart[0].onByte = (byte) => {
@@ -260,18 +221,11 @@ mcu.uart[0].onByte = (byte) => {
   line = byte === 10 ? '' : line + String.fromCharCode(byte);
 };
 
-boot();
+const refused = boot(mcu);
+if (refused) fail(BOARD, refused);
 while (status < 0) {
-  if (core.waiting) {
-    if (clock.nextAlarm === null) { fail(HANG, 'the program waits for an interrupt that never comes'); break; }
-    const next = Math.max(clock.nanosToNextAlarm, 1);
-    clock.tick(next);
-    core.cycles += Math.round(next * mcu.clkSys / 1e9);
-  } else {
-    for (let count = 0; count < 1024 && !core.waiting && status < 0 && wires.frames !== frames; count++) {
-      clock.tick(core.executeInstruction() * 1e9 / mcu.clkSys);
-    }
-  }
+  const hung = advance(mcu, () => status >= 0 || wires.frames === frames);
+  if (hung) fail(HANG, hung);
   if (wires.frames === frames) {
     say(`alone: ${frames} frames, core ${mcu.clkSys} Hz, SPI ${mcu.spi[0].clockFrequency} Hz\n`);
     status = DONE;

@@ -16,10 +16,12 @@ from fixel.commands import late
 
 costs, docs = late("fixel.site", "costs docs")
 making = late("fixel.scene", "making")
+firmware, rp2040 = late("fixel.board", "firmware rp2040")
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 TEMPLATES = ROOT / "tools" / "templates"
 ESBUILD = ROOT / ".node" / "node_modules" / ".bin" / "esbuild"
+PICO = "pico"
 FIRST = "plaza"         # the scene of the first page
 LEFT_OUT = ("adversarial", "tiny", "knot-moving", "f32p")   # scenes for tests, which no person looks at
 MOST = 12 << 20         # bytes of the site
@@ -30,6 +32,7 @@ def parser():
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     made.add_argument("--module", type=pathlib.Path, default=pathlib.Path("build/web/walk.wasm"), metavar="FILE", help="the walk as WebAssembly (build/web/walk.wasm)")
     made.add_argument("--judge", type=pathlib.Path, default=pathlib.Path("build/web/judge.wasm"), metavar="FILE", help="the reference renderer as WebAssembly (build/web/judge.wasm)")
+    made.add_argument("--pico", type=pathlib.Path, default=pathlib.Path("build/boards/pico/walk-on-st7789-alone.elf"), metavar="ELF", help="the program of a Pico that needs no host (build/boards/pico/walk-on-st7789-alone.elf)")
     made.add_argument("--out", type=pathlib.Path, default=pathlib.Path("build/site"), metavar="FOLDER", help="where to (build/site)")
     made.add_argument("--build", default="build", help="folder that make builds in")
     return made
@@ -66,19 +69,35 @@ def write_scenes(folder, build, say):
 def bundle(folder, *files):
     """Each file of tools/templates, and what it imports, as one file of the folder."""
     done = children.run([ESBUILD, *(TEMPLATES / file for file in files), "--bundle", "--minify", "--format=esm", "--charset=utf8",
-                         "--legal-comments=none", "--log-level=warning", f"--outdir={folder}"], text=True)
+                         "--legal-comments=none", "--log-level=warning", f"--alias:rp2040js={rp2040.PACKAGE}", f"--outdir={folder}"], text=True)
     if done.returncode or done.stderr:
         raise ToolError("esbuild: failed", words=(done.stdout or "") + (done.stderr or ""))
 
 
-def page(scenes, boards):
-    """The first page."""
-    data = json.dumps({"first": FIRST, "scenes": scenes}, separators=(",", ":")).replace("<", "\\u003c")
-    text = (TEMPLATES / "site.html").read_text(encoding="utf-8")
-    options = "".join(f'<option value="{html.escape(board)}">{html.escape(board)} ({html.escape(core)})</option>' for board, core in boards.items())
-    for name, value in {"data": data, "version": html.escape(version.version()), "boards": options}.items():
+def filled(template, data, **values):
+    """A page of a template: data as JSON for its scripts, and other values."""
+    values["data"] = json.dumps(data, separators=(",", ":")).replace("<", "\\u003c")
+    text = (TEMPLATES / template).read_text(encoding="utf-8")
+    for name, value in values.items():
         text = text.replace("{{" + name + "}}", value)
     return text
+
+
+def page(scenes, boards):
+    """The first page."""
+    options = "".join(f'<option value="{html.escape(board)}">{html.escape(board)} ({html.escape(core)})</option>' for board, core in boards.items())
+    return filled("site.html", {"first": FIRST, "scenes": scenes}, version=html.escape(version.version()), boards=options)
+
+
+def write_pico(folder, elf, scenes):
+    """The page of the emulated Pico, with its program, which draws each scene."""
+    program = firmware.load(elf, PICO)
+    flash = rp2040.image_of(program)
+    end = max(program.offset(address) + len(content) for address, content in program.segments)
+    (folder / "pico.bin").write_bytes(flash[:end])
+    names = sorted((scene["name"] for scene in scenes), key=lambda name: name != FIRST)
+    data = {"scenes": names, "sceneAt": program.offset(program.scene_base)}
+    (folder / "pico.html").write_text(filled("pico.html", data), encoding="utf-8")
 
 
 def sizes(folder):
@@ -101,7 +120,8 @@ def main(argv):
             scenes = write_scenes(folder, options.build, say)
         with progress.Progress("documents"):
             count, functions, _ = docs.write(folder / "documents", pathlib.Path(made))
-        bundle(folder, "site.js", "site.css", "judge_worker.js")
+        bundle(folder, "site.js", "site.css", "judge_worker.js", "pico.js", "pico_worker.js")
+        write_pico(folder, options.pico, scenes)
         shutil.copyfile(options.module, folder / "walk.wasm")
         shutil.copyfile(options.judge, folder / "judge.wasm")
         shutil.copyfile(ROOT / "docs" / "plaza.png", folder / "plaza.png")
