@@ -381,13 +381,17 @@ packages: ## write packages for Arduino, PlatformIO, ESP-IDF, Zephyr, Conan and 
 	@$(SET_UP) tools
 	@$(TOOL) packages
 
-# The program of the emulated board in the site, as make flash BOARD=pico DRIVER=st7789 has it.
-SITE_PICO := $(BUILD)/boards/pico/walk-on-st7789-alone.elf
+# The programs of the emulated board in the site, as make flash BOARD=pico DRIVER=st7789 has them.
+SITE_PICO := $(addprefix $(BUILD)/boards/pico/,walk-on-st7789-alone.elf game-on-st7789-alone.elf)
+SITE_GAME := $(BUILD)/boards/host/game
 site: ## write the site: a page that draws, and all documents, into build/site [OUT=]
 	@$(SET_UP) site
 	@$(MAKE) $(WEB_MODULE) $(WEB_JUDGE) $(BUILD)/host/predict
-	@$(MAKE) $(SITE_PICO) BOARD=pico DRIVER=st7789
-	@$(TOOL) site --module $(WEB_MODULE) --judge $(WEB_JUDGE) --pico $(SITE_PICO) --build $(BUILD)
+	@$(MAKE) $(firstword $(SITE_PICO)) BOARD=pico DRIVER=st7789
+	@$(MAKE) $(lastword $(SITE_PICO)) BOARD=pico DRIVER=st7789 PROGRAM=game
+	@$(MAKE) $(SITE_GAME) BOARD=host PROGRAM=game
+	@$(TOOL) site --module $(WEB_MODULE) --judge $(WEB_JUDGE) --pico $(firstword $(SITE_PICO)) --game $(lastword $(SITE_PICO)) \
+	    --game-here $(SITE_GAME) --build $(BUILD)
 
 docs: ## write all documents, and the reference of all public functions and types, as pages into build/docs [OUT=]
 	@$(SET_UP) docs

@@ -6,7 +6,8 @@ import { Walk } from "./walk.mjs";
 
 const at = (id) => document.getElementById(id);
 const data = JSON.parse(at("data").textContent), words = rgb565Words();
-const state = { run: 0, walk: null, paused: false, waits: false, pictures: {}, equal: 0 };
+const state = { run: 0, walk: null, paused: false, waits: false, pictures: {}, equal: 0, game: false };
+const GAME = "game", programs = [...data.scenes, GAME];     // the game is a program of its own
 const worker = new Worker("pico_worker.js", { type: "module" });
 
 async function bytes(name) {
@@ -70,11 +71,21 @@ function fault(text) {
 // --- what the board sends ----------------------------------------------------------
 
 function take({ number, picture }) {
+  if (state.game) {
+    const frame = number % data.game.length, sent = put("wires", picture, picture.pixels);
+    tell(frame, number, sent, at("library-crc").textContent = data.game[frame]);
+    return;
+  }
   const frame = nextOfLibrary(), pixels = asRgb565(frame);
-  const sent = put("wires", picture, middle(picture, frame)), drawn = put("library", { ...frame, pixels }, pixels);
+  const sent = put("wires", picture, middle(picture, frame));
+  tell(frame.number, number, sent, put("library", { ...frame, pixels }, pixels));
+}
+
+/** Says whether a frame was sent as it was drawn. had: how many frames came before it. */
+function tell(number, had, sent, drawn) {
   state.equal = sent === drawn ? state.equal + 1 : state.equal;
-  at("verdict").textContent = sent === drawn ? `frame ${frame.number}: equal` : `frame ${frame.number} differs`;
-  at("words").textContent = `${state.equal} of ${number + 1} frames equal.`;
+  at("verdict").textContent = sent === drawn ? `frame ${number}: equal` : `frame ${number} differs`;
+  at("words").textContent = `${state.equal} of ${had + 1} frames equal.`;
 }
 
 function nextOfLibrary() {
@@ -106,10 +117,14 @@ worker.addEventListener("message", ({ data: said }) => {
 
 async function begin(name) {
   fault("");
-  const [program, scene] = await Promise.all([bytes("pico.bin"), bytes(`scenes/${name}.fxls`)]);
-  state.walk.open(scene);
-  Object.assign(state, { run: state.run + 1, waits: false, pictures: {}, equal: 0 });
-  at("name").textContent = name;
+  const game = name === GAME, [program, scene] = await Promise.all([bytes(game ? "pico-game.bin" : "pico.bin"), bytes(`scenes/${name}.fxls`)]);
+  if (!game) {
+    state.walk.open(scene);
+  }
+  at("library").hidden = game;
+  at("beside").textContent = game ? "The same play on a PC, when this site was written" : "The library in this page";
+  Object.assign(state, { game, run: state.run + 1, waits: false, pictures: {}, equal: 0 });
+  at("name").textContent = game ? "PROGRAM=game" : `SCENE=scenes/${name}.toml`;
   at("verdict").textContent = "it starts";
   at("words").textContent = "";
   worker.postMessage({ run: state.run, program, scene, sceneAt: data.sceneAt });
@@ -127,11 +142,11 @@ function pause(isPaused) {
 /** The scene that the address names, or the first one. */
 function named() {
   const name = location.hash.slice(1);
-  return data.scenes.includes(name) ? name : data.scenes[0];
+  return programs.includes(name) ? name : programs[0];
 }
 
 async function start() {
-  at("scene").append(...data.scenes.map((name) => Object.assign(document.createElement("option"), { value: name, textContent: name })));
+  at("scene").append(...programs.map((name) => Object.assign(document.createElement("option"), { value: name, textContent: name })));
   at("scene").addEventListener("change", () => { location.hash = at("scene").value; });
   at("pause").addEventListener("click", () => pause(!state.paused));
   const open = () => begin(at("scene").value = named()).catch((problem) => fault(problem.message));

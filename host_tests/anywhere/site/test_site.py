@@ -197,7 +197,7 @@ def test_what_differs_from_double_precision_is_shown(chromium, address):
         assert page.input_value("#view") == "board"
 
 
-@pytest.mark.parametrize("scene", ["plaza", "car", "room"])
+@pytest.mark.parametrize("scene", ["plaza", "car", "room", "game"])
 def test_an_emulated_pico_sends_the_frames_of_the_page(chromium, address, scene):
     with opened(chromium, f"{address}pico.html#{scene}", waits=False) as page:
         shows(page, "#words", r"^(\d+) of \1 frames equal")

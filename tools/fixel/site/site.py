@@ -9,6 +9,7 @@ import html
 import json
 import pathlib
 import shutil
+import zlib
 
 from fixel.base import children, output, progress, scratch, version
 from fixel.base.errors import ToolError
@@ -16,12 +17,13 @@ from fixel.commands import late
 
 costs, docs = late("fixel.site", "costs docs")
 making = late("fixel.scene", "making")
-firmware, rp2040 = late("fixel.board", "firmware rp2040")
+dump, emulator, firmware, rp2040 = late("fixel.board", "dump emulator firmware rp2040")
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 TEMPLATES = ROOT / "tools" / "templates"
 ESBUILD = ROOT / ".node" / "node_modules" / ".bin" / "esbuild"
 PICO = "pico"
+GAME = ROOT / "examples" / "game" / "game.toml"
 FIRST = "plaza"         # the scene of the first page
 LEFT_OUT = ("adversarial", "tiny", "knot-moving", "f32p")   # scenes for tests, which no person looks at
 MOST = 12 << 20         # bytes of the site
@@ -33,6 +35,8 @@ def parser():
     made.add_argument("--module", type=pathlib.Path, default=pathlib.Path("build/web/walk.wasm"), metavar="FILE", help="the walk as WebAssembly (build/web/walk.wasm)")
     made.add_argument("--judge", type=pathlib.Path, default=pathlib.Path("build/web/judge.wasm"), metavar="FILE", help="the reference renderer as WebAssembly (build/web/judge.wasm)")
     made.add_argument("--pico", type=pathlib.Path, default=pathlib.Path("build/boards/pico/walk-on-st7789-alone.elf"), metavar="ELF", help="the program of a Pico that needs no host (build/boards/pico/walk-on-st7789-alone.elf)")
+    made.add_argument("--game", type=pathlib.Path, default=pathlib.Path("build/boards/pico/game-on-st7789-alone.elf"), metavar="ELF", help="its game (build/boards/pico/game-on-st7789-alone.elf)")
+    made.add_argument("--game-here", type=pathlib.Path, default=pathlib.Path("build/boards/host/game"), metavar="FILE", help="the game as a program of this machine (build/boards/host/game)")
     made.add_argument("--out", type=pathlib.Path, default=pathlib.Path("build/site"), metavar="FOLDER", help="where to (build/site)")
     made.add_argument("--build", default="build", help="folder that make builds in")
     return made
@@ -89,14 +93,31 @@ def page(scenes, boards):
     return filled("site.html", {"first": FIRST, "scenes": scenes}, version=html.escape(version.version()), boards=options)
 
 
-def write_pico(folder, elf, scenes):
-    """The page of the emulated Pico, with its program, which draws each scene."""
+def flash_of(elf, file):
+    """Writes what a program of the Pico has in its flash; where a scene stands there."""
     program = firmware.load(elf, PICO)
-    flash = rp2040.image_of(program)
     end = max(program.offset(address) + len(content) for address, content in program.segments)
-    (folder / "pico.bin").write_bytes(flash[:end])
+    file.write_bytes(rp2040.image_of(program)[:end])
+    return program.offset(program.scene_base)
+
+
+def crcs_of_game(program, image, folder):
+    """The CRC of each frame of the recorded play as the pixels of a display, by the program of this machine."""
+    emulator.run(firmware.HOST, image, program, folder / "game.fxld")
+    drawn = dump.read_dump(folder / "game.fxld")
+    red, green, blue = drawn.palette[:, 0].astype(int), drawn.palette[:, 1].astype(int), drawn.palette[:, 2].astype(int)
+    words = ((red & 0xF8) << 8 | (green & 0xFC) << 3 | blue >> 3).astype(">u2")     # as fxl_pixels_rgb565
+    return [f"{zlib.crc32(words[frame.pixels].tobytes()):08x}" for frame in drawn.frames]
+
+
+def write_pico(folder, options, scenes, work):
+    """The page of the emulated Pico, with its programs: one draws each scene, the other one plays the game."""
+    scene_at = flash_of(options.pico, folder / "pico.bin")
+    flash_of(options.game, folder / "pico-game.bin")
+    game = folder / "scenes" / "game.fxls"
+    making.build(str(GAME), str(game))
     names = sorted((scene["name"] for scene in scenes), key=lambda name: name != FIRST)
-    data = {"scenes": names, "sceneAt": program.offset(program.scene_base)}
+    data = {"scenes": names, "game": crcs_of_game(options.game_here, game, work), "sceneAt": scene_at}
     (folder / "pico.html").write_text(filled("pico.html", data), encoding="utf-8")
 
 
@@ -121,7 +142,7 @@ def main(argv):
         with progress.Progress("documents"):
             count, functions, _ = docs.write(folder / "documents", pathlib.Path(made))
         bundle(folder, "site.js", "site.css", "judge_worker.js", "pico.js", "pico_worker.js")
-        write_pico(folder, options.pico, scenes)
+        write_pico(folder, options, scenes, pathlib.Path(made))
         shutil.copyfile(options.module, folder / "walk.wasm")
         shutil.copyfile(options.judge, folder / "judge.wasm")
         shutil.copyfile(ROOT / "docs" / "plaza.png", folder / "plaza.png")
