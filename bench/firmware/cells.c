@@ -28,7 +28,9 @@ static fxl_outlines outlines;
 static fxl_status set_up(const fxl_scene_image *image, const cell_way *way, uint32_t outline)
 {
     fxl_renderer *const renderer = draw_renderer();
-    const fxl_outline_style style = {.line = (uint8_t)(outline - 1u), .keeps_colours = true};
+    const fxl_outline_style style = {.line = (uint8_t)(outline - 1u),
+                                     .keeps_colours = true,
+                                     .code = &fxl_outlines_by_depth};
     fxl_status status = FXL_OK;
 
     if (draw_open(image) != SYSTEM_EXIT_DONE) {

@@ -166,7 +166,8 @@ void attach_light(fxl_renderer *renderer, fxl_light *light, bool is_there)
 
 void attach_outlines(fxl_renderer *renderer, fxl_outlines *outlines, bool is_there)
 {
-    static const fxl_outline_style style = {.line = 1, .keeps_colours = true};
+    static const fxl_outline_style style = {
+        .line = 1, .keeps_colours = true, .code = &fxl_outlines_by_depth};
     DEMAND(fxl_attach_outlines(renderer, outlines, is_there ? &style : NULL) == FXL_OK);
 }
 

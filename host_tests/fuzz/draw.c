@@ -379,7 +379,7 @@ static void draw_outlined(const fxl_renderer *first, const fxl_pose *pose, const
         fuzz_below(in, (first->workspace.counters.drawn + 1) * FXL_DISPLAY_LIST_WORDS(8));
     const uint8_t colour = (uint8_t)fuzz_bits(in, 1);
     const bool keeps = fuzz_below(in, 2) == 1;
-    const fxl_outline_style style = {colour, 3, keeps};
+    const fxl_outline_style style = {.line = colour, .fill = 3, .keeps_colours = keeps};
     fxl_outlines outlines;
     fxl_renderer *renderer = make_renderer(first->scene, lens, clipper, words, 0);
     fxl_band band = make_band(lens, 1, whole->first_row, whole->rows);

@@ -211,7 +211,8 @@ static fxl_status attach_beam(bool is_there)
 void changed_attach(uint32_t thing, bool is_there)
 {
     fxl_status status = FXL_OK;
-    static const fxl_outline_style style = {.line = 77, .keeps_colours = true};
+    static const fxl_outline_style style = {
+        .line = 77, .keeps_colours = true, .code = &fxl_outlines_by_depth};
     switch (thing) {
     case 0:
         status = fxl_attach_surfaces(&changed_renderer, &surfaces, is_there ? &surface_set : NULL,

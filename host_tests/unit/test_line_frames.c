@@ -119,6 +119,9 @@ void test_lines_are_detached(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lines(&renderer, &attached, &set));
         draw(&pose, frame);
         TEST_ASSERT_TRUE(memcmp(frame, without, sizeof frame) != 0);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lines(&renderer, &attached, &set)); /* once more */
+        draw(&pose, again);
+        TEST_ASSERT_EQUAL_MEMORY(frame, again, sizeof again);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lines(&renderer, &attached, NULL));
         draw(&pose, again);
         TEST_ASSERT_EQUAL_MEMORY(without, again, sizeof again);

@@ -45,7 +45,8 @@ static const fxl_sprite sprite = {
 static const fxl_billboard board = {&sprite, 65536, 65536, 32768, 32768};
 static const uint16_t model_map[DEPTH_SCENE_QUADS] = {0, 0, 1};
 static const fxl_billboard_set board_set = {&board, 1, model_map};
-static const fxl_outline_style style = {.line = 77, .keeps_colours = true};
+static const fxl_outline_style style = {
+    .line = 77, .keeps_colours = true, .code = &fxl_outlines_by_depth};
 
 static depth_scene *made;
 static uint8_t ramp[FXL_LIGHT_RAMP_BYTES(LEVELS)], brighter[256];
@@ -119,10 +120,10 @@ static fxl_status attach(const way *into, uint32_t thing, bool is_there)
     }
 }
 
-/* Outlines go with neither beams nor a depth buffer. */
-static bool is_refused(const way *into, uint32_t set)
+/* Outlines do not go with beams. */
+static bool is_refused(uint32_t set)
 {
-    return HAS(set, OUTLINES) && (into->target->depth_bits != 0 || HAS(set, BEAMS));
+    return HAS(set, OUTLINES) && HAS(set, BEAMS);
 }
 
 /* The members of a set that show: light at corners needs surfaces, and light. */
@@ -135,10 +136,10 @@ static uint32_t shown_of(uint32_t set)
 static bool is_drawn[1u << THINGS];
 static uint32_t pictures[1u << THINGS];
 
-static void look(const way *into, uint32_t set)
+static void look(uint32_t set)
 {
     const char *names[2] = {NULL, NULL};
-    const bool refused = is_refused(into, set);
+    const bool refused = is_refused(set);
     memset(pixels, 0x5A, sizeof pixels);
     TEST_ASSERT_EQUAL(refused, fxl_renderer_conflict(&made->renderer, names));
     TEST_ASSERT_EQUAL(refused, names[0] != NULL && names[1] != NULL);
@@ -169,14 +170,14 @@ static void take(const way *into, uint32_t number, uint32_t length)
         TEST_ASSERT_EQUAL(FXL_OK, attach(into, thing, is_there != 0));
         set = (set & ~(1u << thing)) | is_there << thing;
     }
-    look(into, set);
+    look(set);
 }
 
-static void expect_different_pictures(const way *into)
+static void expect_different_pictures(void)
 {
     for (uint32_t a = 0; a < 1u << THINGS; a++) {
         for (uint32_t b = 0; b < a; b++) {
-            if (is_drawn[a] && is_drawn[b] && !is_refused(into, a) && !is_refused(into, b)) {
+            if (is_drawn[a] && is_drawn[b] && !is_refused(a) && !is_refused(b)) {
                 TEST_ASSERT_EQUAL(shown_of(a) == shown_of(b), pictures[a] == pictures[b]);
             }
         }
@@ -195,7 +196,7 @@ void test_the_sequence_does_not_matter(void)
                 take(&ways[i], number, length);
             }
         }
-        expect_different_pictures(&ways[i]);
+        expect_different_pictures();
     }
 }
 
@@ -210,7 +211,7 @@ void test_a_target_is_chosen_after_init(void)
         fxl_config config = made->config;
         memset(is_drawn, 0, sizeof is_drawn);
         start(&ways[i]);
-        look(&ways[i], 0);
+        look(0);
         start(&ways[0]);
         config.target = ways[i].target;
         TEST_ASSERT_EQUAL(is_rgb565    ? FXL_E_ARGUMENT
@@ -226,7 +227,7 @@ void test_a_target_is_chosen_after_init(void)
         made->renderer.workspace.counters.refused_calls = 0;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_choose(&made->renderer, &config));
         TEST_ASSERT_EQUAL_PTR(is_rgb565 ? colours : NULL, made->renderer.palette);
-        look(&ways[i], 0);
+        look(0);
         TEST_ASSERT_EQUAL(FXL_OK, attach(&ways[i], LIGHT, true));
         TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_choose(&made->renderer, &config));
         TEST_ASSERT_EQUAL_PTR(ways[i].target, made->renderer.target);
@@ -301,7 +302,7 @@ void test_a_rectangle_has_the_pixels_of_the_whole_frame(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&made->scene, NULL));
     for (uint32_t i = 0; i < TARGETS; i++) {
         for (uint32_t set = 0; set < 1u << THINGS; set++) {
-            if (is_refused(&ways[i], set)) {
+            if (is_refused(set)) {
                 continue;
             }
             start(&ways[i]);

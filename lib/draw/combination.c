@@ -35,10 +35,11 @@ void fxl_renderer_attach(fxl_renderer *renderer, uint32_t rank, fxl_shader *shad
 static const fxl_conflict conflicts[] = {
     {FXL_HAS_TREE, FXL_HAS_DEPTH},       {FXL_HAS_STUDY, FXL_HAS_SURFACES},
     {FXL_HAS_STUDY, FXL_HAS_BILLBOARDS}, {FXL_HAS_STUDY, FXL_HAS_OUTLINES},
-    {FXL_HAS_OUTLINES, FXL_HAS_DEPTH},   {FXL_HAS_OUTLINES, FXL_HAS_BEAMS},
+    {FXL_HAS_FLAT_OUTLINES, FXL_HAS_DEPTH}, {FXL_HAS_OUTLINES, FXL_HAS_BEAMS},
     {FXL_HAS_OUTLINES, FXL_HAS_MOVERS},  {FXL_HAS_TREE, FXL_HAS_LINES},
     {FXL_HAS_STUDY, FXL_HAS_LINES},      {FXL_HAS_BEAMS, FXL_HAS_LINES},
-    {FXL_HAS_LINES, FXL_HAS_WORLD_CLIPPER}, {FXL_HAS_TEXELS_565, FXL_HAS_BEAMS},
+    {FXL_HAS_LINES, FXL_HAS_WORLD_CLIPPER}, {FXL_HAS_DEEP_OUTLINES, FXL_HAS_WORLD_CLIPPER},
+    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_DEEP_OUTLINES}, {FXL_HAS_TEXELS_565, FXL_HAS_BEAMS},
     {FXL_HAS_COLOURS, FXL_HAS_BEAMS},    {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET},
     {FXL_HAS_TREE, FXL_HAS_ORTHOGRAPHIC}, 
     {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_LINES}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_HORIZON}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_SPLIT}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_OTHER_CLIPPER},
@@ -90,6 +91,8 @@ static uint32_t parts_of(const fxl_renderer *renderer)
     const fxl_target *target = fxl_painted_target(renderer);
     const fxl_surfaces *surfaces = fxl_surfaces_of(renderer);
     const fxl_billboards *billboards = renderer->billboards;
+    const fxl_overdraw *outlines =
+        (const fxl_overdraw *)fxl_find_shader(renderer, FXL_SHADER_OUTLINES);
     const bool has_tree = renderer->order->memory_size != NULL;
     const fxl_orthographic_code *orthographic = fxl_orthographic_of(&renderer->frame.view.lens);
     return bit_if(has_tree, FXL_HAS_TREE) |
@@ -102,7 +105,9 @@ static uint32_t parts_of(const fxl_renderer *renderer)
            bit_if(have_flag(surfaces, FXL_SURFACE_COLOURS), FXL_HAS_COLOURS) |
            bit_if(billboards != NULL, FXL_HAS_BILLBOARDS) |
            bit_if(fxl_find_shader(renderer, FXL_SHADER_BEAMS) != NULL, FXL_HAS_BEAMS) |
-           bit_if(fxl_find_shader(renderer, FXL_SHADER_OUTLINES) != NULL, FXL_HAS_OUTLINES) |
+           bit_if(outlines != NULL, FXL_HAS_OUTLINES) |
+           bit_if(outlines != NULL && outlines->draw_over == NULL, FXL_HAS_FLAT_OUTLINES) |
+           bit_if(outlines != NULL && outlines->draw_over != NULL, FXL_HAS_DEEP_OUTLINES) |
            bit_if(orthographic != NULL, FXL_HAS_ORTHOGRAPHIC) |
            bit_if(renderer->horizon != NULL, FXL_HAS_HORIZON) |
            bit_if(surfaces != NULL && fxl_find_shader(renderer, FXL_SHADER_BEAMS) != NULL,

@@ -18,6 +18,8 @@ bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2])
         "billboards", /* FXL_HAS_BILLBOARDS */
         "beams", /* FXL_HAS_BEAMS */
         "outlines", /* FXL_HAS_OUTLINES */
+        "outlines", /* FXL_HAS_FLAT_OUTLINES */
+        "outlines", /* FXL_HAS_DEEP_OUTLINES */
         "an orthographic lens", /* FXL_HAS_ORTHOGRAPHIC */
         "a horizon", /* FXL_HAS_HORIZON */
         "surfaces and beams", /* FXL_HAS_SPLIT */
@@ -56,9 +58,15 @@ static const struct {
     {FXL_HAS_STUDY, FXL_HAS_OUTLINES,
      "a target of the study and outlines do not go together: config.target must be one of "
      "target.h"},
-    {FXL_HAS_OUTLINES, FXL_HAS_DEPTH,
-     "outlines and a depth buffer do not go together: config.target must be &fxl_palette or "
-     "&fxl_rgb565"},
+    {FXL_HAS_FLAT_OUTLINES, FXL_HAS_DEPTH,
+     "outlines and a depth buffer do not go together: the style's code must be "
+     "&fxl_outlines_by_depth"},
+    {FXL_HAS_DEEP_OUTLINES, FXL_HAS_WORLD_CLIPPER,
+     "outlines and a clipper of the study do not go together by depth: the clipper must be "
+     "&fxl_clipper_view"},
+    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_DEEP_OUTLINES,
+     "an orthographic lens and outlines do not go together by depth: detach the outlines, by a null "
+     "style"},
     {FXL_HAS_OUTLINES, FXL_HAS_BEAMS,
      "outlines and beams do not go together: detach one, by a null style or set"},
     {FXL_HAS_OUTLINES, FXL_HAS_MOVERS,

@@ -186,11 +186,10 @@ static void draw_pass(const fxl_renderer *renderer, fxl_workspace *workspace, co
 /* lines 2.6 */
 static void draw_over(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
 {
-    const fxl_overdraw *lines =
-        (const fxl_overdraw *)fxl_find_shader(renderer, FXL_SHADER_LINES);
-    if (lines != NULL) {
+    const fxl_shader *shader = fxl_overdraw_from(renderer->shader);
+    for (; shader != NULL; shader = fxl_overdraw_from(shader->next)) {
         ((fxl_depth_head *)workspace->target_memory)->pass = FXL_DEPTH_ALL;
-        lines->draw_over(renderer, workspace, band);
+        ((const fxl_overdraw *)(const void *)shader)->draw_over(renderer, workspace, band);
     }
 }
 

@@ -19,25 +19,29 @@
 
 /* --- the lines of an instance --------------------------------------------------------------- */
 
-/* An instance whose lines are drawn. */
-typedef struct {
-    const fxl_traversal *traversal;
-    const fxl_model_view *model_view;
-    uint32_t number;
-    fxl_volume volume;
-} line_instance;
-
-static bool is_front(const fxl_scene *scene, uint32_t number, const fxl_face *face,
-                     const fxl_point *eye)
+void fxl_begin_line_instance(const fxl_traversal *traversal, uint32_t number, fxl_turned_view *view,
+                             fxl_line_instance *of)
 {
-    const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
-    return turned != NULL ? turned->face_is_front(scene, number, face, eye)
-                          : fxl_face_is_front(scene, &scene->instances[number], face, eye);
+    const fxl_renderer *renderer = traversal->renderer;
+    of->traversal = traversal;
+    of->model_view = fxl_surfaces_view(traversal, &renderer->scene->instances[number], view);
+    of->number = number;
+    fxl_find_line_volume(&renderer->frame.view, &of->volume);
+}
+
+bool fxl_line_face_is_front(const fxl_line_instance *of, const fxl_face *face)
+{
+    const fxl_renderer *renderer = of->traversal->renderer;
+    const fxl_scene *scene = renderer->scene;
+    const fxl_point *eye = &renderer->frame.view.camera.position;
+    const fxl_placement_code *turned = fxl_placement_code_of(scene, of->number);
+    return turned != NULL ? turned->face_is_front(scene, of->number, face, eye)
+                          : fxl_face_is_front(scene, of->model_view->instance, face, eye);
 }
 
 /* The depth that a face has when it is drawn: to the bit, by the function that draws it. */
 /* lines 3.2 */
-static void find_plane(const line_instance *of, const fxl_face *face, fxl_depth_plane *plane)
+static void find_plane(const fxl_line_instance *of, const fxl_face *face, fxl_depth_plane *plane)
 {
     const fxl_traversal *traversal = of->traversal;
     const fxl_surfaces *surfaces = fxl_surfaces_of(traversal->renderer);
@@ -58,19 +62,17 @@ static void find_plane(const line_instance *of, const fxl_face *face, fxl_depth_
 /* The faces of a line that face the eye. Returns how many; false in *visible: it has faces, and
  * none does. */
 /* lines 2.4 */
-static uint32_t front_faces(const line_instance *of, const fxl_line *line, const fxl_face *faces[2],
-                            bool *visible)
+static uint32_t front_faces(const fxl_line_instance *of, const fxl_line *line,
+                            const fxl_face *faces[2], bool *visible)
 {
-    const fxl_renderer *renderer = of->traversal->renderer;
-    const fxl_scene *scene = renderer->scene;
-    const fxl_model *model = &scene->models[of->model_view->instance->model];
+    const fxl_scene *scene = of->traversal->renderer->scene;
+    const fxl_face *first =
+        &scene->faces[scene->models[of->model_view->instance->model].first_face];
     uint32_t count = 0;
     for (uint32_t i = 0; i < 2; i++) {
         const uint32_t number = line->faces[i];
-        if (number != 0 &&
-            is_front(scene, of->number, &scene->faces[model->first_face + number - 1],
-                     &renderer->frame.view.camera.position)) {
-            faces[count++] = &scene->faces[model->first_face + number - 1];
+        if (number != 0 && fxl_line_face_is_front(of, &first[number - 1])) {
+            faces[count++] = &first[number - 1];
         }
     }
     *visible = count > 0 || (line->faces[0] | line->faces[1]) == 0;
@@ -88,7 +90,7 @@ static bool is_in_band(const fxl_traversal *traversal, const fxl_painted_line *p
 
 /* Into the display list, or into the band. False where the list has no room. */
 /* lines 4.1 */
-static bool emit(const line_instance *of, const fxl_painted_line *painted, fxl_rows rows)
+static bool emit(const fxl_line_instance *of, const fxl_painted_line *painted, fxl_rows rows)
 {
     const fxl_traversal *traversal = of->traversal;
     fxl_workspace *workspace = traversal->workspace;
@@ -114,40 +116,43 @@ static bool emit(const line_instance *of, const fxl_painted_line *painted, fxl_r
     return fits;
 }
 
-/* transform -> clip -> project -> pixels. *fits: false where the display list has no room. */
 /* lines 1.1 */
-static fxl_line_outcome draw_line(const line_instance *of, const fxl_line *line, bool *fits)
+fxl_line_outcome fxl_draw_line_on(const fxl_line_instance *of, const fxl_line *line,
+                                  const fxl_face *const faces[], uint32_t count,
+                                  fxl_painted_line *painted, bool *fits)
 {
     const fxl_traversal *traversal = of->traversal;
     const fxl_renderer *renderer = traversal->renderer;
-    const fxl_face *faces[2];
-    fxl_painted_line painted;
     fxl_clip_line clipped;
     fxl_rows rows;
-    bool visible;
-    const uint32_t count = front_faces(of, line, faces, &visible);
-    if (!visible) {
-        return FXL_LINE_BACKFACING;
-    }
     fxl_find_corner(of->model_view, line->from, traversal, &clipped.from.position);
     fxl_find_corner(of->model_view, line->to, traversal, &clipped.to.position);
     const fxl_line_outcome outcome =
-        fxl_place_line(&renderer->frame.view, &of->volume, &clipped, &painted);
-    painted.colour = line->colour;
-    painted.width = line->width;
-    painted.is_point = line->from == line->to;
-    painted.plane_count = 0;
-    if (outcome < FXL_LINE_DRAWN || !is_in_band(traversal, &painted, &rows)) {
+        fxl_place_line(&renderer->frame.view, &of->volume, &clipped, painted);
+    painted->colour = line->colour;
+    painted->width = line->width;
+    painted->is_point = line->from == line->to;
+    if (outcome < FXL_LINE_DRAWN || !is_in_band(traversal, painted, &rows)) {
         return outcome;
     }
-    if (renderer->target->depth_bits != 0) {
-        painted.plane_count = (uint8_t)count;
+    if (renderer->target->depth_bits != 0 && painted->plane_count != count) {
+        painted->plane_count = (uint8_t)count;
         for (uint32_t i = 0; i < count; i++) {
-            find_plane(of, faces[i], &painted.planes[i]);
+            find_plane(of, faces[i], &painted->planes[i]);
         }
     }
-    *fits = emit(of, &painted, rows);
+    *fits = emit(of, painted, rows);
     return outcome;
+}
+
+static fxl_line_outcome draw_line(const fxl_line_instance *of, const fxl_line *line, bool *fits)
+{
+    const fxl_face *faces[2];
+    fxl_painted_line painted;
+    bool visible;
+    const uint32_t count = front_faces(of, line, faces, &visible);
+    painted.plane_count = 0;
+    return visible ? fxl_draw_line_on(of, line, faces, count, &painted, fits) : FXL_LINE_BACKFACING;
 }
 
 /* lines 4.2 */
@@ -180,19 +185,16 @@ static bool draw_lines(const fxl_traversal *traversal, uint32_t number, fxl_line
 {
     const fxl_renderer *renderer = traversal->renderer;
     const fxl_line_set *set = &lines_of(renderer)->set;
-    const fxl_instance *instance = &renderer->scene->instances[number];
-    const uint32_t *map = &set->line_map[instance->model];
+    const uint32_t *map = &set->line_map[renderer->scene->instances[number].model];
     if (map[0] == map[1] || is_pick(renderer)) {
         return true;
     }
     FXL_ALIGN_8 fxl_turned_view view;
     fxl_line_counters sums = *counters;
-    line_instance of = {.traversal = traversal,
-                        .model_view = fxl_surfaces_view(traversal, instance, &view),
-                        .number = number};
+    fxl_line_instance of;
     const uint32_t used = renderer->frame.display_list.used;
     bool fits = true;
-    fxl_find_line_volume(&renderer->frame.view, &of.volume);
+    fxl_begin_line_instance(traversal, number, &view, &of);
     for (uint32_t i = map[0]; i < map[1]; i++) {
         count_line(&sums, draw_line(&of, &set->lines[i], &fits));
         if (!fits) {
@@ -262,14 +264,12 @@ static void draw_record(fxl_workspace *workspace, const fxl_screen_polygon *reco
 
 /* --- over the faces of a band, with a depth buffer ------------------------------------------ */
 
-/* fxl_overdraw.draw_over. Instances come in the sequence in which their faces do. */
-/* lines 2.6, 2.7 */
-static void draw_over(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
+/* lines 2.6 */
+void fxl_draw_over_instances(const fxl_renderer *renderer, fxl_workspace *workspace,
+                             const fxl_band *band, fxl_instance_overdraw *draw, void *with)
 {
     const fxl_frame *frame = &renderer->frame;
     fxl_resume_point resume = {0, 0};
-    fxl_lines *lines = lines_of(renderer);
-    fxl_line_counters sums;
     const fxl_traversal traversal = {.renderer = renderer,
                                      .clipper = renderer->clipper,
                                      .workspace = workspace,
@@ -280,14 +280,28 @@ static void draw_over(const fxl_renderer *renderer, fxl_workspace *workspace, co
                                      .mode = FXL_SUBMIT_ANY,
                                      .draw = NULL};
     fxl_depth_clear_rest(workspace, band, renderer->target->depth_bits / 8u);
-    memset(&sums, 0, sizeof sums);
     for (uint32_t i = 0; i < frame->visible_count; i++) {
         const uint32_t place = renderer->near_first ? frame->visible_count - 1u - i : i;
-        (void)draw_lines(&traversal, frame->draw_list[place].index, &sums);
+        draw(&traversal, frame->draw_list[place].index, with);
     }
-    if (workspace == &renderer->workspace && lines->frame != frame->view.frame) {
+}
+
+/* fxl_instance_overdraw. */
+static void draw_over_one(const fxl_traversal *traversal, uint32_t number, void *with)
+{
+    (void)draw_lines(traversal, number, (fxl_line_counters *)with);
+}
+
+/* fxl_overdraw.draw_over. */
+/* lines 2.7 */
+static void draw_over(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
+{
+    fxl_lines *lines = lines_of(renderer);
+    fxl_line_counters sums = {0};
+    fxl_draw_over_instances(renderer, workspace, band, draw_over_one, &sums);
+    if (workspace == &renderer->workspace && lines->frame != renderer->frame.view.frame) {
         lines->counters = sums;
-        lines->frame = frame->view.frame;
+        lines->frame = renderer->frame.view.frame;
     }
 }
 
@@ -335,7 +349,8 @@ fxl_status fxl_attach_lines(fxl_renderer *renderer, fxl_lines *lines, const fxl_
         }
         return FXL_OK;
     }
-    memset(lines, 0, sizeof *lines);
+    memset(&lines->counters, 0, sizeof lines->counters); /* not all: they may be attached already */
+    lines->frame = 0;
     lines->overdraw.shader.code = &fxl_mark;
     lines->overdraw.draw_over = draw_over;
     lines->overdraw.draw_record = draw_record;

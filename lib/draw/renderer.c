@@ -229,7 +229,7 @@ fxl_status fxl_frame_release_scene(fxl_renderer *renderer)
         return fxl_refuse(&renderer->workspace, FXL_E_CAPACITY);
     }
     if (renderer->target->depth_bits != 0 &&
-        fxl_renderer_shader(renderer, FXL_SHADER_LINES) != NULL) { /* which the list has not */
+        fxl_overdraw_from(renderer->shader) != NULL) { /* which the list has not */
         return fxl_refuse(&renderer->workspace, FXL_E_CAPACITY);
     }
     frame->state = FXL_FRAME_RELEASED;

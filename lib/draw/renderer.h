@@ -115,7 +115,9 @@ enum {
     FXL_HAS_COLOURS,    /* surfaces with colours at corners */
     FXL_HAS_BILLBOARDS,
     FXL_HAS_BEAMS,
-    FXL_HAS_OUTLINES,
+    FXL_HAS_OUTLINES,      /* and how they are drawn: */
+    FXL_HAS_FLAT_OUTLINES, /* with their faces */
+    FXL_HAS_DEEP_OUTLINES, /* over faces, by depth */
     FXL_HAS_ORTHOGRAPHIC,  /* the lens is orthographic */
     FXL_HAS_HORIZON,
     FXL_HAS_SPLIT,         /* surfaces, and beams that split their faces */

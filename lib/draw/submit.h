@@ -199,7 +199,8 @@ bool fxl_pieces_end(fxl_pieces *pieces);
 enum {
     FXL_SHADER_SURFACES, /* faces with surfaces, which go no further */
     FXL_SHADER_LIT,      /* takes no face: surfaces are lit at their corners */
-    FXL_SHADER_OUTLINES, /* takes no face: it is drawn with outlines */
+    FXL_SHADER_OUTLINES, /* with a depth buffer it may fill faces, and draws over them (fxl_overdraw);
+                            without one it takes no face: it is drawn with outlines */
     FXL_SHADER_LINES,    /* takes no face: lines are drawn beside it (fxl_overdraw) */
     FXL_SHADER_RECOLOUR, /* an instance's own colours */
     FXL_SHADER_LIGHT,    /* light and fog */
@@ -266,6 +267,16 @@ static inline const fxl_shader *fxl_renderer_shader(const fxl_renderer *renderer
         shader = shader->next;
     }
     return shader;
+}
+
+/* The first shader from one on that draws over the faces of a target with a depth buffer, an
+ * fxl_overdraw; or null. A pick has none: its own shader stands before all others. */
+static inline const fxl_shader *fxl_overdraw_from(const fxl_shader *shader)
+{
+    while (shader != NULL && shader->rank < FXL_SHADER_OUTLINES) {
+        shader = shader->next;
+    }
+    return shader != NULL && shader->rank <= FXL_SHADER_LINES ? shader : NULL;
 }
 
 /* Whether something is attached to a renderer. */

@@ -5,7 +5,7 @@
 #include "../draw/surface_polygon.h"
 #include "../math/memory.h"
 #include "../math/pixel_centre.h"
-#include "fixel/wire.h"
+#include "outlines.h"
 
 /* An edge with both ends this near to one side of the screen, or beyond it, is where the clipper
  * cut: 1/256 pixel. A clipped vertex is less than 1/512 pixel from the side. */
@@ -90,8 +90,8 @@ static bool paint(fxl_workspace *workspace, const fxl_screen_polygon *polygon, c
     return true;
 }
 
-/* The target stands in the renderer, or in its place its copy. A target with a depth buffer, or one
- * of the study, is refused with outlines before a frame begins, and stays. */
+/* The target stands in the renderer, or in its place its copy. A target with a depth buffer stays, and
+ * so does one of the study, which is refused with outlines before a frame begins. */
 static void change_target(fxl_renderer *renderer, fxl_outlines *outlines)
 {
     fxl_workspace *workspace = &renderer->workspace;
@@ -135,8 +135,13 @@ fxl_status fxl_attach_outlines(fxl_renderer *renderer, fxl_outlines *outlines,
                           outlines == NULL ? FXL_E_ARGUMENT : FXL_E_ALIGNMENT);
     }
     outlines->style = *style;
-    outlines->shader.code = &fxl_mark;
-    fxl_renderer_attach(renderer, FXL_SHADER_OUTLINES, &outlines->shader);
+    outlines->overdraw.shader.code = &fxl_mark;
+    outlines->overdraw.draw_over = NULL;
+    outlines->overdraw.draw_record = NULL;
+    if (style->code != NULL && renderer->target != NULL && renderer->target->depth_bits != 0) {
+        style->code->attach(outlines);
+    }
+    fxl_renderer_attach(renderer, FXL_SHADER_OUTLINES, &outlines->overdraw.shader);
     change_target(renderer, outlines);
     return FXL_OK;
 }

@@ -120,7 +120,9 @@ static const char *open_scene(const options *wanted, session *run)
         status = session_light(run, wanted->light);
     }
     if (status == FXL_OK && wanted->outlines < NO_COLOUR) {
-        const fxl_outline_style style = {.line = (uint8_t)wanted->outlines, .keeps_colours = true};
+        const fxl_outline_style style = {.line = (uint8_t)wanted->outlines,
+                                         .keeps_colours = true,
+                                         .code = &fxl_outlines_by_depth};
         status = fxl_attach_outlines(&run->renderer, &run->outlines, &style);
     }
     run->border = wanted->border < NO_COLOUR ? wanted->border + 1 : 0;

@@ -230,6 +230,8 @@ static int judge(options *wanted, session *run)
     if (wanted->light) {
         light_scene(&run->image, wanted->light, &run->light);
     }
+    run->image.scene.has_outlines = wanted->line >= 0;
+    run->image.scene.outline = (uint8_t)wanted->line;
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
     const struct {
         const char *path;

@@ -303,25 +303,50 @@ static bool is_by_number(const ref_renderer *renderer)
     return renderer->method.depth_bits != 0;
 }
 
-/* The lines of an instance, after its faces. */
-static bool submit_lines(ref_renderer *renderer, uint32_t number)
+static bool submit_line(ref_renderer *renderer, uint32_t number, const ref_line *line)
 {
-    const ref_scene *scene = renderer->scene;
-    const ref_line_view view = {scene,
+    const ref_line_view view = {renderer->scene,
                                 &renderer->camera,
                                 &renderer->lens,
                                 &renderer->view_frustum,
                                 &renderer->eye,
                                 renderer->keeps_doubt};
+    ref_drawn drawn = {.instance = number};
+    if (!ref_line_find(&view, line, &drawn)) {
+        return true;
+    }
+    drawn.rows = ref_scan_rows(&drawn.polygon, renderer->lens.height);
+    return ref_display_list_append(&renderer->display_list, &drawn);
+}
+
+/* The lines of an instance, after its faces. */
+static bool submit_lines(ref_renderer *renderer, uint32_t number)
+{
+    const ref_scene *scene = renderer->scene;
     const uint32_t *map = scene->line_map + scene->instances[number].model;
     for (uint32_t i = map[0]; i < map[1]; i++) {
-        ref_drawn drawn = {.instance = number};
-        if (!ref_line_find(&view, &scene->lines[i], &drawn)) {
-            continue;
-        }
-        drawn.rows = ref_scan_rows(&drawn.polygon, renderer->lens.height);
-        if (!ref_display_list_append(&renderer->display_list, &drawn)) {
+        if (!submit_line(renderer, number, &scene->lines[i])) {
             return false;
+        }
+    }
+    return true;
+}
+
+/* The edges of each face of an instance that shows no billboard, as lines on that face. */
+static bool submit_outlines(ref_renderer *renderer, uint32_t number)
+{
+    const ref_scene *scene = renderer->scene;
+    const ref_instance *instance = &scene->instances[number];
+    const ref_model *model = &scene->models[instance->model];
+    for (uint32_t i = 0; i < model->face_count && !ref_billboard_of(scene, instance); i++) {
+        const ref_face *face = &scene->faces[model->first_face + i];
+        const uint16_t *corners = &scene->indices[face->first_index];
+        for (int k = 0; k < face->count; k++) {
+            const ref_line edge = {corners[k], corners[(k + 1) % face->count],
+                                   {(uint16_t)(i + 1), 0}, scene->outline, 1};
+            if (!submit_line(renderer, number, &edge)) {
+                return false;
+            }
         }
     }
     return true;
@@ -361,7 +386,9 @@ static bool submit_faces(ref_renderer *renderer, uint32_t number)
 
 bool ref_submit_instance(ref_renderer *renderer, uint32_t number)
 {
+    const bool has_outlines = renderer->scene->has_outlines && renderer->method.depth_bits != 0;
     return submit_faces(renderer, number) &&
+           (!has_outlines || submit_outlines(renderer, number)) &&
            (!renderer->scene->lines || submit_lines(renderer, number));
 }
 

@@ -112,6 +112,8 @@ typedef struct {
     ref_line *lines;    /* null where there are none */
     uint32_t *line_map; /* of each model where its lines begin; behind them their number */
     ref_horizon horizon;
+    bool has_outlines;  /* each face of a frame with depth has its edges as lines */
+    uint8_t outline;    /* their colour */
 } ref_scene;
 
 /* place pixel-format: what the image asks for */

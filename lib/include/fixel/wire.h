@@ -6,7 +6,7 @@
 #define FXL_WIRE_H
 
 #include "fixel/line.h"
-#include "fixel/render.h"
+#include "fixel/lines.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -73,30 +73,42 @@ fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band);
 void fxl_wire_line(const fxl_screen_point *start, const fxl_screen_point *end, uint8_t colour,
                    const fxl_band *band);
 
+/* What draws outlines into a target with a depth buffer. A program that does not name it links none
+ * of it. */
+typedef struct fxl_outline_code fxl_outline_code;
+extern const fxl_outline_code fxl_outlines_by_depth;
+
 /* Colours of the palette, in which outlines are drawn. */
 typedef struct {
     uint8_t line;       /* the colour of the outlines */
     uint8_t fill;       /* the colour of faces without a surface, if they do not keep theirs */
     bool keeps_colours; /* each face is filled with its own colour */
+    /* &fxl_outlines_by_depth, of a target with a depth buffer; any other looks at none, and it may be
+     * null. */
+    const fxl_outline_code *code;
 } fxl_outline_style;
 
 /* The outlines of a renderer, which the caller owns. Members are internal. */
 typedef struct {
-    FXL_ALIGN_8 fxl_shader shader;
+    fxl_overdraw overdraw;
     fxl_outline_style style;
     uint16_t height;          /* of the screen */
-    fxl_target target;        /* a copy of the renderer's, with outlines */
+    fxl_target target;        /* a copy of the renderer's, with outlines, if it has no depth */
     fxl_target_extras extras; /* of this copy */
 } fxl_outlines;
 
-/* Attaches outlines to a renderer whose target has no depth buffer, or, where style is null,
- * detaches them. Faces come in the order of drawing, each drawn and then outlined, so a face hides
- * the edges behind it: for displays of 1 bit, or for a drawing. A face with a surface shows it
- * beneath its outline; a billboard has none. The pixels of an outline are those of fxl_wire_line,
- * after its ends were moved, by half a pixel at most, into the rows that the polygon reaches. An
- * edge both of whose ends are within 1/256 pixel of one side of the screen, or beyond it, is not
- * drawn: it is where the clipper cut. A cut at the near plane is drawn. The pixels do not depend on
+/* Attaches outlines to a renderer, or, where style is null, detaches them. Faces are drawn with
+ * their edges, so a face hides the edges behind it: for displays of 1 bit, or for a drawing. A face
+ * with a surface shows it beneath its outline; a billboard has none. The pixels do not depend on
  * the bands.
+ * Without a depth buffer faces come in the order of drawing, each drawn and then outlined. The pixels
+ * of an outline are those of fxl_wire_line, after its ends were moved, by half a pixel at most, into
+ * the rows that the polygon reaches. An edge both of whose ends are within 1/256 pixel of one side of
+ * the screen, or beyond it, is not drawn: it is where the clipper cut. A cut at the near plane is
+ * drawn.
+ * With a depth buffer, which style->code draws into, each edge of a face that faces the eye is a
+ * line of width 1 on that face, as of fxl_attach_lines; no cut is drawn. All are drawn after the
+ * faces that are not blended. fxl_frame_release_scene is refused then.
  * The style is copied into *outlines, to which the renderer keeps a pointer. What else is
  * attached, before or after, does not matter. The next frame must begin anew.
  * FXL_E_ARGUMENT: a null pointer.
