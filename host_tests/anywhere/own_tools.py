@@ -15,7 +15,7 @@ SCENES = [("plaza", []), ("spin", []), ("room", ["PIXELS=rgb565"]), ("gallery", 
 GAMES = [["DRIVER=st7789"], ["PIXELS=rgb565", "DEPTH=16"]]
 # Flat, a tree, beams, motions, textures with a depth buffer, billboards.
 EXPORTED = {"cube": None, "knot": None, "beam": None, "spin": None, "room": "16", "grove": None}
-INSTRUMENTS = {"attitude": 60, "watch": 60}      # in bands, for 16 KB of RAM; and how many frames each draws
+INSTRUMENTS = {"attitude": 60, "watch": 60, "horizon": 60}      # in bands, for 16 KB of RAM; and how many frames each draws
 WHOLE = {"isometric": 60}           # frames of 320 x 240, of which show ends the program after so many
 SHOW = """#include <stdint.h>
 int show(const uint8_t *pixels);
@@ -62,6 +62,9 @@ def draw_example(board, folder, name):
     own = folder / name
     shutil.copytree(ROOT / "examples" / name, own)
     examples.write_board_scene(own)
+    if board == "microbit":     # whose 16 KB hold fewer rows
+        main = own / "main.c"
+        main.write_text(main.read_text(encoding="utf-8").replace("#define ROWS 16 ", "#define ROWS 4 "), encoding="utf-8")
     if name in WHOLE:
         (own / "show.c").write_text(SHOW.replace("FRAMES", str(WHOLE[name])), encoding="utf-8")
     _, summary = run(board, folder / "out", f"PROGRAM={own}")

@@ -50,7 +50,7 @@ int main(void)
 
 def test_the_page_has_every_example_once():
     assert len(NAMES) >= 12 and sorted(NAMES) == sorted(folder.name for folder in (CHECKOUT / "examples").iterdir() if folder.is_dir())
-    assert {*examples.PICTURES, *examples.BAND_PICTURES, *examples.BOX_PICTURES, *examples.WIDE_PICTURES} == set(NAMES) - {"game", "toolpath"}
+    assert {*examples.PICTURES, *examples.BAND_PICTURES, *examples.BOX_PICTURES, *examples.PUMP_PICTURES, *examples.WIDE_PICTURES} == set(NAMES) - {"game", "toolpath"}
     assert sorted(file.stem for file in (CHECKOUT / "docs" / "examples").glob("*.png")) == \
         sorted(name for name in NAMES if examples.picture_of(name).parent.name == "examples")
 
@@ -67,7 +67,7 @@ def test_a_row_names_its_files(name, picture, same, folder, source, lines):
 COLOURS = {"crowd": 100, "crate": 20, "model": 100, "neon": 256}
 
 
-@pytest.mark.parametrize("name", [*examples.PICTURES, *examples.BAND_PICTURES, *examples.BOX_PICTURES, *examples.WIDE_PICTURES])
+@pytest.mark.parametrize("name", [*examples.PICTURES, *examples.BAND_PICTURES, *examples.BOX_PICTURES, *examples.PUMP_PICTURES, *examples.WIDE_PICTURES])
 def test_an_example_draws_its_picture(build, name):
     if name in examples.WIDE_PICTURES:
         pixels = examples.draw_wide(build / "host" / "libfixel.a", name)
@@ -99,7 +99,7 @@ def test_the_model_is_the_one_that_the_tool_makes(tmp_path):
     assert (tmp_path / "model_scene.h").read_text(encoding="utf-8") == stored
 
 
-@pytest.mark.parametrize("name", [*examples.PICTURES, *examples.BAND_PICTURES, *examples.BOX_PICTURES, *examples.WIDE_PICTURES])
+@pytest.mark.parametrize("name", [*examples.PICTURES, *examples.BAND_PICTURES, *examples.BOX_PICTURES, *examples.PUMP_PICTURES, *examples.WIDE_PICTURES])
 def test_an_example_compiles_for_a_small_core(tmp_path, name):
     examples.write_scene(tmp_path)
     examples.write_own_scene(tmp_path)

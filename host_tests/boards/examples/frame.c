@@ -5,7 +5,8 @@
  * program's main. With EXAMPLE_PALETTE the program has a palette of its own, which comes first:
  * EXAMPLE_PALETTE is its name. With EXAMPLE_FRAMES it shows so many frames, of which the last is its picture; with
  * EXAMPLE_BANDED it shows them by display_rows, to its own end; with EXAMPLE_BOXES it draws boxes of frames of SIDE x SIDE, with
- * --wrap for fxl_frame_begin and fxl_frame_draw. EXAMPLE_PIXEL is the type of its pixels, if that is not a byte. */
+ * --wrap for fxl_frame_begin and fxl_frame_draw; with EXAMPLE_PUMPED it sends such frames by its pump, with --wrap for
+ * fxl_pump_send. EXAMPLE_PIXEL is the type of its pixels, if that is not a byte. */
 #include EXAMPLE
 
 #ifdef __cplusplus
@@ -65,6 +66,29 @@ fxl_status __wrap_fxl_frame_draw(fxl_renderer *of, const fxl_band *band)
         }
     }
     return status;
+}
+
+#define EXAMPLE_PICTURE frame
+#elif defined(EXAMPLE_PUMPED)
+#include <string.h>
+
+#include "../../../firmware/own/no_wires.c"
+
+static uint8_t frame[SIDE][SIDE];
+
+fxl_status __real_fxl_pump_send(fxl_pump *of);
+fxl_status __wrap_fxl_pump_send(fxl_pump *of);
+
+fxl_status __wrap_fxl_pump_send(fxl_pump *of)
+{
+    static int begun;
+    const fxl_band *band = fxl_pump_band(of);
+
+    begun += band->first_row == 0;
+    if (begun == EXAMPLE_FRAMES) {
+        memcpy(frame[band->first_row], band->pixels, (size_t)band->rows * SIDE);
+    }
+    return __real_fxl_pump_send(of);
 }
 
 #define EXAMPLE_PICTURE frame

@@ -33,6 +33,8 @@ PICTURES = {"cube": (None, False), "turn": (24, False), "look": (31, False), "te
 BAND_PICTURES = {"attitude": 35}
 # Those that draw boxes of frames of 240 x 240: the frame that is their picture.
 BOX_PICTURES = {"watch": 1}
+# Those that send frames of 240 x 240 by a pump, with what they draw over them: the frame that is their picture.
+PUMP_PICTURES = {"horizon": 5}
 # Those whose pixels are RGB565: the frame that is their picture.
 WIDE_PICTURES = {"model": 3, "neon": 60}
 
@@ -44,15 +46,18 @@ def picture_of(name):
 
 
 def draw_example(library, name):
-    """The picture of an example of PICTURES, BAND_PICTURES or BOX_PICTURES, and its palette."""
+    """The picture of an example of PICTURES, BAND_PICTURES, BOX_PICTURES or PUMP_PICTURES, and its palette."""
     if name in BAND_PICTURES:
         program, flags = ROOT / "examples" / name / "main.c", ["-DEXAMPLE_BANDED", f"-DEXAMPLE_FRAMES={BAND_PICTURES[name]}"]
         return _with_palette(library, program, "board_palette", *flags)
     if name in BOX_PICTURES:
         flags = ["-DEXAMPLE_BOXES", f"-DEXAMPLE_FRAMES={BOX_PICTURES[name]}", "-Wl,--wrap=fxl_frame_begin,--wrap=fxl_frame_draw"]
         return _with_palette(library, ROOT / "examples" / name / "main.c", "watch_palette", *flags, size=(240, 240))
+    if name in PUMP_PICTURES:
+        flags = ["-DEXAMPLE_PUMPED", f"-DEXAMPLE_FRAMES={PUMP_PICTURES[name]}", "-Wl,--wrap=fxl_pump_send"]
+        return _with_palette(library, ROOT / "examples" / name / "main.c", f"{name}_palette", *flags, size=(240, 240))
     if name not in PICTURES:
-        raise ToolError(f"there is no example '{name}'; there are: {', '.join(sorted({**PICTURES, **BAND_PICTURES, **BOX_PICTURES, **WIDE_PICTURES}))}")
+        raise ToolError(f"there is no example '{name}'; there are: {', '.join(sorted({**PICTURES, **BAND_PICTURES, **BOX_PICTURES, **PUMP_PICTURES, **WIDE_PICTURES}))}")
     frames, own = PICTURES[name]
     program, flags = ROOT / "examples" / name / "main.c", [] if frames is None else [f"-DEXAMPLE_FRAMES={frames}"]
     if own:
