@@ -4,6 +4,8 @@
 #   $(WEB_MODULE)  the module
 # And the reference renderer with its verdict, host_tests/judges/web, by the C library of WASI, of which it imports nothing either.
 #   $(WEB_JUDGE)   the module
+# And what make predict counts.
+#   $(WEB_COUNTER) the module
 
 WEB_OUT := $(BUILD)/web
 WEB_MODULE := $(WEB_OUT)/walk.wasm
@@ -24,7 +26,8 @@ $(WEB_MODULE): $(WEB_OBJECTS)
 
 WEB_JUDGE := $(WEB_OUT)/judge.wasm
 WEB_JUDGE_CC := clang --target=wasm32-wasi -O2 -std=c11 -ffp-contract=off -Wall -Wextra -Werror
-WEB_JUDGE_SOURCES := $(wildcard host_tests/judges/web/*.c host_tests/judges/reference/*.c) \
+WEB_JUDGE_LINK := -mexec-model=reactor -nostartfiles -Wl,--no-entry,--gc-sections,--strip-debug,--fatal-warnings,--stack-first,-z,stack-size=1048576
+WEB_JUDGE_SOURCES := host_tests/judges/web/judge.c $(wildcard host_tests/judges/reference/*.c) \
     $(addprefix host_tests/judges/,live/answer.c judge/explain.c judge/beneath.c frames/moving_reference.c)
 WEB_JUDGE_OBJECTS = $(patsubst %.c,$(WEB_OUT)/%.o,$(WEB_JUDGE_SOURCES) $(filter $(LIB_SOURCES),$(patsubst %,lib/%.c,$(call LIB_NEEDED,$(WEB_JUDGE_SOURCES)))))
 
@@ -35,4 +38,25 @@ $(WEB_OUT)/host_tests/%.o: host_tests/%.c firmware/web/web.mk
 
 $(WEB_JUDGE): $(WEB_JUDGE_OBJECTS)
 	$(SAY)
-	$(FIRMWARE_QUIET)$(WEB_JUDGE_CC) -mexec-model=reactor -nostartfiles -Wl,--no-entry,--gc-sections,--strip-debug,--fatal-warnings,--stack-first,-z,stack-size=1048576 $^ -o $@
+	$(FIRMWARE_QUIET)$(WEB_JUDGE_CC) $(WEB_JUDGE_LINK) $^ -o $@
+
+# wasm-ld's --wrap would also take calls within a file, and takes no records, so the compiler gives the names: __real_ where a function that is
+# counted is defined, and __wrap_ where others call it. What puts its own in the place of one has both.
+WEB_COUNTER := $(WEB_OUT)/counter.wasm
+WEB_COUNTER_SOURCES := $(addprefix host_tests/judges/,web/predict.c frames/session.c \
+    $(addprefix predict/,$(filter-out main.c,$(notdir $(wildcard host_tests/judges/predict/*.c)))))
+WEB_COUNTER_OBJECTS = $(patsubst %.c,$(WEB_OUT)/counted/%.o,$(WEB_COUNTER_SOURCES) \
+    $(filter $(LIB_SOURCES),$(patsubst %,lib/%.c,$(call LIB_NEEDED,$(WEB_COUNTER_SOURCES)))))
+WEB_DEFINED = sed -n -e 's/^define [^@]*@\([a-z0-9_]*\)(.*/\1/p' -e 's/^@\([a-z0-9_]*\) = [^e].*/\1/p'
+
+$(WEB_OUT)/counted/%.o: %.c firmware/web/web.mk
+	$(MAKE_FOLDER)
+	$(SAY)
+	$(FIRMWARE_QUIET)set -e; names=; defined=" $$($(WEB_JUDGE_CC) -Xclang -disable-llvm-passes $(JUDGES_SEE) -S -emit-llvm $< -o - | $(WEB_DEFINED) | tr '\n' ' ') "; \
+	for name in $(PREDICT_WRAPPED); do \
+	    case "$$defined" in *" $$name "*) names="$$names -D$$name=__real_$$name" ;; *" __wrap_$$name "*) ;; *) names="$$names -D$$name=__wrap_$$name" ;; esac; done; \
+	$(WEB_JUDGE_CC) -MMD -MP $(JUDGES_SEE) $$names -c $< -o $@
+
+$(WEB_COUNTER): $(WEB_COUNTER_OBJECTS)
+	$(SAY)
+	$(FIRMWARE_QUIET)$(WEB_JUDGE_CC) $(WEB_JUDGE_LINK) $^ -o $@

@@ -20,6 +20,8 @@ import pytest
 
 from conftest import CHECKOUT
 from fixel.board import dump, programs
+from fixel.bench import frame_costs
+from fixel.site import costs
 from fixel.view import browser, view_reference
 from outside import need, run
 
@@ -177,6 +179,25 @@ def test_the_page_judges_as_the_host_does(site, tmp_path, record_property):
         assert said.splitlines() == list(judged_by_host(image, frames)), scene["name"]
         count += len(frames)
     record_property("figure", f"{count} frames of {len(scenes_of(site))} scenes, a pixel of each spoilt")
+
+
+@pytest.mark.parametrize("board", ["mps2-an385", "microbit"])
+def test_the_page_counts_as_the_host_does(site, tmp_path, board):
+    options = costs.settings(board, CHECKOUT / "build")
+    settings = [options.band, options.order, options.list, options.cache, options.list_most]
+    refused = 0
+    for scene in scenes_of(site):
+        image = site / "scenes" / f"{scene['name']}.fxls"
+        said = json.loads(run("node", CHECKOUT / "host_tests" / "anywhere" / "site" / "counted.mjs", site / "walk.wasm", site / "counter.wasm", image, JUDGED,
+                              *settings, folder=tmp_path))
+        try:
+            names, counts = frame_costs.count(CHECKOUT / "build", image, *settings, JUDGED, scene["name"])
+        except frame_costs.NoRoom as error:
+            assert said["noRoom"] and said["noRoom"] in str(error), scene["name"]
+            refused += 1
+            continue
+        assert said == {"noRoom": "", "names": names, "frames": counts.tolist()}, scene["name"]
+    assert (refused > 0) == (board == "microbit")
 
 
 def test_what_differs_from_double_precision_is_shown(chromium, address):

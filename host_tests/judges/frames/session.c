@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "frames/session.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,8 +10,7 @@ void *session_memory(size_t size)
 {
     void *memory = calloc(size > 0 ? size : 1, 1);
     if (!memory) {
-        fputs("error: there is not enough memory\n", stderr);
-        exit(2);
+        give_up("there is not enough memory");
     }
     return memory;
 }
@@ -21,9 +19,11 @@ const char *session_open(session *run, const char *path)
 {
     size_t size;
     const uint8_t *bytes = read_file(path, &size);
-    if (!bytes) {
-        return "it cannot be read";
-    }
+    return bytes ? session_open_bytes(run, bytes, size) : "it cannot be read";
+}
+
+const char *session_open_bytes(session *run, const uint8_t *bytes, size_t size)
+{
     fxl_status status = fxl_scene_open(bytes, size, &run->image, NULL);
     if (status == FXL_OK && run->image.surfaces.face_map) {
         const uint32_t count = run->image.surfaces.texture_count;

@@ -55,6 +55,9 @@ void session_follow_scene(const session *run, session_settings *settings);
  * frame 0. Null, or what is wrong. */
 const char *session_open(session *run, const char *path);
 
+/* The same of an image that is read, aligned to four. */
+const char *session_open_bytes(session *run, const uint8_t *bytes, size_t size);
+
 /* Moves what moves to where it is in a frame. */
 void session_play(const session *run, uint32_t frame);
 

@@ -16,73 +16,20 @@
 #include "frames/session.h"
 #include "path.h"
 #include "predict/counts.h"
+#include "predict/frame.h"
 #include "predict/shares.h"
 
-enum {
-    BAND,
-    ORDER,
-    LIST,
-    CACHE,
-    LIST_MOST,
-    FRAMES,
-    COLUMNS,
-    ROWS,
-    SETTINGS
-};
-
-/* What a board with these settings has no room for; or null. */
-static const char *why_no_room(const fxl_scene_image *image, const uint32_t settings[SETTINGS],
-                               uint32_t taken)
+static bool parse(int count, char **words, uint32_t settings[PREDICT_SETTINGS])
 {
-    if (settings[BAND] < image->lens.width * (image->pixel_bits / 8u)) {
-        return "a band holds no row of the screen";
-    }
-    if (settings[ORDER] > 0 && image->scene.draw_list_needed > settings[ORDER]) {
-        return "the order has too few entries";
-    }
-    const uint32_t left = taken < settings[LIST] ? settings[LIST] - taken : 0;
-    return taken > settings[LIST] || depth_bytes(image, left) + tree_bytes(image, left) > left
-               ? "the display list's memory is too small for what the scene has beside its faces"
-               : NULL;
-}
-
-static bool parse(int count, char **words, uint32_t settings[SETTINGS])
-{
-    if (count != SETTINGS + 2) {
+    if (count != PREDICT_SETTINGS + 2) {
         return false;
     }
-    for (int i = 0; i < SETTINGS; i++) {
+    for (int i = 0; i < PREDICT_SETTINGS; i++) {
         if (!take_number(words[i + 2], &settings[i])) {
             return false;
         }
     }
     return true;
-}
-
-/* The renderer as the walk sets it up. Null, or what is wrong. */
-static const char *set_up(session *run, const uint32_t settings[SETTINGS], uint32_t taken)
-{
-    const uint32_t order =
-        settings[ORDER] > 0 ? settings[ORDER] : run->image.scene.draw_list_needed;
-    const uint32_t depth = depth_bytes(&run->image, settings[LIST] - taken);
-    const uint32_t tree = tree_bytes(&run->image, settings[LIST] - taken);
-    uint32_t list = settings[LIST] - taken - depth - tree;
-    list = settings[LIST_MOST] > 0 && list > settings[LIST_MOST] ? settings[LIST_MOST] : list;
-    session_settings methods = {.clipper = &fxl_clipper_view,
-                                .display_list_words = list / 4,
-                                .cache_entries = settings[CACHE],
-                                .raster_bytes = depth,
-                                .pixel_bits = run->image.pixel_bits,
-                                .pieces_bytes = tree - tree_bytes(&run->image, 0)};
-    session_follow_scene(run, &methods);
-    if (draws_by_tree(&run->image)) {
-        methods.order = &counting_tree;
-    }
-    session_reserve(run, &methods);
-    run->memory.draw_list = session_memory(order * sizeof(fxl_draw_entry));
-    run->memory.draw_list_capacity = order;
-    const fxl_status status = session_set_up(run, &methods);
-    return status == FXL_OK ? NULL : fxl_status_text(status);
 }
 
 static void print_counts(bool first)
@@ -107,7 +54,7 @@ static fxl_status find_boxes(fxl_changed *changed, const session *run, const uin
 {
     fxl_status status = fxl_changed_find(changed, &run->renderer);
     if (status == FXL_OK) {
-        status = fxl_changed_widen(changed, settings[COLUMNS], settings[ROWS]);
+        status = fxl_changed_widen(changed, settings[PREDICT_COLUMNS], settings[PREDICT_ROWS]);
     }
     for (uint32_t i = 0; status == FXL_OK && i < changed->count; i++) {
         const fxl_screen_box *box = &changed->boxes[i];
@@ -130,11 +77,9 @@ static void print_boxes(uint32_t frames)
     }
 }
 
-static fxl_status draw_all(session *run, uint32_t frames, const uint32_t settings[SETTINGS])
+static fxl_status draw_all(session *run, uint32_t frames, const uint32_t settings[PREDICT_SETTINGS])
 {
     const fxl_scene *scene = &run->image.scene;
-    const uint32_t rows =
-        settings[BAND] / (run->image.lens.width * (run->image.pixel_bits / 8u));
     const size_t kept = 8u * (size_t)FXL_CHANGED_MEMORY(scene->instance_count, scene->instance_count,
                                                         scene->model_count, scene->model_count);
     fxl_changed changed;
@@ -144,23 +89,16 @@ static fxl_status draw_all(session *run, uint32_t frames, const uint32_t setting
         return FXL_E_CAPACITY;
     }
     uint8_t *pixels = session_memory((size_t)run->image.lens.width * run->image.lens.height * 2u);
-    is_wide = run->image.pixel_bits == 16;
     walk_path path;
     walk_path_begin(&path, &run->image, false);
     for (uint32_t i = 0; i < frames; i++) {
         fxl_status status = walk_path_next(&path, 0);
-        session_play(run, i);
-        memset(&counted, 0, sizeof counted);
         if (status == FXL_OK) {
-            status = session_draw(run, &path.viewer.pose, rows, run->image.background, pixels);
+            status = predict_frame(run, &path.viewer.pose, i, settings, pixels);
         }
         if (status != FXL_OK) {
             return status;
         }
-        counted.frames = 1;
-        counted.bands += is_wide ? (run->image.lens.height + rows - 1) / rows : 0;
-        counted.instances = run->image.scene.instance_count;
-        counted.instances_seen = run->renderer.frame.visible_count;
         print_counts(i == 0);
         status = find_boxes(&changed, run, settings, i);
         if (status != FXL_OK) {
@@ -174,24 +112,24 @@ static fxl_status draw_all(session *run, uint32_t frames, const uint32_t setting
 int main(int count, char **arguments)
 {
     static session run;
-    uint32_t settings[SETTINGS];
+    uint32_t settings[PREDICT_SETTINGS];
     if (!parse(count, arguments, settings)) {
         return fail("usage", "predict SCENE.fxls BAND_BYTES ORDER_ENTRIES LIST_BYTES "
                              "CACHE_ENTRIES LIST_MOST FRAMES COLUMNS ROWS");
     }
     const char *wrong = session_open(&run, arguments[1]);
     const uint32_t taken = wrong == NULL ? taken_bytes(&run.image) : 0;
-    const char *no_room = wrong == NULL ? why_no_room(&run.image, settings, taken) : NULL;
+    const char *no_room = wrong == NULL ? predict_no_room(&run.image, settings, taken) : NULL;
     if (no_room != NULL) {
         fail(arguments[1], no_room);
         return 1;
     }
-    wrong = wrong != NULL ? wrong : set_up(&run, settings, taken);
+    wrong = wrong != NULL ? wrong : predict_set_up(&run, settings, taken);
     if (wrong != NULL) {
         return fail(arguments[1], wrong);
     }
-    const uint32_t frames = settings[FRAMES] > 0 && settings[FRAMES] < run.image.frame_count
-                                ? settings[FRAMES]
+    const uint32_t frames = settings[PREDICT_FRAMES] > 0 && settings[PREDICT_FRAMES] < run.image.frame_count
+                                ? settings[PREDICT_FRAMES]
                                 : run.image.frame_count;
     printf("{\"list_bytes\": %" PRIu32 ",\n\"names\": [", 4 * run.memory.display_list_capacity);
     const char *const names[] = {

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT */
+#include "predict/frame.h"
+
+#include <string.h>
+
+#include "predict/counts.h"
+#include "predict/shares.h"
+
+const char *predict_no_room(const fxl_scene_image *image, const uint32_t settings[PREDICT_SETTINGS],
+                               uint32_t taken)
+{
+    if (settings[PREDICT_BAND] < image->lens.width * (image->pixel_bits / 8u)) {
+        return "a band holds no row of the screen";
+    }
+    if (settings[PREDICT_ORDER] > 0 && image->scene.draw_list_needed > settings[PREDICT_ORDER]) {
+        return "the order has too few entries";
+    }
+    const uint32_t left = taken < settings[PREDICT_LIST] ? settings[PREDICT_LIST] - taken : 0;
+    return taken > settings[PREDICT_LIST] || depth_bytes(image, left) + tree_bytes(image, left) > left
+               ? "the display list's memory is too small for what the scene has beside its faces"
+               : NULL;
+}
+
+const char *predict_set_up(session *run, const uint32_t settings[PREDICT_SETTINGS], uint32_t taken)
+{
+    const uint32_t order =
+        settings[PREDICT_ORDER] > 0 ? settings[PREDICT_ORDER] : run->image.scene.draw_list_needed;
+    const uint32_t depth = depth_bytes(&run->image, settings[PREDICT_LIST] - taken);
+    const uint32_t tree = tree_bytes(&run->image, settings[PREDICT_LIST] - taken);
+    uint32_t list = settings[PREDICT_LIST] - taken - depth - tree;
+    list = settings[PREDICT_LIST_MOST] > 0 && list > settings[PREDICT_LIST_MOST] ? settings[PREDICT_LIST_MOST] : list;
+    session_settings methods = {.clipper = &fxl_clipper_view,
+                                .display_list_words = list / 4,
+                                .cache_entries = settings[PREDICT_CACHE],
+                                .raster_bytes = depth,
+                                .pixel_bits = run->image.pixel_bits,
+                                .pieces_bytes = tree - tree_bytes(&run->image, 0)};
+    session_follow_scene(run, &methods);
+    if (draws_by_tree(&run->image)) {
+        methods.order = &counting_tree;
+    }
+    session_reserve(run, &methods);
+    run->memory.draw_list = session_memory(order * sizeof(fxl_draw_entry));
+    run->memory.draw_list_capacity = order;
+    const fxl_status status = session_set_up(run, &methods);
+    return status == FXL_OK ? NULL : fxl_status_text(status);
+}
+
+fxl_status predict_frame(session *run, const fxl_pose *pose, uint32_t number,
+                         const uint32_t settings[PREDICT_SETTINGS], uint8_t *pixels)
+{
+    const fxl_lens *lens = &run->image.lens;
+    const uint32_t rows = settings[PREDICT_BAND] / (lens->width * (run->image.pixel_bits / 8u));
+    session_play(run, number);
+    memset(&counted, 0, sizeof counted);
+    is_wide = run->image.pixel_bits == 16;
+    const fxl_status status = session_draw(run, pose, rows, run->image.background, pixels);
+    counted.frames = 1;
+    counted.bands += is_wide ? (lens->height + rows - 1) / rows : 0;
+    counted.instances = run->image.scene.instance_count;
+    counted.instances_seen = run->renderer.frame.visible_count;
+    return status;
+}
