@@ -55,7 +55,7 @@ BENCH_PROGRAMS := calibration fixel fixel-bands fixel-target listing-double list
 BENCH_PROGRAMS_WIDE := fixel-rgb565 fixel-native fixel-arduino fixel-one-file fixel-native-arduino fixel-native-one-file
 BENCH_PROGRAMS_OF = $(if $(filter $(BENCH_EXTRA),$(1)),fixel fixel-target,$(BENCH_PROGRAMS)) \
     $(if $(BENCH_SCREEN.$(1)),$(BENCH_PROGRAMS_WIDE) $(if $(filter $(BENCH_EXTRA),$(1)),,fixel-os fixel-small fixel-rgb565-bands fixel-native-bands)) \
-    $(if $(filter m0 m3,$(1)),fixel-native-without-tiny)
+    $(if $(filter m0 m3,$(1)),fixel-native-without-tiny) $(if $(filter m3,$(1)),fixel-cleared)
 BENCH_NEEDED := $(call LIB_NEEDED,$(wildcard bench/firmware/*.c bench/listing/*.c) $(addprefix firmware/walk/,path.c plan.c) \
     $(foreach core,$(BENCH_CORES_HERE),$(BOARD_SOURCES.$(BENCH_BOARD.$(core)))))
 BENCH_LIB := $(BENCH_NEEDED:%=lib/%)
@@ -85,6 +85,9 @@ BENCH_OBJECTS.fixel-rgb565-bands := bands/draw_rgb565 plan $(BENCH_FRAMES)
 BENCH_OBJECTS.fixel-native-bands := native-bands/draw_fixel plan $(BENCH_FRAMES)
 BENCH_BANDS := -DDRAW_BAND_ROWS=8u -DDRAW_LIST_WORDS=8192u
 BENCH_DRAWS.native := -DDRAW_RGB565
+# With the clear, or the horizon in its place.
+BENCH_OBJECTS.fixel-cleared := cleared/draw_fixel plan $(BENCH_FRAMES)
+BENCH_DRAWS.cleared := -DDRAW_CLEARED
 BENCH_DRAWS.bands := $(BENCH_BANDS)
 BENCH_DRAWS.native-bands := -DDRAW_RGB565 $(BENCH_BANDS)
 # As PIXELS=, ORDER= and DEPTH= ask for: a program of make costs with what 512 KiB of RAM hold. Its band is the frame, and
@@ -177,7 +180,7 @@ $(BENCH_OUT)/$(1)/%.o: bench/firmware/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $(BENCH_SCREEN.$(1)) $(BENCH_ORDER.$(1)) $$(FLAGS_OF_FILE))
 $(BENCH_OUT)/$(1)/target/draw_costs.o: bench/firmware/draw_costs.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $$(call COSTS_FLAGS,TARGET) -DDRAW_ORDER_ENTRIES=3072u -DDRAW_ROOM_BYTES=196608u)
-$(foreach way,native bands native-bands,
+$(foreach way,native cleared bands native-bands,
 $(BENCH_OUT)/$(1)/$(way)/%.o: bench/firmware/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $(BENCH_SCREEN.$(1)) $(BENCH_ORDER.$(1)) $(BENCH_DRAWS.$(way)))
 )

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Draws with Fixel, the frame in one band, so it needs no display list; or in bands of
  * DRAW_BAND_ROWS, with a list of DRAW_LIST_WORDS. With DRAW_RGB565 it draws into RGB565, else into
- * palette indices. */
+ * palette indices; with DRAW_CLEARED it clears the frame too. */
 #include "contract/system.h"
 #include "draw.h"
 #include "fixel/surfaces.h"
@@ -103,8 +103,13 @@ bool draw_frame(const fxl_pose *pose, const fxl_band *whole)
 #ifdef DRAW_BAND_ROWS
     return draw_in_bands(&setup.renderer, pose, band, DRAW_BAND_ROWS, NOT_CLEARED);
 #else
-    return fxl_frame_begin(&setup.renderer, pose) == FXL_OK &&
-           fxl_frame_draw(&setup.renderer, band) == FXL_OK;
+    if (fxl_frame_begin(&setup.renderer, pose) != FXL_OK) {
+        return false;
+    }
+#ifdef DRAW_CLEARED
+    fxl_frame_fill(&setup.renderer, band, 0);
+#endif
+    return fxl_frame_draw(&setup.renderer, band) == FXL_OK;
 #endif
 }
 

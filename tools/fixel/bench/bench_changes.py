@@ -24,6 +24,8 @@ SHOWN_BY = {"paving": "stones", "columns": "stones", "feet": "stones", "stairs":
 TEXELS_PER_UNIT = 12
 LIGHT = {"levels": 32, "ambient": 0.3, "strength": 0.7, "direction": [0.5, -0.7, 0.5], "dark": "#000000"}
 ROLL = 37           # degrees
+HORIZON = {"degrees": [-40, -20, -8, -2, 0, 3, 10, 25, 50],
+           "colours": ["#201008", "#382010", "#503018", "#684020", "#805028", "#c0d8f0", "#a0c0e8", "#80a8e0", "#6090d0", "#4070c0"]}
 SCREENS = {"240x135": (240, 135), "480x320": (480, 320), "320x64": (320, 64), "32x64": (32, 64), "32x32": (32, 32)}
 # Lights at the eye, of a model 3 units away: within its range, behind the model, and of too small a range.
 POINTS = {"a point": [(0, 8)], "four points": [(0, 8)] * 4, "a point behind": [(6, 8)], "a point far away": [(0, 0.5)]}
@@ -101,6 +103,14 @@ def _half_a_pixel(data):
     _of_view(inset=0, centre=[data["screen"]["width"] / 2 + 0.5, data["screen"]["height"] / 2 + 0.5])(data)
 
 
+def _horizon(data):
+    """A horizon, and entries of the palette for it."""
+    data["horizon"] = HORIZON
+    for thing in data["objects"]:
+        for key in ("colour_step", "colour_next"):
+            thing.pop(key, None)
+
+
 # Of a workload's `with`, in its order. SCREENS change the screen, with the same field of view.
 CHANGES = {"textured": _textured, "lit": _lit, "depth": _of_view(visibility="depth"), "rgb565": _of_view(pixels="rgb565"),
            "affine": _of_objects(division="affine"), "divided": _of_objects(division=1),
@@ -108,7 +118,7 @@ CHANGES = {"textured": _textured, "lit": _lit, "depth": _of_view(visibility="dep
            "256x256": _of_textures(size=[256, 256]), "levels": _of_textures(levels=4), "clamp": _of_textures(wrap="clamp"),
            "4 bits": _of_textures(bits=4), "16 bits": _of_textures(bits=16), "key": _of_textures(pattern="grille"),
            "stipple": _of_objects(opacity=8), "added": _of_objects(blend="add"), "rolled": _rolled, "half a pixel": _half_a_pixel,
-           "plain": _plain, "smooth": _of_objects(smooth=True), **{name: _points(places) for name, places in POINTS.items()}}
+           "plain": _plain, "horizon": _horizon, "smooth": _of_objects(smooth=True), **{name: _points(places) for name, places in POINTS.items()}}
 
 
 def _read(workload):
