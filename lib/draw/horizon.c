@@ -10,6 +10,7 @@
 #include "../math/arith.h"
 #include "../math/plane.h"
 #include "../raster/columns.h"
+#include "../raster/fill.h"
 #include "../view/view.h"
 #include "fixel/horizon.h"
 #include "renderer.h"
@@ -30,56 +31,74 @@ static int32_t x_of(const horizon_row *row, uint32_t column)
     return fxl_signed_32(row->x + column * row->x_step);
 }
 
+/* A sine, and its square. */
+typedef struct {
+    fxl_q2_30 sine;
+    uint32_t high, low;
+} threshold;
+
+static threshold threshold_of(const horizon_row *row, uint32_t number)
+{
+    const fxl_q2_30 sine = row->horizon->sines[number];
+    const uint64_t square = (uint64_t)fxl_multiply_s32(sine, sine);
+    const threshold made = {sine, (uint32_t)(square >> 32), fxl_low_32(square)};
+    return made;
+}
+
 /* Whether the sine of the elevation of a column is at least another one. Where both have one sign,
  * E^2 is compared with t^2 |d|^2, both in units of 2^(2 scale - 92). E is cut to 30 bits, the square
  * of |d| too, and the product with t^2, of 60 bits, by 30: each costs 2^-26 of |d| at most, as |d| is
  * 2^(scale - 3) at least. */
 /* horizon 1.3 */
-static bool is_above(const horizon_row *row, uint32_t column, fxl_q2_30 sine)
+static inline bool is_above(const horizon_row *row, uint32_t column, const threshold *at)
 {
     const int64_t e = row->elevation + (int64_t)column * row->step;
-    if (sine == 0 || (e < 0) != (sine < 0)) {
+    if (at->sine == 0 || (e < 0) != (at->sine < 0)) {
         return e >= 0;
     }
     const int32_t x = x_of(row, column), part = (int32_t)(e >> 32);
     const uint32_t length = (uint32_t)((row->square + (uint64_t)fxl_multiply_s32(x, x)) >> 32);
-    const uint64_t sines = (uint64_t)fxl_multiply_s32(sine, sine);
-    const uint64_t wanted = (fxl_multiply_u32((uint32_t)(sines >> 32), length) << 2) +
-                            (fxl_multiply_u32(fxl_low_32(sines), length) >> 30);
+    const uint64_t wanted = (fxl_multiply_u32(at->high, length) << 2) +
+                            (fxl_multiply_u32(at->low, length) >> 30);
     const uint64_t got = (uint64_t)fxl_multiply_s32(part, part);
-    return sine > 0 ? got >= wanted : got <= wanted;
+    return at->sine > 0 ? got >= wanted : got <= wanted;
 }
 
 /* How many of the sines are at most that of a column's elevation. near: a number near it. */
 /* horizon 1.2 */
 static uint32_t level_at(const horizon_row *row, uint32_t column, uint32_t near)
 {
-    const fxl_horizon *horizon = row->horizon;
-    while (near < horizon->count && is_above(row, column, horizon->sines[near])) {
-        near++;
+    const uint32_t count = row->horizon->count;
+    uint32_t level = near;
+    for (bool is_known = false; level < count && !is_known;) {
+        const threshold next = threshold_of(row, level);
+        is_known = !is_above(row, column, &next);
+        level += !is_known;
     }
-    while (near > 0 && !is_above(row, column, horizon->sines[near - 1])) {
-        near--;
+    for (bool is_known = level > near; level > 0 && !is_known;) {
+        const threshold last = threshold_of(row, level - 1);
+        is_known = is_above(row, column, &last);
+        level -= !is_known;
     }
-    return near;
+    return level;
 }
 
 /* The first column of low..high that is above a sine, or, where the level falls, that is not. At
  * high that is so. near: a column near it, from which steps are doubled until it lies between two. */
-static uint32_t change_at(const horizon_row *row, uint32_t low, uint32_t high, fxl_q2_30 sine,
+static uint32_t change_at(const horizon_row *row, uint32_t low, uint32_t high, const threshold *at,
                           bool rises, uint32_t near)
 {
     uint32_t step = 1;
-    if (near < high && near >= low && is_above(row, near, sine) != rises) {
+    if (near < high && near >= low && is_above(row, near, at) != rises) {
         low = near + 1;
-        while (high - low >= step && is_above(row, low + step - 1, sine) != rises) {
+        while (high - low >= step && is_above(row, low + step - 1, at) != rises) {
             low += step;
             step *= 2;
         }
         high = high - low >= step ? low + step - 1 : high;
     } else if (near < high && near >= low) {
         high = near;
-        while (high - low >= step && is_above(row, high - step, sine) == rises) {
+        while (high - low >= step && is_above(row, high - step, at) == rises) {
             high -= step;
             step *= 2;
         }
@@ -87,7 +106,7 @@ static uint32_t change_at(const horizon_row *row, uint32_t low, uint32_t high, f
     }
     while (low < high) {
         const uint32_t middle = (low + high) / 2;
-        if (is_above(row, middle, sine) == rises) {
+        if (is_above(row, middle, at) == rises) {
             high = middle;
         } else {
             low = middle + 1;
@@ -103,46 +122,48 @@ static bool is_rising(const horizon_row *row, uint32_t column)
     return 2 * turning > fxl_multiply_s32((int32_t)(row->straight >> 32), x_of(row, column));
 }
 
-/* Rows, or a part of one, that have one colour and are not filled yet. */
+/* Whole rows that have one colour and are not filled yet; and where the first pixel of a row is. */
 typedef struct {
     const fxl_renderer *renderer;
     const fxl_band *band;
-    uint32_t row, rows, column, columns, level;
+    uint32_t row, rows, level;
+    uint8_t *pixels; /* of the row that is looked at */
+    uint32_t columns;
+    fxl_pixel_kind kind;
 } horizon_run;
 
 /* horizon 1.2 */
-static void fill_run(const horizon_run *run)
+static void fill_run(horizon_run *run)
 {
     const fxl_renderer *renderer = run->renderer;
-    const fxl_band *band = run->band;
-    const size_t place = (size_t)run->row * band->stride + run->column;
-    fxl_band part = *band;
-    part.pixels += fxl_pixel_bytes(fxl_kind_of_band(band), place);
-    part.first_row = (uint16_t)(band->first_row + run->row);
-    part.rows = (uint16_t)run->rows;
-    part.first_column = (uint16_t)(band->first_column + run->column);
-    part.columns = (uint16_t)run->columns;
+    fxl_band part = *run->band;
     if (run->rows != 0) {
+        part.pixels += fxl_pixel_bytes(run->kind, (size_t)run->row * part.stride);
+        part.first_row = (uint16_t)(part.first_row + run->row);
+        part.rows = (uint16_t)run->rows;
+        run->rows = 0;
         renderer->target->fill(renderer, &part, renderer->horizon->colours[run->level]);
     }
 }
 
-/* Columns of a row have a level: the run goes on, or is filled and another one begins. */
-static void emit(horizon_run *run, uint32_t row, uint32_t from, uint32_t end, uint32_t level)
+/* Columns of a row have a level: they are filled, or go on a run of whole rows, or begin one. */
+static inline void emit(horizon_run *run, uint32_t row, uint32_t from, uint32_t end, uint32_t level)
 {
-    const uint32_t all = fxl_band_columns(run->band);
-    if (run->level == level && run->row + run->rows == row && run->columns == all &&
-        end - from == all) {
+    if (end - from == run->columns) {
+        if (run->level != level || run->row + run->rows != row) {
+            fill_run(run);
+            run->row = row;
+            run->level = level;
+        }
         run->rows++;
-    } else if (run->level == level && run->row == row && run->column + run->columns == from) {
-        run->columns = end - run->column;
-    } else if (end != from) {
-        fill_run(run);
-        run->row = row;
-        run->rows = 1;
-        run->column = from;
-        run->columns = end - from;
-        run->level = level;
+        return;
+    }
+    const uint8_t colour = run->renderer->horizon->colours[level];
+    if (!run->kind.is_colour) {
+        fxl_fill_row(run->pixels + from, run->pixels + end, colour * 0x01010101u);
+    } else {
+        uint16_t *pixels = (uint16_t *)(void *)run->pixels;
+        fxl_fill_row_rgb565(pixels + from, pixels + end, run->band->palette[colour]);
     }
 }
 
@@ -166,8 +187,9 @@ static void fill_piece(horizon_run *run, const horizon_row *row, horizon_piece *
     while (level != last) {
         const uint32_t k = rises ? level : level - 1;
         const int32_t before = piece->changes[k].column, step = piece->changes[k].step;
+        const threshold at = threshold_of(row, k);
         const uint32_t next =
-            change_at(row, from, end - 1, row->horizon->sines[k], rises, (uint32_t)(before + step));
+            change_at(row, from, end - 1, &at, rises, (uint32_t)(before + step));
         piece->changes[k].column = (int16_t)next;
         piece->changes[k].step = (int16_t)((int32_t)next - before);
         emit(run, number, from, next, level);
@@ -235,7 +257,11 @@ static void fill_horizon(const fxl_renderer *renderer, const fxl_band *band, uin
     const unsigned scale = (fxl_bit_length(most_of(x, y, band, ahead)) + 1) / 2;
     const int64_t unit = (int64_t)1 << (32 - scale);
     horizon_piece pieces[2] = {{0}};
-    horizon_run run = {.renderer = renderer, .band = band, .level = UINT32_MAX}; /* none yet */
+    horizon_run run = {.renderer = renderer,
+                       .band = band,
+                       .pixels = band->pixels,
+                       .columns = columns,
+                       .kind = fxl_kind_of_band(band)};
     horizon_row row = {.horizon = renderer->horizon, .right = axes->right.y};
     fxl_q2_30 up = axes->up.y;
     (void)colour;
@@ -257,6 +283,7 @@ static void fill_horizon(const fxl_renderer *renderer, const fxl_band *band, uin
         if (turn < columns) {
             fill_piece(&run, &row, &pieces[1], number, turn, columns);
         }
+        run.pixels += fxl_pixel_bytes(run.kind, band->stride);
     }
     fill_run(&run);
 }
