@@ -26,7 +26,6 @@ bool ref_horizon_read(const uint8_t *bytes, ref_horizon *horizon)
     return true;
 }
 
-/* horizon 1.1, 1.2, 1.3 */
 int ref_horizon_level(const ref_renderer *renderer, int x, int y, int *low, int *high)
 {
     const ref_horizon *horizon = &renderer->scene->horizon;
