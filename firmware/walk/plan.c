@@ -70,7 +70,10 @@ static fxl_status lens_of(const fxl_scene_image *image, fxl_lens *lens)
     *lens = image->lens;
 #if !defined WALK_WITHOUT_ORTHOGRAPHIC
     if (image->scale != 0) {
-        return fxl_lens_orthographic(lens->width, lens->height, image->scale, lens->near_z, lens->far_z, lens);
+        const fxl_status status =
+            fxl_lens_orthographic(lens->width, lens->height, image->scale, lens->near_z, lens->far_z, lens);
+        return status != FXL_OK ? status
+                                : fxl_lens_set_centre(lens, image->lens.centre_x, image->lens.centre_y);
     }
 #endif
     return FXL_OK;

@@ -12,6 +12,7 @@ from fixel.scene.target import VALUES
 BUILT_PROGRAMS = ("host/frames", "host/judge")
 TARGETS = [(form, bits) for form in VALUES["pixels"] for bits in (0, 16, 32)]
 FAR, CUT = (9, 1, 60), (14, 14, 22)     # scale, near, far; in the second frames near and far cut faces
+ASIDE = (11.7, 1, 60, 31.3, 60.9)       # and the centre
 
 PATH = """
 [path]
@@ -76,10 +77,12 @@ layer = 1
 
 
 def scene(folder, lens, target, *parts):
-    scale, near, far = lens
+    scale, near, far, *centre = lens
     form, bits = target
     file = folder / "scene.toml"
     view = [f"scale = {scale}", f"near = {near}", f"far = {far}", f'pixels = "{form}"', f"depth = {bits}"]
+    if centre:
+        view.append(f"centre = {centre}")
     textures = [(name, name, 64) for name in ("crate", "stones")]
     file.write_text('background = "#203040"\n' + head(120, 72, view, textures) + "".join(parts) + PATH)
     return host_frames.compiled(file, folder / "scene.fxls")
@@ -91,7 +94,7 @@ def explained(build, image, *options):
     return pixels(dumped)
 
 
-@pytest.mark.parametrize("lens", [FAR, CUT])
+@pytest.mark.parametrize("lens", [FAR, CUT, ASIDE])
 @pytest.mark.parametrize("target", TARGETS)
 @pytest.mark.parametrize("parts", [(LIGHT, BOARD, TREES, FLAT), (LIGHT, BOARD, TEXTURED, TREES), (BEAM, FLAT)])
 def test_the_reference_explains_each_pixel_in_bands_too(parts, target, lens, build, tmp_path):
@@ -113,7 +116,7 @@ def test_what_does_not_go_with_the_lens_is_refused_by_the_tool(more, parts, tmp_
     assert "orthographic" in made.stderr and ("tree" if more else "beams") in made.stderr
 
 
-@pytest.mark.parametrize("key", ["fov = 60", "focal = 100", "centre = [1, 2]", "inset = 0.5", "scale = 5000"])
+@pytest.mark.parametrize("key", ["fov = 60", "focal = 100", "centre = [1000, 2]", "inset = 0.5", "scale = 5000"])
 def test_a_lens_of_two_kinds_is_refused(key, tmp_path):
     file = tmp_path / "scene.toml"
     view = ["scale = 9", key] if not key.startswith("scale") else [key]

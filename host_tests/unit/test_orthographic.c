@@ -5,6 +5,7 @@
 
 #include "choices.h"
 #include "frame_bands.h"
+#include "orthographic_unit.h"
 #include "paint/depth_code.h"
 #include "scene/lens.h"
 #include "study/clippers.h"
@@ -29,19 +30,7 @@ static fxl_renderer renderer;
 static fxl_placement placements[TINY_INSTANCES];
 static tiny_scene *tiny;
 
-static fxl_lens any_lens(void)
-{
-    const fxl_q16_16 near_z = unit_between(FXL_NEAR_MIN, Q16(100));
-    const unsigned bits = (unsigned)unit_between(12, 27);
-    fxl_lens lens;
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_lens_orthographic((uint16_t)unit_between(1, 1024), (uint16_t)unit_between(1, 1024),
-                                      unit_between(1 << bits, 2 << bits), near_z,
-                                      unit_between(near_z + 1, Q16(30000)), &lens));
-    return lens;
-}
-
-/* orthographic 1.1a-f, 1.2b */
+/* orthographic 1.1a-f, 1.2c */
 void test_a_lens_is_taken_within_its_range(void)
 {
     const struct {
@@ -70,56 +59,21 @@ void test_a_lens_is_taken_within_its_range(void)
         }
         TEST_ASSERT_TRUE(fxl_lens_is_valid(&lens));
         before = lens;
-        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_lens_set_centre(&lens, lens.centre_x + 1, lens.centre_y));
-        TEST_ASSERT_EQUAL_MEMORY(&before, &lens, sizeof lens);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_set_centre(&lens, lens.centre_x, lens.centre_y));
-        TEST_ASSERT_EQUAL_PTR(&fxl_orthographic, lens.off_centre);
+        for (int side = -1; side <= 1; side += 2) {
+            const int32_t x = before.centre_x + side * 98304 * 1024;
+            const int32_t y = before.centre_y + side * 98304 * 1024;
+            TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_lens_set_centre(&lens, x + side, y));
+            TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_lens_set_centre(&lens, x, y + side));
+            TEST_ASSERT_EQUAL_MEMORY(&before, &lens, sizeof lens);
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_set_centre(&lens, x, y));
+            TEST_ASSERT_TRUE(lens.centre_x == x && lens.centre_y == y);
+            TEST_ASSERT_EQUAL_PTR(&fxl_orthographic, lens.off_centre);
+            lens = before;
+        }
         lens.inset = 1;
         TEST_ASSERT_FALSE(fxl_lens_is_valid(&lens));
     }
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_lens_orthographic(48, 32, 65536, 256, 257, NULL));
-}
-
-/* floor(scale across / 2^46 + 1/2) by words, as the definition has it. */
-static int64_t rounded(int32_t scale, int64_t across)
-{
-    const int64_t high = (across >> 31) * scale, low = (across & 0x7FFFFFFF) * scale;
-    return (high + (low >> 31) + (1 << 14)) >> 15;
-}
-
-/* orthographic 2.6a, 2.6b, 2.7a, 1.2a */
-void test_each_product_is_rounded_once(void)
-{
-    uint32_t on_screen = 0;
-    for (int round = 0; round < UNIT_REPEAT; round++) {
-        const fxl_lens lens = any_lens();
-        const fxl_pose pose = unit_pose();
-        fxl_view view;
-        fxl_view_set_lens(&view, &lens);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
-        const unsigned bits = (unsigned)unit_between(20, 61);
-        const fxl_view_point at = {unit_wide(bits), unit_wide(bits), unit_wide(bits)};
-        fxl_screen_point screen = {7, 7};
-        const int64_t x = lens.centre_x + rounded(lens.focal, at.x);
-        const int64_t y = lens.centre_y - rounded(lens.focal, at.y);
-        const bool fits = x >= -4095 * 65536 && x <= 4095 * 65536 && y >= -4095 * 65536 &&
-                          y <= 4095 * 65536;
-        TEST_ASSERT_EQUAL(fits ? FXL_OK : FXL_E_RANGE, fxl_project_orthographic(&view, &at, &screen));
-        TEST_ASSERT_EQUAL_INT32(fits ? x : 7, screen.x);
-        TEST_ASSERT_EQUAL_INT32(fits ? y : 7, screen.y);
-
-        const fxl_point point = unit_point(FXL_COORDINATE_MAX);
-        fxl_view_point seen;
-        fxl_screen_place place;
-        fxl_transform_point(&view.camera, &point, &seen);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_find_on_screen(&view, &point, &place));
-        if (place.place == FXL_POINT_VISIBLE) {
-            on_screen++;
-            TEST_ASSERT_EQUAL_INT32(lens.centre_x + rounded(lens.focal, seen.x), place.at.x);
-            TEST_ASSERT_EQUAL_INT32(lens.centre_y - rounded(lens.focal, seen.y), place.at.y);
-        }
-    }
-    TEST_ASSERT_TRUE(on_screen > 0);
 }
 
 /* A point is outside of a side if it is more than 1/65536 pixel outside of the screen, and not if it
@@ -128,7 +82,7 @@ void test_each_product_is_rounded_once(void)
 void test_planes_are_the_borders_of_the_screen(void)
 {
     for (int round = 0; round < UNIT_REPEAT; round++) {
-        const fxl_lens lens = any_lens();
+        const fxl_lens lens = orthographic_any_lens();
         const double scale = lens.focal / 65536.0 * 0x1p-46;
         fxl_view view;
         fxl_view_set_lens(&view, &lens);
@@ -158,8 +112,8 @@ void test_planes_are_the_borders_of_the_screen(void)
 static fxl_lens tiny_lens(void)
 {
     fxl_lens lens;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_orthographic(WIDTH, HEIGHT, Q16(3), Q16(0.0625), Q16(100),
-                                                    &lens));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_lens_orthographic(WIDTH, HEIGHT, Q16(3), Q16(0.0625), Q16(100), &lens));
     return lens;
 }
 
@@ -281,7 +235,7 @@ void test_depths_are_linear_between_near_and_far(void)
 {
     uint32_t checked = 0;
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
-        const fxl_lens lens = any_lens();
+        const fxl_lens lens = orthographic_any_lens();
         const fxl_pose pose = unit_pose();
         const fxl_point corner = unit_point(FXL_COORDINATE_MAX);
         fxl_face face = {.normal = unit_direction(), .count = 3, .indices = {0, 0, 0}};
@@ -336,7 +290,7 @@ void test_depths_of_faces_at_the_limits(void)
         fxl_direction normal;
         bool is_seen;
     } cases[] = {{{0, 0, -FXL_Q2_30_ONE}, true},
-                 {{1, 1, -FXL_Q2_30_ONE}, true},
+                 {{4, 4, -FXL_Q2_30_ONE}, true},
                  {{FXL_Q2_30_ONE, 0, -1}, false},
                  {{0, FXL_Q2_30_ONE, -1}, false}};
     const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
@@ -350,9 +304,9 @@ void test_depths_of_faces_at_the_limits(void)
         fxl_model_view model_view;
         fxl_view view;
         fxl_depth_plane plane;
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_orthographic(WIDTH, HEIGHT, scale, FXL_NEAR_MIN,
-                                                        cases[i].is_seen ? FXL_FAR_MAX : Q16(2),
-                                                        &lens));
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_lens_orthographic(WIDTH, HEIGHT, scale, FXL_NEAR_MIN,
+                                                cases[i].is_seen ? FXL_FAR_MAX : Q16(2), &lens));
         fxl_view_set_lens(&view, &lens);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
         fxl_vertex_cache_init(&own, NULL, 0);
@@ -360,8 +314,6 @@ void test_depths_of_faces_at_the_limits(void)
         lens.off_centre->orthographic->find_depth(&model_view, &face, &plane);
         TEST_ASSERT_EQUAL(cases[i].is_seen, plane.one != 0);
         TEST_ASSERT_TRUE(plane.gradient.along == 0 && plane.gradient.down == 0);
-        lens.centre_y++;
-        TEST_ASSERT_FALSE(fxl_lens_is_valid(&lens));
     }
 }
 

@@ -208,7 +208,7 @@ static tiny_image *image_with_centre(fxl_q16_16 x, fxl_q16_16 y)
     return image;
 }
 
-/* An inset or a centre does not go with a scale. */
+/* An inset does not go with a scale. */
 void test_a_lens_with_a_scale(void)
 {
     const struct {
@@ -221,7 +221,8 @@ void test_a_lens_with_a_scale(void)
                  {FXL_ORTHOGRAPHIC_SCALE_MIN - 1, 0, false, FXL_E_RANGE},
                  {FXL_ORTHOGRAPHIC_SCALE_MAX + 1, 0, false, FXL_E_RANGE},
                  {Q16(3), 1, false, FXL_E_RANGE},
-                 {Q16(3), 0, true, FXL_E_RANGE}};
+                 {Q16(3), 1, true, FXL_E_RANGE},
+                 {Q16(3), 0, true, FXL_OK}};
     for (uint32_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         const fxl_image_scale scale = {cases[i].scale};
         tiny_image *image = cases[i].has_centre ? image_with_centre(Q16(-10), Q16(40))
@@ -235,6 +236,7 @@ void test_a_lens_with_a_scale(void)
                           fxl_scene_open(image->words, image->size, &opened, &fault));
         if (cases[i].status == FXL_OK) {
             TEST_ASSERT_EQUAL_INT32(cases[i].scale, opened.scale);
+            TEST_ASSERT_EQUAL(cases[i].has_centre, opened.lens.centre_x == Q16(-10));
         } else {
             TEST_ASSERT_EQUAL_STRING("lens", fault.what);
         }

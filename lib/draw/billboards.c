@@ -144,7 +144,7 @@ FXL_COLD static fxl_outcome submit_sprite(const fxl_traversal *traversal, uint32
     const fxl_orthographic_code *code = fxl_orthographic_of(&view->lens);
     return 1u << FXL_CLIP_INSIDE |
            emit(traversal, model, corners,
-                code != NULL ? code->distance_of(&view->lens, centre.z) : centre.z);
+                code != NULL ? code->distance_of(view, centre.z) : centre.z);
 }
 
 /* fxl_instance_submit. The one face of a model with a billboard is done or not. */

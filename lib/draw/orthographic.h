@@ -57,7 +57,7 @@ void fxl_orthographic_begin(const fxl_traversal *traversal);
 bool fxl_submit_orthographic(const fxl_traversal *traversal, const fxl_draw_entry *entry);
 void fxl_find_orthographic_depth(const fxl_model_view *model_view, const fxl_face *face,
                                  struct fxl_depth_plane *plane);
-fxl_q18_46 fxl_distance_of_orthographic(const fxl_lens *lens, fxl_q18_46 depth);
+fxl_q18_46 fxl_distance_of_orthographic(const fxl_view *view, fxl_q18_46 depth);
 
 #ifdef __cplusplus
 }

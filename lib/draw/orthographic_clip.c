@@ -13,7 +13,8 @@
 #define HIDDEN_FLAGS  (FXL_VERTEX_UNPROJECTED | FXL_PLANES_DEPTH)
 #define REAL_FLAGS_AT 8
 
-/* fxl_model_view.scale_vertex */
+/* fxl_model_view.scale_vertex. A vertex is projected at once, from where it is: surfaces would project
+ * one that is not from where an off-centre lens draws it, which may round otherwise. */
 /* orthographic 2.10 */
 uint32_t fxl_flatten_vertex(const fxl_model_view *model_view, fxl_cached_vertex *entry)
 {
@@ -30,6 +31,10 @@ uint32_t fxl_flatten_vertex(const fxl_model_view *model_view, fxl_cached_vertex 
     entry->position.z = fxl_flat_depth(&model_view->view->lens);
     if (view->is_deep) {
         entry->clip_flags = HIDDEN_FLAGS | (entry->clip_flags & FXL_PLANES_ALL) << REAL_FLAGS_AT;
+    } else if (entry->clip_flags == FXL_VERTEX_UNPROJECTED &&
+               fxl_project_orthographic(model_view->view, &entry->position, &entry->screen) ==
+                   FXL_OK) {
+        entry->clip_flags = fxl_vertex_place_flags(&entry->screen);
     }
     return entry->clip_flags;
 }
@@ -160,7 +165,13 @@ static bool find_quotient(int64_t part, const fxl_real *whole, int scale, int64_
     return true;
 }
 
-/* n . (V - near) is 0 in the plane that is seen at near, and in the middle of the screen it is n_z
+/* What so much of a pixel, in 1/65536, changes: of what is below 2^DEPTH_MOST and 2^13. */
+static int64_t beside(int64_t gradient, int32_t pixels)
+{
+    return (gradient >> 4) * pixels >> 12;
+}
+
+/* n . (V - near) is 0 in the plane that is seen at near, and where the eye is, it is n_z
  * times the depth behind near: h. With R = far - near the depth there is 1 - h / (2 n_z R), and a
  * column changes it by n_x / (2 n_z R scale). n has 30 bits, h units of 2^-14 of n's, R and scale of
  * 2^-16: n_z R is below 2^61, h below 2^62. */
@@ -199,10 +210,13 @@ void fxl_find_orthographic_depth(const fxl_model_view *model_view, const fxl_fac
         if (find_quotient(height, &whole, DEPTH_ONE + 1, &behind) &&
             find_quotient(n.x, &by_pixel, DEPTH_ONE + 31, &gradient->along) &&
             find_quotient(-n.y, &by_pixel, DEPTH_ONE + 31, &gradient->down)) {
-            gradient->at = ((int64_t)1 << DEPTH_ONE) - behind +
-                           ((gradient->along * (1 - view->lens.width) +
-                             gradient->down * (1 - view->lens.height)) >>
-                            1);
+            gradient->at =
+                ((int64_t)1 << DEPTH_ONE) - behind +
+                ((gradient->along * (1 - view->lens.width) +
+                  gradient->down * (1 - view->lens.height)) >>
+                 1) -
+                beside(gradient->along, view->projection.centre_x - view->lens.width * 32768) -
+                beside(gradient->down, view->projection.centre_y - view->lens.height * 32768);
             return;
         }
     }
@@ -211,15 +225,17 @@ void fxl_find_orthographic_depth(const fxl_model_view *model_view, const fxl_fac
 }
 
 /* A distance of a lens with an eye that has the depth of an orthographic one: near / d, with
- * d = (2 far - near - z) / (2 R). Both products are below 2^63; their quotient is near at least. */
+ * d = 1 - (z - near) / (2 R). Both products are below 2^63; their quotient is near at least. */
 /* orthographic 2.11 */
-fxl_q18_46 fxl_distance_of_orthographic(const fxl_lens *lens, fxl_q18_46 depth)
+fxl_q18_46 fxl_distance_of_orthographic(const fxl_view *view, fxl_q18_46 depth)
 {
+    const fxl_lens *lens = &view->lens;
+    const fxl_q18_46 behind = depth - view->view_frustum.near_z;
     const int64_t range = (int64_t)lens->far_z - lens->near_z;
     const fxl_real near_z = fxl_real_of(fxl_multiply_u32((uint32_t)lens->near_z, (uint32_t)range),
                                         31); /* 2 R near, in 2^-46 2^-16 */
     const fxl_real less =
-        fxl_real_of((uint64_t)((lens->far_z + range) * FXL_Q2_30_ONE - depth), 0); /* at least R */
+        fxl_real_of((uint64_t)(2 * range * FXL_Q2_30_ONE - behind), 0); /* at least R */
     const uint32_t ratio = fxl_mantissa_ratio(&near_z, &less);
     const int shift = near_z.exponent - less.exponent - 31 + 30;
     return shift >= 0 ? (fxl_q18_46)((uint64_t)ratio << shift) : (fxl_q18_46)(ratio >> -shift);

@@ -85,13 +85,13 @@ static FXL_COLD fxl_status begin(fxl_setup *setup, const fxl_setup_plan *plan,
     config->depth_size = shares->depth;
     status = plan->init_renderer(&setup->renderer, &setup->scene, config,
                                  block + shares->before_renderer, size - shares->before_renderer);
-    if (status == FXL_OK && plan->set_centre != NULL) {
-        setup->step = FXL_SETUP_CENTRE;
-        status = plan->set_centre(&setup->renderer, plan->centre_x, plan->centre_y);
-    }
     if (status == FXL_OK && plan->set_orthographic != NULL) {
         setup->step = FXL_SETUP_CENTRE;
         status = plan->set_orthographic(&setup->renderer, plan->scale);
+    }
+    if (status == FXL_OK && plan->set_centre != NULL) {
+        setup->step = FXL_SETUP_CENTRE;
+        status = plan->set_centre(&setup->renderer, plan->centre_x, plan->centre_y);
     }
     return status;
 }

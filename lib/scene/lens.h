@@ -28,8 +28,8 @@ struct fxl_off_centre_code {
     bool (*is_valid)(const fxl_lens *lens);
     /* Turns frustum and projection, made for a centred lens, into those of the lens. */
     void (*set_lens)(fxl_view *view);
-    /* Shears the axes of a camera that was set from a pose. */
-    void (*set_pose)(fxl_view *view);
+    /* fxl_view_set_pose: sets camera and frame, and shears the axes or moves the eye. */
+    fxl_status (*set_pose)(fxl_view *view, const fxl_pose *pose);
     const struct fxl_orthographic_code *orthographic; /* null: the lens has an eye */
 };
 
@@ -53,7 +53,7 @@ typedef struct fxl_orthographic_code {
     void (*find_depth)(const fxl_model_view *model_view, const fxl_face *face,
                        struct fxl_depth_plane *plane);
     /* For billboards: the distance of a lens with an eye that has the depth of this one. */
-    fxl_q18_46 (*distance_of)(const fxl_lens *lens, fxl_q18_46 depth);
+    fxl_q18_46 (*distance_of)(const fxl_view *view, fxl_q18_46 depth);
 } fxl_orthographic_code;
 
 /* That of a lens; null: it has an eye. */
@@ -72,9 +72,9 @@ bool fxl_off_centre_is_valid(const fxl_lens *lens);
 /* lib/draw/orthographic.c */
 extern const fxl_off_centre_code fxl_orthographic;
 
-/* Projects a point (X, Y, Z) of the view: x = width/2 + scale X, y = height/2 - scale Y, each product
- * rounded once, to the nearest 1/65536 pixel (halves upward, before the centre is added). Requires
- * |X|, |Y| < 2^61 units and a view with an orthographic lens.
+/* Projects a point (X, Y, Z) of the view: x = centre_x + scale X, y = centre_y - scale Y, with X and Y
+ * from the pose's eye, each product rounded once, to the nearest 1/65536 pixel (halves upward, before
+ * the centre is added). Requires |X|, |Y| < 2^61 units and a view with an orthographic lens.
  * FXL_E_RANGE: a coordinate would exceed FXL_SCREEN_COORDINATE_MAX; screen untouched.
  * Error, given the view point: half a unit of 1/65536 pixel. */
 fxl_projector fxl_project_orthographic;

@@ -22,7 +22,7 @@ static __attribute__((noinline)) uint32_t count_of(const fxl_image_header *head,
 }
 
 /* An image says where the centre is only if that is not the middle, so a scene has one image. The
- * lens of one with a scale has none: no focal length, with which no renderer takes it. */
+ * lens of one with a scale has no focal length, with which no renderer takes it. */
 static FXL_COLD fxl_status check_lens(const fxl_image_header *head, fxl_scene_image *opened)
 {
     const fxl_image_scale *scale = (const fxl_image_scale *)first_of(head, SECTION_LENS_SCALE);
@@ -31,20 +31,19 @@ static FXL_COLD fxl_status check_lens(const fxl_image_header *head, fxl_scene_im
     fxl_status status = fxl_lens_from_fov(head->width, head->height, head->fov, head->near_z,
                                           head->far_z, head->inset, lens);
     opened->scale = 0;
+    if (status == FXL_OK && centre != NULL) {
+        status = fxl_lens_set_centre(lens, centre->x, centre->y);
+        status = status == FXL_OK && lens->off_centre == NULL ? FXL_E_RESERVED : status;
+    }
     if (status == FXL_OK && scale != NULL) {
         opened->scale = scale->scale;
         lens->focal = 0;
-        return scale->scale >= FXL_ORTHOGRAPHIC_SCALE_MIN &&
-                       scale->scale <= FXL_ORTHOGRAPHIC_SCALE_MAX && head->inset == 0 &&
-                       centre == NULL
-                   ? FXL_OK
-                   : FXL_E_RANGE;
+        status = scale->scale >= FXL_ORTHOGRAPHIC_SCALE_MIN &&
+                         scale->scale <= FXL_ORTHOGRAPHIC_SCALE_MAX && head->inset == 0
+                     ? FXL_OK
+                     : FXL_E_RANGE;
     }
-    if (status != FXL_OK || centre == NULL) {
-        return status;
-    }
-    status = fxl_lens_set_centre(lens, centre->x, centre->y);
-    return status == FXL_OK && lens->off_centre == NULL ? FXL_E_RESERVED : status;
+    return status;
 }
 
 /* place pixel-format: target of the image's header */

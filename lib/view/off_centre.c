@@ -82,13 +82,18 @@ static void shear(fxl_direction *row, const fxl_direction *forward, const fxl_le
     }
 }
 
-static void set_pose(fxl_view *view)
+static fxl_status set_pose(fxl_view *view, const fxl_pose *pose)
 {
+    const fxl_status status = fxl_view_set_own_pose(view, pose);
+    if (status != FXL_OK) {
+        return status;
+    }
     fxl_axes *axes = &view->camera.axes;
     const fxl_lens *lens = &view->lens;
     const fxl_q16_16 focal = fxl_view_drawn_focal(view);
     shear(&axes->right, &axes->forward, lens, offset_x(lens), focal);
     shear(&axes->up, &axes->forward, lens, offset_y(lens), focal);
+    return FXL_OK;
 }
 
 const fxl_off_centre_code fxl_off_centre = {fxl_off_centre_is_valid, set_lens, set_pose, NULL};

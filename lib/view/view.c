@@ -181,18 +181,19 @@ fxl_lens fxl_view_drawn_lens(const fxl_view *view)
 }
 
 /* SPEC 3.2 */
+__attribute__((noinline)) fxl_status fxl_view_set_own_pose(fxl_view *view, const fxl_pose *pose)
+{
+    const fxl_status status = fxl_camera_from_pose(pose, &view->camera);
+    if (status == FXL_OK) {
+        fxl_view_next_frame(view);
+    }
+    return status;
+}
+
 fxl_status fxl_view_set_pose(fxl_view *view, const fxl_pose *pose)
 {
-    fxl_status status = fxl_camera_from_pose(pose, &view->camera);
-    if (status != FXL_OK) {
-        return status;
-    }
-    view->frame += 1;
-    view->frame += view->frame == 0;
-    if (view->lens.off_centre != NULL) {
-        view->lens.off_centre->set_pose(view);
-    }
-    return FXL_OK;
+    return view->lens.off_centre != NULL ? view->lens.off_centre->set_pose(view, pose)
+                                         : fxl_view_set_own_pose(view, pose);
 }
 
 void fxl_view_set_world_frustum(fxl_view *view)

@@ -32,13 +32,23 @@ static inline void fxl_view_count_change(fxl_view *view)
     view->frame += view->frame != 0;
 }
 
+static inline void fxl_view_next_frame(fxl_view *view)
+{
+    view->frame += 1;
+    view->frame += view->frame == 0;
+}
+
 /* Sets the pose, which begins the next frame. Requires and rounds as
  * fxl_camera_from_pose; right and up of an off-centre lens are rounded once more, and within 4
  * units of 2^-30 of the exact ones. Requires a view that fxl_view_set_lens set up.
  * FXL_E_ARGUMENT: pose is null.
- * FXL_E_RANGE: pose is out of range.
+ * FXL_E_RANGE: pose is out of range; or the eye of an orthographic lens would be, moved to where the
+ * middle of the screen is.
  * With each of these statuses: view untouched. */
 fxl_status fxl_view_set_pose(fxl_view *view, const fxl_pose *pose);
+
+/* The same with camera and frame alone, whatever the lens is: for fxl_off_centre_code. */
+fxl_status fxl_view_set_own_pose(fxl_view *view, const fxl_pose *pose);
 
 /* Sets up the planes in the world: fxl_clipper.begin of clippers that clip there. Requires a pose.
  * Error: that of fxl_frustum_from_sides. */

@@ -183,10 +183,14 @@ static fxl_status attach_pictures(session *run, bool without_surfaces)
 /* The lens of an image with a scale. */
 static fxl_status take_scale(fxl_scene_image *image)
 {
-    const fxl_lens *lens = &image->lens;
-    return image->scale == 0 ? FXL_OK
-                             : fxl_lens_orthographic(lens->width, lens->height, image->scale,
-                                                     lens->near_z, lens->far_z, &image->lens);
+    const fxl_lens lens = image->lens;
+    if (image->scale == 0) {
+        return FXL_OK;
+    }
+    const fxl_status status = fxl_lens_orthographic(lens.width, lens.height, image->scale,
+                                                    lens.near_z, lens.far_z, &image->lens);
+    return status != FXL_OK ? status
+                            : fxl_lens_set_centre(&image->lens, lens.centre_x, lens.centre_y);
 }
 
 fxl_status session_set_up(session *run, const session_settings *settings)

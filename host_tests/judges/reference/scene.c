@@ -287,8 +287,7 @@ static bool read_scale(const uint8_t *bytes, ref_lens *lens)
         return true;
     }
     lens->scale = ref_i32(scale) / REF_ONE;
-    return lens->scale >= 1.0 / 16 && lens->scale <= 4096 && lens->inset == 0 &&
-           !ref_section(bytes, REF_LENS_CENTRE, &count);
+    return lens->scale >= 1.0 / 16 && lens->scale <= 4096 && lens->inset == 0;
 }
 
 static bool read_lens(const uint8_t *bytes, ref_lens *lens)

@@ -40,8 +40,9 @@ fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_RANGE: its inset is not 0, or the centre is farther from the middle of the screen than one
  * and a half times the width in x, or the height in y, or than four focal lengths in x or y. Of an
- * orthographic lens: the centre is not the middle of the screen; move the pose instead, by as many
- * world units along its right and up as the picture shall move: pixels / scale.
+ * orthographic lens: than FXL_ORTHOGRAPHIC_CENTRE_MAX in x or y. Its eye is then moved, for each pose, by
+ * as many world units as the centre is away from the middle (pixels / scale): a pose is refused by
+ * FXL_E_RANGE where that is beyond FXL_COORDINATE_MAX.
  * With each of these statuses: lens untouched.
  * Exact.
  * Source: D1. */
@@ -53,9 +54,8 @@ fxl_status fxl_lens_set_centre(fxl_lens *lens, fxl_q16_16 x, fxl_q16_16 y);
  * Requires a lens made by the functions of this header; part may be whole.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_RANGE: the part is not 1..FXL_SCREEN_MAX pixels wide and high, its centre is out of the
- * range of fxl_lens_set_centre, or it is so narrow that its field of view is below FXL_FOV_MIN. Of an
- * orthographic lens: the part's middle is not the whole's; fxl_lens_orthographic of the part's size,
- * with the pose moved as fxl_lens_set_centre says, draws the part.
+ * range of fxl_lens_set_centre, or it is so narrow that its field of view is below FXL_FOV_MIN, but
+ * that of an orthographic lens, which has none.
  * With each of these statuses: part untouched.
  * Exact. */
 fxl_status fxl_lens_of_part(const fxl_lens *whole, int16_t x, int16_t y, uint16_t width,

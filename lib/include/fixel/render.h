@@ -303,15 +303,15 @@ fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *c
  * moves. Then a frame must begin anew.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: the renderer was never initialised.
- * FXL_E_RANGE: the lens has an inset, the centre is farther from the middle of the screen than
- * fxl_lens_set_centre allows, or the lens is orthographic and the centre is not the middle.
+ * FXL_E_RANGE: the lens has an inset, or the centre is farther from the middle of the screen than
+ * fxl_lens_set_centre allows.
  * With each of these statuses: renderer untouched but for refused_calls. */
 fxl_status fxl_renderer_set_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16_16 y);
 
 /* Makes the lens orthographic (fxl_lens_orthographic), with so many pixels a world unit in 16.16,
  * on the same screen, between the same near and far, without an inset. Then a frame must begin anew,
  * and workspaces of other cores must be initialised again. The lens of this renderer stays
- * orthographic.
+ * orthographic; its centre becomes the middle of the screen.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: the renderer was never initialised, or something is attached to it.
  * FXL_E_RANGE: scale is not in FXL_ORTHOGRAPHIC_SCALE_MIN..FXL_ORTHOGRAPHIC_SCALE_MAX.
@@ -329,7 +329,8 @@ fxl_status fxl_renderer_set_orthographic(fxl_renderer *renderer, fxl_q16_16 scal
  * a scene gets no placements without one.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: no clipper, no target, or placements without a placement_code.
- * FXL_E_RANGE: the pose is beyond FXL_COORDINATE_MAX, or the centre or the scale of an instance's
+ * FXL_E_RANGE: the pose is beyond FXL_COORDINATE_MAX, as is the eye that an orthographic lens moves
+ * to the middle of the screen (fxl_lens_set_centre), or the centre or the scale of an instance's
  * placement is out of range.
  * FXL_E_PLACEMENT: the orientation of an instance in sight is no rotation.
  * FXL_E_CAPACITY: scene->instance_count has grown beyond draw_list's room.

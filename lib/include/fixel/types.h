@@ -113,6 +113,10 @@ typedef uint32_t fxl_angle; /* binary angle; a full turn is 2^32, wraps */
 #define FXL_ORTHOGRAPHIC_SCALE_MIN FXL_CAST(fxl_q16_16, 4096)
 #define FXL_ORTHOGRAPHIC_SCALE_MAX FXL_CAST(fxl_q16_16, 4096 * 65536)
 
+/* How far the centre of an orthographic lens may be from the middle of the screen in x and y: 1536
+ * pixels. */
+#define FXL_ORTHOGRAPHIC_CENTRE_MAX FXL_CAST(fxl_q16_16, 1536 * 65536)
+
 /* In world units. Near plane: 1/256 at least. Far plane: 32767 at most. Inset: 0..1. */
 #define FXL_NEAR_MIN  FXL_CAST(fxl_q16_16, 256)
 #define FXL_FAR_MAX   FXL_CAST(fxl_q16_16, 32767 * 65536)

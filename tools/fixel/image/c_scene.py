@@ -215,16 +215,16 @@ def _view(scene, name, frames):
                    "The scene's own view, for fxl_renderer_init: width, height, field of view, near, far, inset, "
                    "background, target, palette of RGB565; and neither order, depth buffer nor tree."),
             record("fxl_pose", f"{name}_start", [_pose(first)], "The scene's first pose: x, y, z in 16.16, yaw, pitch, roll.")]
+    if scene.scale:
+        made.append("\n".join([*comment("The scene's lens is orthographic. After fxl_renderer_init call "
+                                        f"fxl_renderer_set_orthographic(&renderer, {name.upper()}_SCALE)."),
+                               f"#define {name.upper()}_SCALE {scene.scale}", ""]))
     if scene.centre:
         made.append("\n".join([*comment("The scene's lens is off-centre. After fxl_renderer_init call "
                                         f"fxl_renderer_set_centre(&renderer, {name.upper()}_CENTRE_X, "
                                         f"{name.upper()}_CENTRE_Y)."),
                                f"#define {name.upper()}_CENTRE_X {_signed(scene.centre[0])}",
                                f"#define {name.upper()}_CENTRE_Y {_signed(scene.centre[1])}", ""]))
-    if scene.scale:
-        made.append("\n".join([*comment("The scene's lens is orthographic. After fxl_renderer_init call "
-                                        f"fxl_renderer_set_orthographic(&renderer, {name.upper()}_SCALE)."),
-                               f"#define {name.upper()}_SCALE {scene.scale}", ""]))
     if frames:
         made += [f"#define {name.upper()}_FRAMES {len(scene.path)}\n",
                  table("fxl_pose", f"{name}_path", [braces(_pose(pose)) for pose in scene.path],

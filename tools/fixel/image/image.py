@@ -138,7 +138,7 @@ def _scale(head, tables):
     if not tables["scale of the lens"]:
         return 0
     ((scale,),) = tables["scale of the lens"]
-    image_header.check_scale(scale, head.inset, bool(tables["centre of the lens"]))
+    image_header.check_scale(scale, head.inset)
     return scale
 
 

@@ -102,14 +102,12 @@ def middle(width, height):
     return width << 15, height << 15
 
 
-def check_scale(scale, inset, has_centre):
+def check_scale(scale, inset):
     """The range of the scale of an orthographic lens, in the image's integers, and what it goes with."""
     if not SCALE_MIN <= scale <= SCALE_MAX:
         fail("range", f"scale = {scale / 65536:.6g}: an orthographic lens has 1/16..4096 pixels a unit")
     if inset:
         fail("range", f"inset = {inset / 65536:.6g}: an orthographic lens has no inset")
-    if has_centre:
-        fail("range", "an orthographic lens has its centre in the middle of the screen")
 
 
 def check_centre(width, height, fov, inset, centre):

@@ -42,7 +42,7 @@ def _scale(view):
     """The scale of an orthographic lens in the image's integers; 0: the lens has an eye."""
     if "scale" not in view:
         return 0
-    for key in ("fov", "focal", "centre"):
+    for key in ("fov", "focal"):
         if key in view:
             raise ToolError(f"{view.where}: scale and {key} do not go together: an orthographic lens has no eye; keep one")
     if view["inset"]:
