@@ -57,6 +57,13 @@ fxl_billboard changed_boards[CHANGED_BOARDS];
 static fxl_billboard_set board_set;
 static fxl_billboards billboards;
 static fxl_outlines outlines;
+static fxl_lines lines_attached;
+static const fxl_line lines[] = {{0, 7, {0, 0}, 9, 16, 0}, {1, 1, {0, 0}, 10, 13, 0}, {2, 4, {5, 2}, 11, 3, 0}};
+static const uint32_t line_map[CHANGED_MODELS + 1] = {0, 3, 3, 3};
+static const fxl_line_set line_set = {lines, 3, line_map};
+static const fxl_q2_30 sines[] = {-Q30(0.2), 0, Q30(0.1)};
+static const uint8_t elevations[] = {1, 2, 3, 4};
+static const fxl_horizon horizon = {sines, elevations, 3};
 static fxl_world_colours recolour;
 fxl_changed changed;
 fxl_handle changed_handles[CHANGED_PLACES];
@@ -208,7 +215,7 @@ static fxl_status attach_beam(bool is_there)
                             sizeof beam_room);
 }
 
-void changed_attach(uint32_t thing, bool is_there)
+static void attach(uint32_t thing, bool is_there)
 {
     fxl_status status = FXL_OK;
     static const fxl_outline_style style = {
@@ -236,13 +243,26 @@ void changed_attach(uint32_t thing, bool is_there)
         status =
             fxl_world_set_colours(&changed_world, &changed_renderer, is_there ? &recolour : NULL);
         break;
+    case CHANGED_LINES:
+        status = fxl_attach_lines(&changed_renderer, &lines_attached, is_there ? &line_set : NULL);
+        break;
+    case CHANGED_HORIZON:
+        status = fxl_attach_horizon(&changed_renderer, is_there ? &horizon : NULL);
+        break;
     default:
         status = fxl_attach_outlines(&changed_renderer, &outlines, is_there ? &style : NULL);
     }
     TEST_ASSERT_EQUAL(FXL_OK, status);
+}
+
+void changed_attach(uint32_t thing, bool is_there)
+{
+    static const uint8_t going[] = {CHANGED_OUTLINES, CHANGED_LINES, CHANGED_BEAMS, CHANGED_HORIZON};
     const char *names[2];
-    if (fxl_renderer_conflict(&changed_renderer, names)) {
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_outlines(&changed_renderer, &outlines, NULL));
+    attach(thing, is_there);
+    for (uint32_t i = 0; fxl_renderer_conflict(&changed_renderer, names); i++) {
+        TEST_ASSERT_LESS_THAN(sizeof going, i);
+        attach(going[i], false);
     }
 }
 
@@ -280,13 +300,33 @@ void changed_start_plain(const changed_target *into, const fxl_lens *lens, bool 
 void changed_start(const fxl_lens *lens)
 {
     const changed_target *into = &changed_targets[unit_between(0, CHANGED_TARGETS - 1)];
-    const bool with_tree = into->target->depth_bits == 0 && unit_between(0, 1) == 0;
+    const bool with_tree = into->target->depth_bits == 0 && lens->off_centre == NULL &&
+                           unit_between(0, 1) == 0;
     changed_start_plain(into, lens, with_tree,
                         (uint32_t)unit_between(1, 4) * (uint32_t)sizeof tree_room / 4);
     for (uint32_t thing = 0; thing < CHANGED_THINGS; thing++) {
         changed_attach(thing, unit_between(0, 2) != 0);
     }
     changed_eye = changed_random_eye();
+}
+
+fxl_band changed_draw(uint16_t *pixels, const fxl_screen_box *box, fxl_workspace *core)
+{
+    const uint16_t width = changed_renderer.frame.view.lens.width;
+    const size_t first = (size_t)box->first_row * width + box->first_column;
+    const bool wide = changed_into->target->pixel_bits == 16;
+    const fxl_band band = {.pixels = wide ? (uint8_t *)&pixels[first] : (uint8_t *)pixels + first,
+                           .width = width,
+                           .stride = width,
+                           .first_row = box->first_row,
+                           .rows = box->rows,
+                           .palette = wide ? changed_colours : NULL,
+                           .first_column = box->first_column,
+                           .columns = box->columns};
+    fxl_frame_fill(&changed_renderer, &band, changed_renderer.frame.background);
+    TEST_ASSERT_EQUAL(FXL_OK, core != NULL ? fxl_frame_draw_with(&changed_renderer, core, &band)
+                                           : fxl_frame_draw(&changed_renderer, &band));
+    return band;
 }
 
 void changed_change_world(void)

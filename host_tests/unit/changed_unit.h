@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A world with everything attached that a renderer takes, for tests of what changed: cubes, a sorted
- * one with or without a tree, billboards, surfaces, light, beams, outlines, colours. */
+ * one with or without a tree, billboards, surfaces, light, beams, outlines, lines, colours, a horizon. */
 #ifndef CHANGED_UNIT_H
 #define CHANGED_UNIT_H
 
@@ -16,7 +16,10 @@ enum {
     CHANGED_BOARDS = 2,
     CHANGED_TARGETS = 6,
     CHANGED_BEAMS = 4, /* of CHANGED_THINGS */
-    CHANGED_THINGS = 7,
+    CHANGED_OUTLINES = 6,
+    CHANGED_LINES = 7,
+    CHANGED_HORIZON = 8,
+    CHANGED_THINGS = 9,
     CHANGED_KEPT =
         FXL_CHANGED_MEMORY(CHANGED_PLACES, CHANGED_TURNED, CHANGED_MODELS, CHANGED_BOARDS)
 };
@@ -53,10 +56,14 @@ void changed_start_plain(const changed_target *into, const fxl_lens *lens, bool 
                          uint32_t tree_size);
 
 /* Attaches or detaches one of CHANGED_THINGS: surfaces, light, light at corners, billboards, beams,
- * colours, outlines. Outlines go where they do not go together with another one. */
+ * colours, outlines, lines, a horizon. Of two that do not go together one goes. */
 void changed_attach(uint32_t thing, bool is_there);
 
 fxl_pose changed_random_eye(void);
+
+/* Draws a box of the frame into pixels that have its width, in the renderer's workspace or another one.
+ * Answers the band that it drew. */
+fxl_band changed_draw(uint16_t *pixels, const fxl_screen_box *box, fxl_workspace *core);
 
 /* A change of the world, and of what billboards show. A world refuses some. */
 void changed_change_world(void);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The boxes of what changed: those of instances on the screen, and how they are joined. */
 #include "../math/memory.h"
+#include "../scene/lens.h"
 #include "../scene/placement_code.h"
 #include "../view/outcode.h"
 #include "../view/placement.h"
@@ -109,14 +110,18 @@ static uint32_t rounding_of(const fxl_renderer *renderer)
  * from where it is among the exact ones: on the screen that is at most
  * (focal + half the screen) rounding / (depth - rounding) away, and the 3 of 256 units are for the
  * quotient, the clipper and the projection. The factors of `moved` are at most 1063 and 8192 + 1024, so
- * it is below 2^24. */
-/* changed 2.1 */
+ * it is below 2^24. With an orthographic lens, whose focal length is a scale of at most 4096, it is
+ * rounding * scale away at every depth. */
+/* changed 2.1, 2.4 */
 static fxl_q16_16 margin_of(const fxl_renderer *renderer, fxl_q18_46 depth)
 {
     const fxl_lens *lens = &renderer->frame.view.lens;
     const uint32_t focal = (uint32_t)fxl_view_drawn_focal(&renderer->frame.view) >> 16;
     const uint32_t rounding = rounding_of(renderer), at = (uint32_t)(depth >> 30);
     const uint32_t moved = rounding * (focal + 1u + larger(lens->width, lens->height));
+    if (fxl_orthographic_of(lens) != NULL) {
+        return (fxl_q16_16)(rounding * (((uint32_t)lens->focal >> 16) + 1u) + 3u * 256u);
+    }
     if (at < 2u * rounding) {
         return EVERYWHERE;
     }
@@ -160,6 +165,13 @@ static bool box_of_extent(const fxl_lens *lens, const extent *of, fxl_q16_16 mar
                        &box->rows);
 }
 
+static bool project(const fxl_view *view, const fxl_view_point *point, fxl_screen_point *at)
+{
+    const fxl_orthographic_code *code = fxl_orthographic_of(&view->lens);
+    return (code != NULL ? code->project(view, point, at)
+                         : fxl_project_visible(&view->projection, point, at)) == FXL_OK;
+}
+
 /* Whether all vertices of a model are before the eye, on the screen or beside it: then *found holds
  * them. Those nearer than the near plane, or beyond the far one, are among them: what is between the
  * planes lies between the vertices. */
@@ -170,13 +182,21 @@ static bool find_vertices(const fxl_model_view *model_view, uint32_t count, exte
     for (uint32_t i = 0; i < count; i++) {
         const fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, i);
         fxl_screen_point at;
-        if (fxl_project_visible(&model_view->view->projection, &vertex->position, &at) != FXL_OK) {
+        if (!project(model_view->view, &vertex->position, &at)) {
             return false;
         }
         extend(found, &at);
         found->depth = vertex->position.z < found->depth ? vertex->position.z : found->depth;
     }
     return true;
+}
+
+/* Whether the clipper is the default one of the lens, whose roundings margin_of knows. */
+/* changed 2.2 */
+static bool has_clipper_of_lens(const fxl_renderer *renderer)
+{
+    const fxl_orthographic_code *code = fxl_orthographic_of(&renderer->frame.view.lens);
+    return code != NULL ? code->has_clipper(renderer) : renderer->clipper == &fxl_clipper_view;
 }
 
 /* False: the instance covers no pixel. */
@@ -191,7 +211,7 @@ static bool find_model_box(const fxl_renderer *renderer, const fxl_scene *scene,
     const fxl_instance *instance = &scene->instances[number];
     const fxl_model *model = &scene->models[instance->model];
     const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
-    if (renderer->clipper != &fxl_clipper_view) {
+    if (!has_clipper_of_lens(renderer)) {
         *box = fxl_box_of_frame(&seen->lens);
         return true;
     }
