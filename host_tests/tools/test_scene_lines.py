@@ -56,6 +56,16 @@ def test_a_closed_line_has_a_segment_more_and_colours_come_again(tmp_path):
     assert [line.start == line.end for line in dots] == [True] * 3
 
 
+def test_an_object_of_lines_alone(tmp_path):
+    """Its image has no face."""
+    alone = '[[objects]]\nsolid = "none"\nposition = [0, 0, 5]\n'
+    model, lines = lines_of(tmp_path, alone + f"lines = [{{ {ROW}, width = 3 }}]\npoints = [{{ at = [[0.5, 0, 0]], width = 5 }}]\n")
+    assert len(model.vertices) == 3 and not model.faces and [line.width for line in lines] == [3, 5]
+    for more in ("", "edges = {}\n"):
+        with pytest.raises(ToolError, match='solid = "none" has no faces: give it lines or points'):
+            build(tmp_path, alone + more)
+
+
 # What is wrong, and what the sentence must name: the place, the key, its range or the cure.
 REFUSED = [
     (LINES % "at = [[0, 0, 0], [0, 0, 1e-6]]", ("object 0", "lines[0]", "1/65536", "points")),

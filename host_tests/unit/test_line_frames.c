@@ -107,6 +107,40 @@ void test_a_pick_looks_through_lines(void)
     }
 }
 
+/* Of the first model the lines alone are left: these are drawn as before where no face hides them. */
+/* lines 1.1b */
+void test_a_model_without_faces(void)
+{
+    const fxl_pose pose = {{Q16(1), Q16(2), Q16(-5)}, 0, 0, 0};
+    for (uint32_t bits = 0; bits < 3; bits++) {
+        uint32_t seen = 0, lost = 0;
+        make_edges(1);
+        tiny->scene.instance_count = 1;
+        for (uint32_t i = 0; i < set.count; i++) {
+            lines[i].faces[0] = lines[i].faces[1] = 0;
+        }
+        start(bits == 0 ? &fxl_palette : depths[bits - 1], true);
+        draw(&pose, without);
+        tiny->models[0].face_count = tiny->models[1].face_count = 0;
+        tiny->models[1].first_face = tiny->models[1].kind = 0;
+        tiny->models[1].first_cluster = 0;
+        tiny->scene.face_count = tiny->scene.face_bounds_count = 0;
+        tiny->scene.faces = NULL;
+        tiny->scene.face_bounds = NULL;
+        start(bits == 0 ? &fxl_palette : depths[bits - 1], true);
+        draw(&pose, frame);
+        for (uint32_t i = 0; i < PIXELS; i++) {
+            seen += frame[i] >= LINE;
+            lost += without[i] >= LINE && frame[i] != without[i] && bits == 0;
+            TEST_ASSERT_TRUE(frame[i] >= LINE || frame[i] == BACKGROUND);
+        }
+        TEST_ASSERT_EQUAL_UINT32(0, lost);
+        TEST_ASSERT_TRUE(seen > 30);
+    }
+    tiny->models[1].kind = FXL_MODEL_SORTED;
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check(&tiny->scene, NULL));
+}
+
 /* Detached, the frame is that without lines. */
 /* lines 4.3a */
 void test_lines_are_detached(void)

@@ -136,9 +136,9 @@ void test_tables_of_too_few_and_too_many(void)
     static const struct {
         uint32_t few, many;
         const char *name;
-    } tables[] = {{2, FXL_SCENE_VERTICES_MAX + 1, "vertex table"},
+    } tables[] = {{0, FXL_SCENE_VERTICES_MAX + 1, "vertex table"},
                   {FXL_SCENE_INDICES_MAX + 1, FXL_SCENE_INDICES_MAX + 1, "index table"},
-                  {0, FXL_SCENE_FACES_MAX + 1, "face table"},
+                  {FXL_SCENE_FACES_MAX + 1, FXL_SCENE_FACES_MAX + 1, "face table"},
                   {0, FXL_SCENE_MODELS_MAX + 1, "model table"},
                   {0, FXL_SCENE_INSTANCES_MAX + 1, "instance table"}};
     for (int i = 0; i < 5; i++) {
@@ -297,29 +297,40 @@ void test_frames_read_no_more_than_the_tables(void)
     }
 }
 
-/* A triangle is the least scene: the counts may be no smaller. */
+/* The least scene is a vertex, and the least one with a face a triangle: the counts may be no smaller. */
 void test_the_smallest_scene(void)
 {
-    for (int less = 0; less <= 6; less++) {
-        make(false, false);
-        vertices[0] = (fxl_point){0, 0, 0};
-        vertices[1] = (fxl_point){0, Q16(1), 0};
-        vertices[2] = (fxl_point){Q16(1), 0, 0};
-        faces[0] = (fxl_face){.normal = {0, 0, -FXL_Q2_30_ONE}, .count = 3, .indices = {0, 1, 2}};
-        models[0] = (fxl_model){.vertex_count = 3, .face_count = 1, .radius = Q16(1)};
-        instances[0] = (fxl_instance){.model = 0};
-        uint32_t *const counts[] = {&scene.vertex_count,     &scene.face_count,
-                                    &scene.model_count,      &scene.instance_count,
-                                    &models[0].vertex_count, &models[0].face_count};
-        const uint32_t least[] = {3, 1, 1, 1, 3, 1};
-        scene.indices = NULL; /* a triangle has its own */
-        scene.index_count = 0;
-        for (int i = 0; i < 6; i++) {
-            *counts[i] = least[i] - (i == less);
+    static const uint32_t leasts[2][6] = {{3, 1, 1, 1, 3, 1}, {1, 0, 1, 1, 1, 0}};
+    for (uint32_t without = 0; without < 2; without++) {
+        const uint32_t *least = leasts[without];
+        for (int less = 0; less <= 6; less++) {
+            make(false, false);
+            vertices[0] = (fxl_point){0, 0, 0};
+            vertices[1] = (fxl_point){0, Q16(1), 0};
+            vertices[2] = (fxl_point){Q16(1), 0, 0};
+            faces[0] =
+                (fxl_face){.normal = {0, 0, -FXL_Q2_30_ONE}, .count = 3, .indices = {0, 1, 2}};
+            models[0] = (fxl_model){.radius = Q16(1)};
+            instances[0] = (fxl_instance){.model = 0};
+            uint32_t *const counts[] = {&scene.vertex_count,     &scene.face_count,
+                                        &scene.model_count,      &scene.instance_count,
+                                        &models[0].vertex_count, &models[0].face_count};
+            scene.indices = NULL; /* a triangle has its own */
+            scene.index_count = 0;
+            scene.faces = without ? NULL : faces;
+            for (int i = 0; i < 6; i++) {
+                *counts[i] = least[i] - (i == less && least[i] > 0);
+            }
+            const bool is_whole = less == 6 || least[less] == 0;
+            const fxl_status status = fxl_scene_check(&scene, NULL);
+            if (is_whole) {
+                TEST_ASSERT_EQUAL(FXL_OK, status);
+                TEST_ASSERT_EQUAL_UINT32(1, scene.draw_list_needed);
+            } else {
+                TEST_ASSERT_NOT_EQUAL(FXL_OK, status);
+            }
         }
-        TEST_ASSERT_EQUAL(less == 6 ? FXL_OK : FXL_E_COUNT, fxl_scene_check(&scene, NULL));
     }
-    TEST_ASSERT_EQUAL_UINT32(1, scene.draw_list_needed);
 }
 
 /* A sphere of a node without faces may be a point. */

@@ -22,13 +22,13 @@ static bool count_in(uint32_t count, uint32_t low, uint32_t high)
 /* formats 1.4 */
 static FXL_COLD fxl_status check_counts(const fxl_scene *scene, fxl_scene_fault *fault)
 {
-    if (!count_in(scene->vertex_count, 3, FXL_SCENE_VERTICES_MAX)) {
+    if (!count_in(scene->vertex_count, 1, FXL_SCENE_VERTICES_MAX)) {
         return fxl_fault_at(fault, "vertex table", 0, FXL_E_COUNT);
     }
     if (scene->index_count > FXL_SCENE_INDICES_MAX) {
         return fxl_fault_at(fault, "index table", 0, FXL_E_COUNT);
     }
-    if (!count_in(scene->face_count, 1, FXL_SCENE_FACES_MAX)) {
+    if (scene->face_count > FXL_SCENE_FACES_MAX) {
         return fxl_fault_at(fault, "face table", 0, FXL_E_COUNT);
     }
     if (!count_in(scene->model_count, 1, FXL_SCENE_MODELS_MAX)) {
@@ -112,8 +112,10 @@ static FXL_COLD fxl_status check_models(const fxl_scene *scene, fxl_scene_fault 
         if (model->radius < 0 || model->radius > FXL_RADIUS_MAX) {
             return fxl_fault_at(fault, "model", i, FXL_E_RANGE);
         }
-        if (!count_in(model->vertex_count, 3, FXL_MODEL_VERTICES_MAX) ||
-            !count_in(model->face_count, 1, FXL_MODEL_FACES_MAX)) {
+        const uint32_t least = model->face_count > 0 ? 3 : 1;
+        if (!count_in(model->vertex_count, least, FXL_MODEL_VERTICES_MAX) ||
+            model->face_count > FXL_MODEL_FACES_MAX ||
+            (model->face_count == 0 && model->kind != FXL_MODEL_CONVEX)) {
             return fxl_fault_at(fault, "model", i, FXL_E_COUNT);
         }
         if (model->first_vertex != vertex || model->first_face != face ||
@@ -346,7 +348,8 @@ FXL_COLD fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *faul
         check_vertices, check_radii, check_normals, check_face_bounds, check_placements,
     };
     if (scene == NULL || scene->vertices == NULL ||
-        (scene->indices == NULL && scene->index_count != 0) || scene->faces == NULL ||
+        (scene->indices == NULL && scene->index_count != 0) ||
+        (scene->faces == NULL && scene->face_count != 0) ||
         scene->models == NULL || scene->instances == NULL) {
         return fxl_fault_at(fault, "scene", 0, FXL_E_ARGUMENT);
     }

@@ -166,7 +166,7 @@ static FXL_COLD fxl_status check_presence(const fxl_image_header *head, fxl_scen
          {SECTION_HORIZON_SINES, SECTION_HORIZON_COLOURS, 0, 0}},
     };
     for (uint32_t kind = SECTION_PALETTE; kind <= SECTION_INSTANCES; kind++) {
-        if (kind != SECTION_INDICES && count_of(head, kind) == 0) {
+        if (kind != SECTION_INDICES && kind != SECTION_FACES && count_of(head, kind) == 0) {
             return missing(kind, fault);
         }
     }

@@ -156,7 +156,7 @@ static bool set_is_sound(const uint8_t *bytes)
     const bool billboards = has(bytes, REF_BILLBOARDS) && has(bytes, REF_SPRITE_PIXELS) &&
                             count_of(bytes, REF_BILLBOARD_MAP) == count_of(bytes, REF_MODELS);
     for (int kind = REF_PALETTE; kind <= REF_INSTANCES; kind++) {
-        if (kind != REF_INDICES && !has(bytes, kind)) {
+        if (kind != REF_INDICES && kind != REF_FACES && !has(bytes, kind)) {
             return false;
         }
     }

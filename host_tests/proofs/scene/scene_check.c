@@ -26,8 +26,8 @@ void prove_check_counts(void)
     scene.model_count = nondet_u32();
     scene.instance_count = nondet_u32();
     const fxl_status status = check_counts(&scene, &fault);
-    ASSERT("in range", status != FXL_OK || (scene.vertex_count >= 3 && scene.vertex_count <= FXL_SCENE_VERTICES_MAX &&
-                                            scene.index_count <= FXL_SCENE_INDICES_MAX && scene.face_count >= 1 && scene.face_count <= FXL_SCENE_FACES_MAX &&
+    ASSERT("in range", status != FXL_OK || (scene.vertex_count >= 1 && scene.vertex_count <= FXL_SCENE_VERTICES_MAX &&
+                                            scene.index_count <= FXL_SCENE_INDICES_MAX && scene.face_count <= FXL_SCENE_FACES_MAX &&
                                             scene.model_count >= 1 && scene.model_count <= FXL_SCENE_MODELS_MAX && scene.instance_count >= 1 &&
                                             scene.instance_count <= FXL_SCENE_INSTANCES_MAX));
     PROOF_ENDS();

@@ -97,8 +97,8 @@ enum {
  * Vertices are relative to the centre of the instance. No vertex is farther from the model's origin
  * than the radius. A smaller radius lets the sphere test reject more instances. */
 typedef struct {
-    uint32_t first_vertex, vertex_count; /* vertex_count 3..65535 */
-    uint32_t first_face, face_count;     /* face_count 1..65535 */
+    uint32_t first_vertex, vertex_count; /* vertex_count 3..65535; 1..65535 without faces */
+    uint32_t first_face, face_count;     /* face_count 0..65535; one without faces is convex */
     uint8_t kind;
     uint8_t reserved;           /* 0 */
     uint16_t first_cluster;     /* of a sorted model, counted from 1; 0: it has no clusters */

@@ -104,7 +104,7 @@ HEAD = struct.Struct("<" + "".join(field.format for field in HEADER))
 SECTIONS = (
     Section("palette", "palette table", (Field("3B", "", "red, green, blue"),), 256, 256),
     Section("vertices", "vertex table", (Field("3i", "x", "x, y, z (16.16, relative to the centre of the instance)"),),
-            1_000_000, 3, limit="FXL_SCENE_VERTICES_MAX", record="fxl_point"),
+            1_000_000, limit="FXL_SCENE_VERTICES_MAX", record="fxl_point"),
     Section("corners", "index table", (Field("H", "", "number of a vertex within the model"),),
             4_000_000, limit="FXL_SCENE_INDICES_MAX", documented="indices"),
     Section("faces", "face table", (
@@ -233,7 +233,7 @@ SECTIONS = (
     Section("horizon colours", "horizon colours", (Field("B", "", "colour of a level, that of the nadir first; one more than sines"),), 65, 2),
 )
 KINDS = {section.name: number for number, section in enumerate(SECTIONS, 1)}
-ALWAYS = ("palette", "vertices", "faces", "models", "objects")
+ALWAYS = ("palette", "vertices", "models", "objects")
 # Sections that go together: where one of the first list is, each of the second must be.
 TOGETHER = (
     (("beams", "lit"), ("beams", "lit")),

@@ -65,7 +65,7 @@ def check(beams, models):
             if abs(distance) >= 1 << 61:
                 fail("range", f"a plane of beam {i} is too far away")
     for i, model in enumerate(models):
-        most = max(len(face.corners) for face in model.faces)
+        most = max((len(face.corners) for face in model.faces), default=0)
         if beams and not fits(beams, most):
             fail("capacity", f"model {i} has a face of {most} vertices, too many to be split by "
                   f"beams of {', '.join(str(len(beam.planes)) for beam in beams)} planes")

@@ -220,7 +220,7 @@ def read_models(models, vertices, corners, faces, wholes):
             fail("reserved", f"model {i}: unknown kind or reserved field not zero")
         if not 0 <= radius <= RADIUS_MAX:
             fail("range", f"model {i}: a radius of {radius / 65536:.6g} is outside 0..28375")
-        if not 3 <= vertex_count <= 65535 or not 1 <= face_count <= 65535:
+        if not (3 if face_count else 1) <= vertex_count <= 65535 or face_count > 65535 or (not face_count and kind != CONVEX):
             fail("count", f"model {i}: {vertex_count} vertices, {face_count} faces")
         if (first_vertex, first_face) != (vertex, face):
             fail("index", f"model {i} does not begin where the one before it ends")

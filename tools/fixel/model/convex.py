@@ -42,6 +42,8 @@ def _is_behind(normals, heights, leaves, boxes):
 def is_convex(vertices, faces):
     """Whether no vertex stands out in front of the faces' planes, or none behind them: faces that look the same
     way then never hide each other. Doubles suffice: coordinates have 31 bits, and whole units are compared."""
+    if not faces:
+        return True
     points = np.array(vertices, dtype=float)
     normals = np.array([face.normal for face in faces], dtype=float) / 2 ** 30
     heights = np.sum(normals * points[[face.corners[0] for face in faces]], axis=1)

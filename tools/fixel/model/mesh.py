@@ -48,8 +48,8 @@ class Mesh:
 
     @cached_property
     def middle(self):
-        """The middle of the box about its vertices."""
-        return tuple((min(axis) + max(axis)) // 2 for axis in zip(*self.vertices))
+        """The middle of the box about its vertices; that of none is the origin."""
+        return tuple((min(axis) + max(axis)) // 2 for axis in zip(*self.vertices or [(0, 0, 0)]))
 
     def numbers_of(self, groups, without=()):
         """The numbers of the faces of some groups, of all faces where none is named, but for those of other groups."""
@@ -290,7 +290,7 @@ def shape(mesh, matrix, name, inside=False, progress=None, mends=False):
         if len(faces) > FILE_FACES_MAX:
             raise ToolError(f"{place or name}: the model has more than {FILE_FACES_MAX:,} faces with those that its faces "
                             "are cut into; simplify it or split it into several files")
-    if not faces:
+    if mesh.faces and not faces:
         raise ToolError(f"{name}: no face with any area is left; is scale too small?")
     result = _used(points, faces, sources, counts.notes(name))
     if mends:
@@ -311,8 +311,8 @@ def _used(points, faces, sources, notes):
     for face in faces:
         face.corners = tuple([order.setdefault(c, len(order)) for c in face.corners])
     vertices = [points[c] for c in order]
-    low = [min(axis) for axis in zip(*vertices)]
-    high = [max(axis) for axis in zip(*vertices)]
+    low = [min(axis) for axis in zip(*vertices or [(0, 0, 0)])]
+    high = [max(axis) for axis in zip(*vertices or [(0, 0, 0)])]
     middle = tuple((a + b) // 2 for a, b in zip(low, high))
     return Shape(vertices, faces, sources, notes, middle, middle[1] - low[1])
 

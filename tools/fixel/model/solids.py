@@ -244,6 +244,11 @@ def cone(sides=12):
     return pyramid(sides)
 
 
+def none():
+    """No face: what lines and points alone are of."""
+    return Mesh([], [])
+
+
 # The solids by name, and what each may be told beside its size.
 SOLIDS = {
     "box": (box, ()), "pyramid": (pyramid, ("sides",)), "prism": (prism, ("sides", "taper")),
@@ -252,7 +257,7 @@ SOLIDS = {
     "tetrahedron": (tetrahedron, ()), "octahedron": (octahedron, ()),
     "icosahedron": (icosahedron, ()), "dodecahedron": (dodecahedron, ()),
     "tile": (tile, ()), "disc": (disc, ("sides",)), "floor": (floor, ("cells",)),
-    "torus": (torus, ("sides", "rings")), "island": (island, ("cells", "seed", "sea")),
+    "torus": (torus, ("sides", "rings")), "island": (island, ("cells", "seed", "sea")), "none": (none, ()),
 }
 
 

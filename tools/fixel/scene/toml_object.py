@@ -308,6 +308,8 @@ class Objects:
             return self._billboards(table, name)
         if sum(key in table for key in ("colour", "colours", "colour_index")) > 1:
             raise ToolError(f"{where}: colour, colours and colour_index exclude each other")
+        if table["solid"] == "none" and not any(key in table for key in ("lines", "points")):
+            raise ToolError(f'{where}: solid = "none" has no faces: give it lines or points')
         scale, rotation, anchor = table["scale"], table["rotation"], table["anchor"]
         look = self._look_of(table)
         layer, moves, clusters, wish = table["layer"], table["moves"], table["clusters"], self._wish(table, look)
