@@ -167,3 +167,25 @@ void test_parts_show_what_the_whole_shows(void)
     TEST_ASSERT_TRUE(compared > 1000);
     TEST_ASSERT_EQUAL_UINT32(0, different);
 }
+
+/* The sentence of a frame that is refused names its cause. */
+/* orthographic 1.2f */
+void test_a_pose_whose_middle_is_beyond_the_world_is_explained(void)
+{
+    static fxl_renderer renderer;
+    const fxl_memory memory = {order, 64, NULL, 0, NULL, 0};
+    tiny_scene *tiny = tiny_make();
+    fxl_pose pose = {{FXL_COORDINATE_MAX, 0, 0}, 0, 0, 0};
+    fxl_lens lens;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_orthographic(WIDTH, HEIGHT, Q16(4), 4096, Q16(100), &lens));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_set_centre(&lens, 0, lens.centre_y));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_render(&renderer, &pose, whole[0], WIDTH));
+    const char *sentence = fxl_render_explain(&renderer, &pose, whole[0], WIDTH, NULL);
+    TEST_ASSERT_NOT_NULL(sentence);
+    TEST_ASSERT_NOT_NULL(strstr(sentence, "middle of the screen of an orthographic lens"));
+    pose.position.x -= Q16(8);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &pose, whole[0], WIDTH));
+    TEST_ASSERT_NULL(fxl_render_explain(&renderer, &pose, whole[0], WIDTH, NULL));
+}

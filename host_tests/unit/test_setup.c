@@ -292,7 +292,16 @@ void test_steps_that_are_refused(void)
     config.fov = 60; /* the renderer is refused first */
     refuse_step(FXL_SETUP_RENDERER, FXL_E_RANGE, "config->fov", "FXL_DEGREES(10)");
     config = fxl_config_default(WIDTH, HEIGHT);
-    refuse_step(FXL_SETUP_CENTRE, FXL_E_RANGE, "lens", "camera.h made");
+    refuse_step(FXL_SETUP_CENTRE, FXL_E_RANGE, "plan->scale", "FXL_ORTHOGRAPHIC_SCALE_MAX");
+    plan.scale = FXL_UNITS(20); /* the centre comes after it */
+    plan.set_centre = fxl_renderer_set_centre;
+    plan.centre_x = FXL_UNITS(2000);
+    refuse_step(FXL_SETUP_CENTRE, FXL_E_RANGE, "centre", "1536 pixels");
+    plan.centre_x = FXL_UNITS(-20);
+    TEST_ASSERT_EQUAL(FXL_OK, init(LARGE));
+    TEST_ASSERT_EQUAL_INT32(FXL_UNITS(20), setup.renderer.frame.view.lens.focal);
+    TEST_ASSERT_EQUAL_INT32(FXL_UNITS(-20), setup.renderer.frame.view.lens.centre_x);
+    plan.set_centre = NULL;
     plan.set_orthographic = NULL;
     plan.attach_lines = fxl_attach_lines;
     plan.lines = &no_lines;

@@ -166,8 +166,11 @@ static const char *explain_orientation(const fxl_renderer *renderer, const fxl_p
 {
     const fxl_scene *scene = renderer->scene;
     fxl_view view = renderer->frame.view;
-    if (fxl_first_turned(scene) == scene->instance_count ||
-        fxl_view_set_pose(&view, pose) != FXL_OK) {
+    if (fxl_view_set_pose(&view, pose) != FXL_OK) {
+        return "eye->position, moved to the middle of the screen of an orthographic lens, must be "
+               "within FXL_UNITS(-8191)..FXL_UNITS(8191)";
+    }
+    if (fxl_first_turned(scene) == scene->instance_count) {
         return NULL;
     }
     return find_refused(scene, FXL_E_PLACEMENT, &view, number)

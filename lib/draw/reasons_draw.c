@@ -96,7 +96,7 @@ const char fxl_render_reasons[] =
     "clipper, workspace and band must not be null; workspace must not be the "
     "renderer's own\0"
     ON_RANGE "lens must be one that a function of camera.h made, a centre at most 1.5 "
-    "screens and 4 focal lengths from the middle, without inset; eye->position "
+    "screens and 4 focal lengths from the middle, or 1536 pixels, without inset; eye->position "
     "within FXL_UNITS(-8191)..FXL_UNITS(8191), band within the screen\0"
     ON_CAPACITY "memory must have scene->draw_list_needed entries of draw_list; workspace "
     "fxl_workspace_size(renderer) or clipper->workspace_size bytes; "

@@ -3,7 +3,7 @@
  * links none. */
 #include "setup.h"
 
-static const char *explain_step(const fxl_setup *setup, bool has_tables,
+static const char *explain_step(const fxl_setup *setup, const fxl_setup_plan *plan,
                                 const fxl_setup_shares *shares, const uint8_t *block, size_t size)
 {
     const char *const reasons[] = {
@@ -20,7 +20,11 @@ static const char *explain_step(const fxl_setup *setup, bool has_tables,
         fxl_horizon_reasons, /* FXL_SETUP_HORIZON */
         fxl_setup_reasons, /* FXL_SETUP_DONE */
     };
-    if (!has_tables && (setup->step == FXL_SETUP_RENDERER || setup->step >= FXL_SETUP_DONE)) {
+    if (setup->step == FXL_SETUP_CENTRE && plan->set_orthographic != NULL &&
+        (plan->scale < FXL_ORTHOGRAPHIC_SCALE_MIN || plan->scale > FXL_ORTHOGRAPHIC_SCALE_MAX)) {
+        return "plan->scale must be FXL_ORTHOGRAPHIC_SCALE_MIN..FXL_ORTHOGRAPHIC_SCALE_MAX";
+    }
+    if (!plan->has_tables && (setup->step == FXL_SETUP_RENDERER || setup->step >= FXL_SETUP_DONE)) {
         return fxl_renderer_explain(&setup->renderer, &setup->scene, &setup->config,
                                     block + shares->before_renderer,
                                     size - shares->before_renderer);
@@ -38,6 +42,6 @@ FXL_COLD const char *fxl_setup_explain(const fxl_setup *setup, const fxl_setup_p
     }
     return memory_size < (size_t)shares.before_renderer + shares.renderer
                ? fxl_explain(fxl_setup_reasons, FXL_E_CAPACITY)
-               : explain_step(setup, plan->has_tables, &shares, (const uint8_t *)memory,
+               : explain_step(setup, plan, &shares, (const uint8_t *)memory,
                               memory_size);
 }
