@@ -199,14 +199,15 @@ def test_a_board_without_room(tmp_path):
     result = predicted("microbit", ROOT / "scenes/w3.toml")
     assert "order entries" in result["why_not"] and result["instructions_per_frame"] is None
     assert "scene partition" in predicted("stm32vldiscovery", ROOT / "scenes/f32.toml")["why_not"]
-    assert options_of("microbit")["--without"] == "ORTHOGRAPHIC,DEPTH_32,LINES"
-    assert options_of("stm32vldiscovery")["--without"] == "ORTHOGRAPHIC,BSP,SURFACES,BILLBOARDS,LINES,DEPTH,RGB565"
+    assert options_of("microbit")["--without"] == "ORTHOGRAPHIC,DEPTH_32,LINES,HORIZON"
+    assert options_of("stm32vldiscovery")["--without"] == "ORTHOGRAPHIC,BSP,SURFACES,BILLBOARDS,LINES,HORIZON,DEPTH,RGB565"
     for scene, word in (("host_tests/fuzz/scenes/surfaces.toml", "surfaces"), ("scenes/window.toml ferns", "billboards"),
                         ("scenes/window.toml depth", "with a depth buffer")):
         assert f"no room to draw {word}" in predicted("stm32vldiscovery", file_of(scene, tmp_path))["why_not"]
     deep = tmp_path / "deep.toml"
     deep.write_text((ROOT / "scenes/window.toml").read_text(encoding="utf-8").replace("[view]\n", "[view]\ndepth = 32\n"), encoding="utf-8")
     assert "no room to draw with a depth buffer of 32 bits" in predicted("microbit", deep)["why_not"]
+    assert "no room to draw a horizon" in predicted("microbit", ROOT / "scenes/horizon.toml")["why_not"]
     assert "no room to draw edges, lines and points" in predicted("microbit", ROOT / "scenes/lines.toml")["why_not"]
 
 
@@ -303,7 +304,7 @@ def test_every_count_counts(tmp_path):
     total = 0
     plain = ("bench/costs.toml", "scenes/spin.toml", "scenes/w3.toml", "scenes/c500.toml", "bench/costs_surfaces.toml",
              "bench/costs_lights.toml", "bench/costs_turned_lit.toml", "bench/costs_billboards.toml", "bench/costs_glass.toml",
-             "bench/costs_all.toml", "bench/costs_tree.toml", "bench/costs_depth_textures.toml")
+             "bench/costs_all.toml", "bench/costs_tree.toml", "bench/costs_depth_textures.toml", "scenes/horizon.toml")
     wide = ("bench/costs_lights.toml", "bench/costs_glass.toml", "bench/costs_billboards.toml", "bench/costs_texels.toml",
             "bench/costs_colours.toml")
     for number, (source, pixels) in enumerate([*((source, "palette") for source in plain), *((source, "rgb565") for source in wide)]):

@@ -42,6 +42,9 @@
     X(pixels) \
     X(bands) \
     X(cleared) \
+    X(horizon_searched) \
+    X(horizon_rows) \
+    X(horizon_changes) \
     X(brightnesses) \
     X(lamps) \
     X(lamps_behind) \

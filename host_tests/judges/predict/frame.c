@@ -21,6 +21,33 @@ const char *predict_no_room(const fxl_scene_image *image, const uint32_t setting
                : NULL;
 }
 
+/* What fills the frame with a horizon: it is counted as a clear, and by its rows and the places in
+ * them where the colour changes; in the first row of a band nothing says where that may be. */
+static void (*fill_horizon)(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour);
+
+static bool has_change(const fxl_band *band, size_t place)
+{
+    const uint16_t *wide = (const uint16_t *)(const void *)band->pixels;
+    return band->palette != NULL ? wide[place] != wide[place + 1]
+                                 : band->pixels[place] != band->pixels[place + 1];
+}
+
+static void count_horizon(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour)
+{
+    renderer->target->fill(renderer, band, colour);
+    const predict_counts before = counted;
+    fill_horizon(renderer, band, colour);
+    counted = before;
+    counted.horizon_rows += band->rows;
+    for (uint32_t row = 0; row < band->rows; row++) {
+        for (uint32_t column = 0; column + 1 < band->width; column++) {
+            const bool is_there = has_change(band, (size_t)row * band->stride + column);
+            counted.horizon_changes += is_there;
+            counted.horizon_searched += is_there && row == 0;
+        }
+    }
+}
+
 const char *predict_set_up(session *run, const uint32_t settings[PREDICT_SETTINGS], uint32_t taken)
 {
     const uint32_t order =
@@ -43,6 +70,10 @@ const char *predict_set_up(session *run, const uint32_t settings[PREDICT_SETTING
     run->memory.draw_list = session_memory(order * sizeof(fxl_draw_entry));
     run->memory.draw_list_capacity = order;
     const fxl_status status = session_set_up(run, &methods);
+    if (status == FXL_OK && run->renderer.horizon != NULL) {
+        fill_horizon = run->renderer.fill;
+        run->renderer.fill = count_horizon;
+    }
     return status == FXL_OK ? NULL : fxl_status_text(status);
 }
 

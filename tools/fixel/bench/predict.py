@@ -39,7 +39,7 @@ NOT_DRAWN = {"surfaces": "surfaces (VISIBILITY=surfaces builds a program that dr
              "depth_32": "with a depth buffer of 32 bits (depth = 16 asks for one of 16)",
              "rgb565": "in RGB565",
              "billboards": "billboards", "orthographic": "with an orthographic lens",
-             "lines": "edges, lines and points"}
+             "lines": "edges, lines and points", "horizon": "a horizon"}
 
 
 def parser():
@@ -124,7 +124,7 @@ def count(options, scene, size, board, file):
         raise frame_costs.NoRoom(f"the scene needs {needed:,} order entries, the board has {options.order:,}")
     wanted = {"surfaces": scene.surfaces, "depth": by_depth(scene), "depth_32": scene.depth_bits == 32,
               "rgb565": scene.pixel_bits == 16, "billboards": scene.billboards, "orthographic": scene.scale,
-              "lines": lines_of(scene)}
+              "lines": lines_of(scene), "horizon": scene.horizon}
     for name in options.without.lower().split(","):
         if wanted.get(name):
             raise frame_costs.NoRoom(f"the board has no room to draw {NOT_DRAWN[name]}")
