@@ -79,10 +79,6 @@ fxl_q18_46 fxl_flat_depth(const fxl_lens *lens)
  * the coordinates along right, up and forward from the pose's eye is that from the moved one and a
  * sum that is exact: points are projected by the former. The frustum in the world is one of clippers
  * that no orthographic lens has, so the distances of its first planes are those sums. */
-enum {
-    ALONG_RIGHT,
-    ALONG_UP
-};
 
 /* m / (2 scale) world units, rounded downward: m 2^61 / scale in units of 2^-46, at most 2^59. The
  * scale is at least 2^12, so 8 times it is above m, and below 2^32. */
@@ -96,7 +92,8 @@ static void set_lens(fxl_view *view)
     frustum->y_side = side_of(smaller, lens->height);
     frustum->x_depth = frustum->y_depth = 0;
     frustum->inset = -(int64_t)fxl_fraction(smaller, 8 * (uint64_t)(uint32_t)lens->focal);
-    view->frustum.planes[ALONG_RIGHT].distance = view->frustum.planes[ALONG_UP].distance = 0;
+    view->frustum.planes[FXL_ALONG_RIGHT].distance = view->frustum.planes[FXL_ALONG_UP].distance =
+        0;
     fxl_lens flat = *lens;
     flat.focal = lens->focal << flat_shift(lens);
     fxl_projection_from_lens(&flat, &view->projection);
@@ -134,8 +131,8 @@ static void keep_moved(fxl_view *view, const fxl_point *by)
     const fxl_q18_46 right = fxl_dot(&axes->right, by->x, by->y, by->z);
     const fxl_q18_46 up = fxl_dot(&axes->up, by->x, by->y, by->z);
     const fxl_q18_46 ahead = fxl_dot(&axes->forward, by->x, by->y, by->z);
-    view->frustum.planes[ALONG_RIGHT].distance = right;
-    view->frustum.planes[ALONG_UP].distance = up;
+    view->frustum.planes[FXL_ALONG_RIGHT].distance = right;
+    view->frustum.planes[FXL_ALONG_UP].distance = up;
     view->view_frustum.near_z = (int64_t)lens->near_z * FXL_Q2_30_ONE - ahead;
     view->view_frustum.far_z = (int64_t)lens->far_z * FXL_Q2_30_ONE - ahead;
     view->projection.centre_x = lens->width * 32768 + beside_middle(lens, offset_x(lens), right);
@@ -177,27 +174,10 @@ static fxl_status set_pose(fxl_view *view, const fxl_pose *pose)
 
 /* --- projection ------------------------------------------------------------------------------ */
 
-/* scale * across, rounded. Across is below 2^62 and the scale at most 2^28, so what is summed is below
- * 2^59, in units of 2^-30 pixel. The 32 bits that the sum leaves out are below the half that rounding adds: a floor of
- * a floor. */
-static int64_t pixels_of(uint32_t scale, fxl_q18_46 across)
-{
-    const uint64_t low = fxl_multiply_u32(scale, fxl_low_32(fxl_bits_64(across)));
-    const int64_t high =
-        fxl_multiply_s32((int32_t)scale, (int32_t)(across >> 32)) + (int64_t)(low >> 32);
-    return fxl_round_shift(high, 14);
-}
-
-/* A centre is below 2^26. */
-/* orthographic 2.6 */
 fxl_status fxl_project_orthographic(const fxl_view *view, const fxl_view_point *point,
                                     fxl_screen_point *screen)
 {
-    const uint32_t scale = (uint32_t)view->lens.focal;
-    const fxl_plane *moved = view->frustum.planes;
-    const int64_t x =
-        view->lens.centre_x + pixels_of(scale, point->x + moved[ALONG_RIGHT].distance);
-    const int64_t y = view->lens.centre_y - pixels_of(scale, point->y + moved[ALONG_UP].distance);
+    const int64_t x = fxl_orthographic_x(view, point), y = fxl_orthographic_y(view, point);
     if (!fxl_within(x, FXL_SCREEN_COORDINATE_MAX) || !fxl_within(y, FXL_SCREEN_COORDINATE_MAX)) {
         return FXL_E_RANGE;
     }

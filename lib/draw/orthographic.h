@@ -37,6 +37,41 @@ static inline int64_t fxl_along(const fxl_direction *forward, int32_t x, int32_t
            fxl_multiply_s32(forward->z, z);
 }
 
+/* The planes of a view's frustum in the world whose distances say how far an off-centre lens moves the
+ * eye (lib/draw/orthographic.c). */
+enum {
+    FXL_ALONG_RIGHT,
+    FXL_ALONG_UP
+};
+
+/* scale * across, rounded. Across is below 2^62 and the scale at most 2^28, so what is summed is below
+ * 2^59, in units of 2^-30 pixel. The 32 bits that the sum leaves out are below the half that rounding adds: a floor of
+ * a floor. */
+static inline int64_t fxl_pixels_of(uint32_t scale, fxl_q18_46 across)
+{
+    const uint64_t low = fxl_multiply_u32(scale, fxl_low_32(fxl_bits_64(across)));
+    const int64_t high =
+        fxl_multiply_s32((int32_t)scale, (int32_t)(across >> 32)) + (int64_t)(low >> 32);
+    return fxl_round_shift(high, 14);
+}
+
+/* Where a point of the view is on the screen: a centre is below 2^28. */
+/* orthographic 2.6 */
+static inline int64_t fxl_orthographic_x(const fxl_view *view, const fxl_view_point *point)
+{
+    return view->lens.centre_x +
+           fxl_pixels_of((uint32_t)view->lens.focal,
+                         point->x + view->frustum.planes[FXL_ALONG_RIGHT].distance);
+}
+
+/* orthographic 2.6 */
+static inline int64_t fxl_orthographic_y(const fxl_view *view, const fxl_view_point *point)
+{
+    return view->lens.centre_y -
+           fxl_pixels_of((uint32_t)view->lens.focal,
+                         point->y + view->frustum.planes[FXL_ALONG_UP].distance);
+}
+
 /* Surfaces find attributes by the corners' view points and the focal length. With an orthographic
  * lens these are those of corners in the plane z = C, seen with the focal length scale C: C is a power
  * of two, from which the screen is at most 2 C wide and high, and at least 1. So where surfaces are

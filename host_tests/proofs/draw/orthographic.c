@@ -62,8 +62,8 @@ static fxl_view any_view(void)
 {
     fxl_view view;
     view.lens = any_lens();
-    ASSUME(WITHIN(view.frustum.planes[ALONG_RIGHT].distance, ((int64_t)1 << 61) - 1));
-    ASSUME(WITHIN(view.frustum.planes[ALONG_UP].distance, ((int64_t)1 << 61) - 1));
+    ASSUME(WITHIN(view.frustum.planes[FXL_ALONG_RIGHT].distance, ((int64_t)1 << 61) - 1));
+    ASSUME(WITHIN(view.frustum.planes[FXL_ALONG_UP].distance, ((int64_t)1 << 61) - 1));
     return view;
 }
 
@@ -112,8 +112,8 @@ void prove_project_orthographic_result(void)
     const fxl_view view = any_view();
     const fxl_view_point point = any_point();
     const wide half = (wide)1 << 45;
-    const wide right = product_of(view.lens.focal, point.x + view.frustum.planes[ALONG_RIGHT].distance);
-    const wide up = product_of(view.lens.focal, point.y + view.frustum.planes[ALONG_UP].distance);
+    const wide right = product_of(view.lens.focal, point.x + view.frustum.planes[FXL_ALONG_RIGHT].distance);
+    const wide up = product_of(view.lens.focal, point.y + view.frustum.planes[FXL_ALONG_UP].distance);
     fxl_screen_point screen;
     if (fxl_project_orthographic(&view, &point, &screen) == FXL_OK) {
         const wide x = (wide)screen.x - view.lens.centre_x, y = (wide)view.lens.centre_y - screen.y;
