@@ -21,7 +21,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 
 # The commands, and other targets of the command line that are no files.
 COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere test-site test-campaigns boards benchmark bench clippers \
-    clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs trace prove coverage coverage-builds rules mutants breaks size size-of-tree \
+    clippers-accept bench-diff bench-baseline profile equality fuzz corpus changed kills seeded-bugs trace prove coverage coverage-builds rules mutants breaks size size-of-tree \
     predict costs one-file packages site docs release api-check format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs bench-test-programs test-programs
 # The variables of the commands, as COMMAND/NAME: those in the brackets at the end of a command's line of help. Other settings.
@@ -569,6 +569,11 @@ corpus: ## list the fuzzer's corpus, or add a file to that of a harness, with wh
 	@$(SET_UP) units
 	@$(if $(CORPUS_PROGRAMS),$(MAKE) $(CORPUS_PROGRAMS))
 	@$(TOOL) corpus --build $(BUILD)
+
+changed: ## follow random worlds with everything attached, build each picture up from what changed, compare it with the whole frame [STEPS=100000 SEED=1]
+	@$(SET_UP) units
+	@$(MAKE) $(UNIT_OUT)/test_changed
+	@$(TOOL) changed --units $(UNIT_OUT)
 
 kills: ## kill run, flash, boot, view and report at random moments: nothing may be left [BOARD= KILLS=200 SEED=1]
 	@$(SET_UP) test

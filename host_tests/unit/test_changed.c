@@ -134,7 +134,7 @@ static fxl_lens orthographic_lens(fxl_q16_16 scale)
     return lens;
 }
 
-/* Of all episodes. On the host the environment may ask for more, of another seed: make changed. */
+/* Of all episodes. On the host the environment may ask for more, of another seed (tools/fixel/check/changed.py). */
 static uint32_t wanted_steps(void)
 {
 #if !defined UNIT_ON_TARGET

@@ -52,6 +52,7 @@ ROOMS = {
         "test": ("fixel.check.test", "run the tests that make has built"),
         "test-anywhere": ("fixel.check.test_anywhere", "run the tests of packages and of other machines"),
         "breaks": ("fixel.check.breaks", "break what the project claims, and see which commands notice"),
+        "changed": ("fixel.check.changed", "build pictures up from what changed, and compare them with whole frames"),
         "corpus": ("fixel.check.corpus", "list the fuzzer's corpus, or add an input"),
         "coverage": ("fixel.check.coverage", "print what the library's tests reach"),
         "coverage-builds": ("fixel.check.coverage_builds", "print what of the library's other builds runs on emulated cores"),

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What tests the project: unit tests, seeded bugs, mutants, kills, frozen frames.
 
-The commands `fixel test`, `test-anywhere`, `breaks`, `corpus`, `coverage`, `coverage-builds`, `equality`, `frame-hashes`, `fuzz`, `kills`,
+The commands `fixel test`, `test-anywhere`, `breaks`, `changed`, `corpus`, `coverage`, `coverage-builds`, `equality`, `frame-hashes`, `fuzz`, `kills`,
 `places`, `size-of-tree`, `mutants`, `rules`, `seeded-bugs` and `trace` have the modules of their names. `planting.py` reads the
 breaks of `host_tests/breaks` and plants breaks and mutants.
 
