@@ -32,6 +32,7 @@ from fixel.scene.target import VALUES
 
 PAGE = HERE.parents[1] / "docs" / "extras" / "combinations.md"
 BEGIN, END = "<!-- table -->\n", "<!-- end of table -->\n"
+BEGIN_FLAT = "<!-- table of an orthographic lens -->\n"
 LEAST = 5           # per cent of the frame that an attribute must change
 LINE, BORDER = 1, 2     # palette indices
 WIDTH, HEIGHT = 64, 48
@@ -39,9 +40,10 @@ WIDTH, HEIGHT = 64, 48
 # place pixel-format: what the format cannot draw
 TARGETS = {f"{pixels}{f', depth {bits}' if bits else ''}": (pixels, bits) for pixels in VALUES["pixels"] for bits in (0, 16, 32)}
 WAYS = [(order, name) for order in ("distance", "tree") for name in TARGETS if order == "distance" or not TARGETS[name][1]]
+FLAT_WAYS = [("orthographic", name) for name in TARGETS]    # by distance too, with an orthographic lens
 
 BASE = 'background = "#203040"\n%(top)s\n' + head(WIDTH, HEIGHT, [
-    'pixels = "%(pixels)s"', "depth = %(depth)d", "near = 0.25", "far = 64"]) + """%(tables)s
+    'pixels = "%(pixels)s"', "depth = %(depth)d", "near = 0.25", "far = %(far)s"]) + """%(tables)s
 [[objects]]
 solid = "floor"
 cells = [3, 3]
@@ -113,12 +115,17 @@ OVERLAY = ("--border", BORDER, "--rows", "7")
 def is_refused(order, target, name):
     """docs/extras/combinations.md, section 2, says so by FXL_E_COMBINATION. Of the outlines: the scene's subject moves, and a tree
     would cut it."""
-    return name == "outlines" and order == "tree"
+    return name == "outlines" and (order == "tree" or (order == "orthographic" and TARGETS[target][1] != 0))
+
+
+# Of which the tool makes no image, and what it says.
+NO_IMAGE = {("tree", "lines"): "lines and a tree do not go together", ("orthographic", "lines"): "lines and an orthographic lens do not go together",
+            ("orthographic", "horizon"): "an orthographic lens and a horizon do not go together"}
 
 
 def is_cut(order, name):
-    """Whether the scene would have lines and a tree, of which the tool makes no image."""
-    return order == "tree" and name == "lines"
+    """Whether the tool makes no image of a scene."""
+    return (order, name) in NO_IMAGE
 
 
 def is_of_rgb565(target, name):
@@ -131,7 +138,8 @@ def image_of(folder, order, target, name, tables, subject):
     pixels, bits = TARGETS[target]
     file = folder / "scene.toml"
     file.write_text(BASE % {"top": 'tree = "all"' if order == "tree" else "", "pixels": pixels, "depth": bits, "tables": tables,
-                            "moves": "moves = true" if order == "tree" else "", "subject": subject})
+                            "moves": "moves = true" if order == "tree" else "", "subject": subject,
+                            "far": "64\nscale = 8" if order == "orthographic" else "64"})
     if "vertex_colours" in subject:     # which a model's file has
         (folder / "subject.obj").write_text(COLOURED_BOX)
         file.write_text(file.read_text().replace('solid = "box"\nname = "subject"', 'model = "subject.obj"\nname = "subject"')
@@ -239,10 +247,10 @@ def background_of(pixels):
     return dump.colours(16, None)[number] if pixels == "rgb565" else numpy.array((red, green, blue))
 
 
-def cells_of(build, folder):
+def cells_of(build, folder, ways):
     """(order, target, attribute) -> its cell."""
     found = {}
-    for order, target in WAYS:
+    for order, target in ways:
         plain = shown(frames_of(build, build_image(folder, order, target, "")))
         empty = numpy.broadcast_to(background_of(TARGETS[target][0]), plain.shape)
         for name in ATTRIBUTES:
@@ -251,7 +259,7 @@ def cells_of(build, folder):
                     build_image(folder, order, target, name)
                 found[order, target, name] = Cell(None, b"", False)
             elif is_cut(order, name):
-                with pytest.raises(ToolError, match="lines and a tree do not go together"):
+                with pytest.raises(ToolError, match=NO_IMAGE[order, name]):
                     build_image(folder, order, target, name)
                 found[order, target, name] = Cell(None, b"", False)
             elif is_refused(order, target, name):
@@ -264,15 +272,22 @@ def cells_of(build, folder):
     return found
 
 
-def table_of(cells):
-    head = ["attribute", *(f"{order}: {target}" for order, target in WAYS)]
-    rows = [[name, *("refused" if cells[(*way, name)].per_cent is None else f"{cells[(*way, name)].per_cent} %" for way in WAYS)] for name in ATTRIBUTES]
+def table_of(cells, ways):
+    head = ["attribute", *(f"{order}: {target}" for order, target in ways)]
+    rows = [[name, *("refused" if cells[(*way, name)].per_cent is None else f"{cells[(*way, name)].per_cent} %" for way in ways)] for name in ATTRIBUTES]
     return "".join(f"| {' | '.join(row)} |\n" for row in (head, ["---"] * len(head), *rows))
 
 
 @pytest.fixture(scope="module", name="cells")
 def fixture_cells(build, tmp_path_factory):
-    return cells_of(build, tmp_path_factory.mktemp("combinations"))
+    return cells_of(build, tmp_path_factory.mktemp("combinations"), WAYS)
+
+
+def test_an_orthographic_lens_draws_its_table(build, tmp_path):
+    cells = cells_of(build, tmp_path, FLAT_WAYS)
+    assert {key: cell.per_cent for key, cell in cells.items() if cell.per_cent is not None and cell.per_cent < LEAST} == {}
+    written = PAGE.read_text(encoding="utf-8").split(BEGIN_FLAT)[1].split(END)[0]
+    assert written == table_of(cells, FLAT_WAYS), f"{PAGE}: .venv/bin/python {Path(__file__).name} writes the table"
 
 
 def test_each_attribute_changes_the_frame(cells):
@@ -282,7 +297,7 @@ def test_each_attribute_changes_the_frame(cells):
 
 def test_the_page_has_the_table(cells):
     written = PAGE.read_text(encoding="utf-8").split(BEGIN)[1].split(END)[0]
-    assert written == table_of(cells), f"{PAGE}: .venv/bin/python {Path(__file__).name} writes the table"
+    assert written == table_of(cells, WAYS), f"{PAGE}: .venv/bin/python {Path(__file__).name} writes the table"
 
 
 # The cores for which bench/bench.mk links a program that draws the cells, and two with the library for few bytes.
@@ -361,9 +376,16 @@ def test_pairs_of_attributes_are_those_of_the_reference(build, tmp_path):
     assert not wrong and not unseen and count > 300, (count, wrong, unseen)
 
 
-if __name__ == "__main__":
+def write(begin, ways):
+    """Writes the page's table of these ways."""
     with tempfile.TemporaryDirectory() as scratch:
-        made = table_of(cells_of(HERE.parents[1] / "build", Path(scratch)))
-    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
-    PAGE.write_text(before + BEGIN + made + END + rest.split(END)[1], encoding="utf-8")
+        made = table_of(cells_of(HERE.parents[1] / "build", Path(scratch), ways), ways)
+    before, rest = PAGE.read_text(encoding="utf-8").split(begin)
+    _, after = rest.split(END, 1)
+    PAGE.write_text(before + begin + made + END + after, encoding="utf-8")
     os.write(1, made.encode())
+
+
+if __name__ == "__main__":
+    write(BEGIN, WAYS)
+    write(BEGIN_FLAT, FLAT_WAYS)
