@@ -117,6 +117,13 @@ def test_depth_is_judged_where_it_is_nearly_wrong(build, claim, least):
     assert found["farther_one_shown"] > 1000 and least < found["max"] <= BOUNDS[claim]
 
 
+def test_a_horizon_is_judged_where_it_is_nearly_wrong(build):
+    """At sines that are those of rays, to the rounding."""
+    found = json.loads(oracle(build, "horizon", "--samples", 20_000, "--seed", 9, "--shard", 0))
+    exact, *near = found["kinds"]
+    assert exact["max"] == 0 and all(0.0001 < kind["max"] < 0.1 for kind in near)
+
+
 def test_rows_at_the_corner_of_the_tolerance_are_among_the_samples(build):
     found = json.loads(oracle(build, "vertex_turned", "--samples", 20_000, "--seed", 9, "--shard", 0))
     corner = next(kind for kind in found["kinds"] if "corner" in kind["kind"])

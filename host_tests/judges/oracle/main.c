@@ -42,6 +42,7 @@ static const oracle_claim *const claims[] = {
     &oracle_vertex_turned,
     &oracle_depth_16,
     &oracle_depth_32,
+    &oracle_horizon,
 };
 
 enum {
