@@ -13,6 +13,7 @@ from PIL import Image
 from fixel.board import dump, own_run, room
 from fixel.scene import making
 from test_export_setup import write_planet
+import test_wires
 
 BUILT_PROGRAMS = ("host/frames",)
 HELLO = (CHECKOUT / "docs" / "hello.md").read_text(encoding="utf-8")
@@ -328,6 +329,41 @@ def test_boxes_of_pages_greys_and_whole_rows_are_shown(folder, driver):
     _, summary, frames = run(folder, "small.c", "BOARD=host", f"DRIVER={driver}", text=text)
     assert summary["wires_frames_equal"] == 6 == len(frames) and len(set(summary["frame_crc"])) == 3
     assert [bool(frame.boxes) for frame in frames] == [True, False] * 3
+
+
+# What a user puts into the program of an exported scene, so that it sends what changed.
+SENDS_BOXES = """
+static fxl_changed changed;
+static fxl_pump pump;
+static uint64_t kept[FXL_CHANGED_MEMORY(SCENE_INSTANCES, SCENE_PLACEMENTS, 0, 0)], sent[FXL_PUMP_MEMORY(128, ROWS, 0)];
+static bool wait(void *user) { return user == NULL; }
+static bool start(void *user, uint16_t row, uint16_t rows, const uint8_t *bytes, size_t size) { return row + rows > 0 && bytes != NULL && size > 0 && wait(user); }
+static bool start_box(void *user, const fxl_screen_box *box, const uint8_t *bytes, size_t size) { return start(user, box->first_row, box->rows, bytes, size); }
+static fxl_status draw_boxes(const fxl_pose *eye)
+{
+    const fxl_pump_sink sink = {NULL, start, wait, start_box, 0};
+    const fxl_pump_config config = {NULL, 128, 64, ROWS, NULL};
+    if (pump.buffer_size == 0 && (fxl_pump_init(&pump, &config, &sink, sent, sizeof sent) || fxl_changed_init(&changed, kept, sizeof kept))) { return FXL_E_ORDER; }
+    return fxl_pump_changed(&pump, &it.renderer, eye, &changed);
+}
+int main(void)"""
+
+
+def test_the_program_of_an_exported_scene_may_send_what_changed(tmp_path):
+    """A thing that its motions turn, before a still eye."""
+    (tmp_path / "still.toml").write_text(test_wires.STILL, encoding="utf-8")
+    own = tmp_path / "own"
+    own.mkdir()
+    done = run_cli("export", "--c", tmp_path / "still.toml", "-o", own / "scene.h", "--name", "scene", "--program", own / "main.c")
+    assert done.returncode == 0, done.stderr
+    _, whole, frames = run(tmp_path, "own", "BOARD=host")
+    assert all(frame.boxes is None for frame in frames) and whole["display_share_saved"] is None
+    text = (own / "main.c").read_text(encoding="utf-8").replace('#include "scene.h"', '#include "scene.h"\n#include <fixel/all.h>')
+    (own / "main.c").write_text(text.replace("if (draw(", "if (draw_boxes(").replace("static fxl_status draw(", "fxl_status draw(")
+                                .replace("\nint main(void)", SENDS_BOXES), encoding="utf-8")
+    _, boxes, frames = run(tmp_path, "own", "BOARD=mps2-an385")
+    assert boxes["frame_crc"] == whole["frame_crc"] and len(set(whole["frame_crc"])) == len(frames) == 5
+    assert boxes["host_frames_equal"] and boxes["display_share_saved"] > 0.5
 
 
 def test_boxes_that_the_driver_does_not_take_are_refused(folder):
