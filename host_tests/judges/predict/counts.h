@@ -114,6 +114,7 @@
     X(billboards) \
     X(billboard_rows) \
     X(billboard_texels) \
+    X(billboard_repeated) \
     X(billboard_drawn) \
     X(billboard_tested) \
     X(billboard_compared) \

@@ -155,8 +155,9 @@ static void count_row(fxl_billboard_row *row, const void *with)
         fxl_take_step(&row->along);
     }
     counted.billboard_rows += 1;
-    *(has_depth_buffer ? &counted.billboard_tested : &counted.billboard_texels) +=
-        row->columns.end - row->columns.first;
+    *(has_depth_buffer    ? &counted.billboard_tested
+      : row->is_repeated ? &counted.billboard_repeated
+                         : &counted.billboard_texels) += row->columns.end - row->columns.first;
     *(has_depth_buffer ? &counted.billboard_compared : &counted.billboard_drawn) += drawn;
     counted.wide_billboard_drawn += is_wide ? drawn : 0;
 }

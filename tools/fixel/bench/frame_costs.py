@@ -77,6 +77,7 @@ NAMES = {
     "smooth_kept": "a visible pixel of such a polygon", "smooth_hidden": "a hidden pixel of such a polygon",
     "points_transformed": "a billboard that is placed", "billboards": "a billboard that is painted",
     "billboard_rows": "a row of a billboard", "billboard_texels": "a pixel of a billboard",
+    "billboard_repeated": "a pixel of a row of a billboard that shows the texels of the row above",
     "billboard_drawn": "a pixel of a billboard that is drawn",
     "billboard_tested": "a pixel of a billboard, with a depth buffer",
     "billboard_compared": "a pixel of a billboard whose depth is compared",
