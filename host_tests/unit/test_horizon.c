@@ -4,6 +4,8 @@
 
 #include "fixel/horizon.h"
 #include "rgb565_scene.h"
+#include "scene/scene_sections.h"
+#include "tiny.h"
 
 static fxl_renderer renderer;
 static uint64_t memory[400];
@@ -330,6 +332,42 @@ void test_an_orthographic_lens_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &pose, frame, WIDTH));
 }
 
+/* An image's horizon is that of its two sections, which come together. */
+/* formats 1.2bf, 1.2bg, 1.15b */
+void test_the_horizon_of_an_image(void)
+{
+    fxl_scene_image opened;
+    fxl_scene_fault fault;
+    tiny_image *image = tiny_image_make(false);
+    any_horizon(3);
+    tiny_set_section(image, SECTION_HORIZON_SINES, sines, 3, sizeof sines[0]);
+    tiny_set_section(image, SECTION_HORIZON_COLOURS, colours, 4, sizeof colours[0]);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, &fault));
+    TEST_ASSERT_EQUAL_UINT32(3, opened.horizon.count);
+    TEST_ASSERT_EQUAL_MEMORY(sines, opened.horizon.sines, 3 * sizeof sines[0]);
+    TEST_ASSERT_EQUAL_MEMORY(colours, opened.horizon.colours, 4);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_horizon_check(&opened.horizon));
+    for (uint32_t count = 3; count <= 5; count += 2) {
+        tiny_set_section(image, SECTION_HORIZON_COLOURS, colours, count, sizeof colours[0]);
+        tiny_seal(image);
+        TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_open(image->words, image->size, &opened, &fault));
+        TEST_ASSERT_EQUAL_STRING("horizon colours", fault.what);
+    }
+    sines[0] = FXL_Q2_30_ONE; /* which the sections do not say is wrong */
+    sines[2] = -1;
+    tiny_set_section(image, SECTION_HORIZON_SINES, sines, 3, sizeof sines[0]);
+    tiny_set_section(image, SECTION_HORIZON_COLOURS, colours, 4, sizeof colours[0]);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, &fault));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_horizon_check(&opened.horizon));
+    tiny_set_section(image, SECTION_HORIZON_SINES, sines, 0, sizeof sines[0]);
+    tiny_set_section(image, SECTION_HORIZON_COLOURS, colours, 0, sizeof colours[0]);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, &fault));
+    TEST_ASSERT_NULL(opened.horizon.sines);
+}
+
 /* horizon 1.6a-b */
 void test_what_is_no_horizon_is_refused(void)
 {
@@ -339,6 +377,7 @@ void test_what_is_no_horizon_is_refused(void)
     start(&lens);
     fxl_horizon other = horizon;
     const uint32_t refused = renderer.workspace.counters.refused_calls;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_horizon_check(NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_attach_horizon(NULL, &horizon));
     other.sines = NULL;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_attach_horizon(&renderer, &other));

@@ -189,7 +189,7 @@ static FXL_COLD fxl_status check_presence(const fxl_image_header *head, fxl_scen
 }
 
 /* Counts that go with others, and numbers of the header that go with a section. */
-/* formats 1.2 */
+/* formats 1.2, 1.15 */
 static FXL_COLD fxl_status check_counts(const fxl_image_header *head, fxl_scene_fault *fault)
 {
     static const struct {
