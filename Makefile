@@ -384,9 +384,9 @@ packages: ## write packages for Arduino, PlatformIO, ESP-IDF, Zephyr, Conan and 
 # The programs of the emulated board in the site, as make flash BOARD=pico DRIVER=st7789 has them.
 SITE_PICO := $(addprefix $(BUILD)/boards/pico/,walk-on-st7789-alone.elf game-on-st7789-alone.elf)
 SITE_GAME := $(BUILD)/boards/host/game
-site: ## write the site: a page that draws, and all documents, into build/site [OUT=]
+site: ## write the site: a page that draws, and all documents, into build/site; serve it, and compile what is dropped on it [OUT= SERVE=]
 	@$(SET_UP) site
-	@$(MAKE) $(WEB_MODULE) $(WEB_JUDGE) $(WEB_COUNTER) $(BUILD)/host/predict
+	@$(MAKE) $(WEB_MODULE) $(WEB_JUDGE) $(WEB_COUNTER) $(BUILD)/host/predict $(BUILD)/host/frames
 	@$(MAKE) $(firstword $(SITE_PICO)) BOARD=pico DRIVER=st7789
 	@$(MAKE) $(lastword $(SITE_PICO)) BOARD=pico DRIVER=st7789 PROGRAM=game
 	@$(MAKE) $(SITE_GAME) BOARD=host PROGRAM=game
@@ -424,17 +424,17 @@ size: ## print flash, RAM and stack; check that the library of a core, or of all
 	    $(SIZE_LIBRARIES) --cross $(CROSS) --out $(BUILD)/size.json
 
 # What make predict has costs of: bench/costs.json.
-COSTS_BOARDS := microbit mps2-an385 lm3s6965evb stm32vldiscovery netduinoplus2 mps2-an386 mps2-an500 mps3-an547 $(filter rv32,$(BOARDS))
+COSTS_BOARDS := microbit mps2-an385 lm3s6965evb stm32vldiscovery netduinoplus2 mps2-an386 mps2-an500 mps3-an547 $(filter rv32 pico,$(BOARDS))
 LIST_MOST_OF = $(or $(patsubst WALK_LIST_MOST=%,%,$(filter WALK_LIST_MOST=%,$(BOARD_SETTINGS.$(1)))),0)
 # What the program of a board leaves out, as SURFACES,DEPTH.
 LEFT_OUT_OF = $(subst $(space),$(,),$(patsubst WALK_WITHOUT_%,%,$(filter WALK_WITHOUT_%,$(BOARD_SETTINGS.$(1)))))
 
-predict: ## predict flash, RAM, stack and instructions a frame before anything is built for the board [BOARD= SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= LOOK= JSON=]
+predict: ## predict flash, RAM, stack, instructions and cycles a frame before anything is built for the board [BOARD= SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= LOOK= CLOCK= BADGE= JSON=]
 	@$(SET_UP) predict
 	@$(MAKE) $(sort $(BUILD)/host/predict $(PREDICTS))
 	@$(TOOL) predict --board $(BOARD_CHOSEN) --core '$(BOARD_CORE.$(BOARD_CHOSEN))' --scene $(SCENE_OF_PROGRAM) --build $(BUILD) \
 	    --band $(BOARD_BAND_BYTES.$(BOARD_CHOSEN)) --order $(BOARD_ORDER_ENTRIES.$(BOARD_CHOSEN)) --list $(BOARD_LIST_BYTES.$(BOARD_CHOSEN)) \
-	    --cache $(BOARD_CACHE_ENTRIES.$(BOARD_CHOSEN)) --list-most $(call LIST_MOST_OF,$(BOARD_CHOSEN)) $(addprefix --without ,$(call LEFT_OUT_OF,$(BOARD_CHOSEN)))
+	    --cache $(BOARD_CACHE_ENTRIES.$(BOARD_CHOSEN)) --list-most $(call LIST_MOST_OF,$(BOARD_CHOSEN)) $(addprefix --without ,$(call LEFT_OUT_OF,$(BOARD_CHOSEN))) $(addprefix --clock ,$(BOARD_CLOCK.$(BOARD_CHOSEN)))
 
 COSTED_BOARDS := $(foreach board,$(COSTS_BOARDS),$(or $(call ONE_OF,$(board),$(BOARDS)),$(error COSTS_BOARDS: there is no board "$(board)"; the boards are: $(BOARDS))))
 costs: ## renew bench/costs.json, from which make predict predicts [COSTS_CORES= of the bench's cores, COSTS_BOARDS=, FRAMES=30 of each scene at most]

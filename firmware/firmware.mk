@@ -20,6 +20,7 @@
 #   BOARD_CROSS             the prefix of the compiler and its tools (CROSS without)
 #   BOARD_SETUP             what tools/setup.sh installs for it: then make test leaves it out, unless BOARD= names it
 #   BOARD_LIBC              flags that choose its C library, for unit tests (--specs=nano.specs without)
+#   BOARD_CLOCK             MHz at most, or that its own code sets: what make predict's rate is of
 #   BOARD_OPENOCD           OpenOCD's configuration for the real board
 #   BOARD_NOTE              more of key=value for the tools, separated by blanks
 #   BOARD_HOSTED            "yes" where the host itself is the board
@@ -60,7 +61,7 @@ DRIVERS_OF_ROWS := $(call DRIVER_NAMES_OF,$(filter-out %:pages,$(DRIVER_FACTS)))
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES PARTS
-BOARD_MAY := SOURCES MEMORY MEMORY_FOR_SURFACES SECTORS CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS CROSS SETUP LIBC OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT WIRES UNITS_APART DRIVER_ROWS ALONE
+BOARD_MAY := SOURCES MEMORY MEMORY_FOR_SURFACES SECTORS CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS CROSS SETUP LIBC CLOCK OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT WIRES UNITS_APART DRIVER_ROWS ALONE
 
 # Parts of every emulated board, and of every board with a Cortex-M.
 EMULATED_PARTS := stack semihosting semihosting_system display dump defaults memory_functions board_note

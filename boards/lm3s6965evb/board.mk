@@ -3,6 +3,7 @@
 
 BOARD_CPU := cortex-m3
 BOARD_CORE := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
+BOARD_CLOCK := 50
 BOARD_QEMU := -M lm3s6965evb
 BOARD_OPENOCD := -f board/ek-lm3s6965.cfg
 # Which of its keys a viewer's bits of fixel/player.h are.

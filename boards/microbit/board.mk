@@ -4,6 +4,7 @@
 
 BOARD_CPU := cortex-m0
 BOARD_CORE := -mcpu=cortex-m0 -mthumb -mfloat-abi=soft
+BOARD_CLOCK := 16
 BOARD_QEMU := -M microbit
 BOARD_OPENOCD := -f interface/cmsis-dap.cfg -f target/nrf51.cfg
 

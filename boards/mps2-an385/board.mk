@@ -3,6 +3,7 @@
 
 BOARD_CPU := cortex-m3
 BOARD_CORE := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
+BOARD_CLOCK := 25
 BOARD_QEMU := -M mps2-an385
 BOARD_NOTE := window=16777216
 BOARD_BENCH := m0 m3

@@ -5,6 +5,7 @@
 
 BOARD_CPU := cortex-m4
 BOARD_CORE := -mcpu=cortex-m4 -mthumb -mfloat-abi=soft -mno-unaligned-access
+BOARD_CLOCK := 25
 BOARD_QEMU := -M mps2-an386
 BOARD_NOTE := window=16777216
 BOARD_BENCH := m4f

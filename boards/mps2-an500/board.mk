@@ -5,6 +5,7 @@
 
 BOARD_CPU := cortex-m7
 BOARD_CORE := -mcpu=cortex-m7 -mthumb -mfloat-abi=soft -mno-unaligned-access
+BOARD_CLOCK := 25
 BOARD_QEMU := -M mps2-an500
 BOARD_NOTE := window=16777216
 

@@ -6,6 +6,7 @@
 
 BOARD_CPU := cortex-m55
 BOARD_CORE := -mcpu=cortex-m55 -mthumb -mfloat-abi=soft -mno-unaligned-access
+BOARD_CLOCK := 32
 BOARD_QEMU := -M mps3-an547
 BOARD_NOTE := window=2147483648
 BOARD_BENCH := m55

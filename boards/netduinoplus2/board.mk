@@ -4,6 +4,7 @@
 
 BOARD_CPU := cortex-m4
 BOARD_CORE := -mcpu=cortex-m4 -mthumb -mfloat-abi=soft -mno-unaligned-access
+BOARD_CLOCK := 168
 BOARD_QEMU := -M netduinoplus2
 BOARD_OPENOCD := -f interface/stlink.cfg -f target/stm32f4x.cfg
 

@@ -4,6 +4,7 @@
 
 BOARD_CPU := cortex-m0plus
 BOARD_CORE := -mcpu=cortex-m0plus -mthumb -mfloat-abi=soft
+BOARD_CLOCK := 125
 BOARD_OPENOCD := -f interface/cmsis-dap.cfg -f target/rp2040.cfg
 BOARD_NOTE := emulator=rp2040js counts=cycles uf2=e48bff56
 # make test installs none of its tools, and runs nothing on it: make run, boards and test with BOARD=pico do.

@@ -4,6 +4,7 @@
 
 BOARD_CPU := cortex-m3
 BOARD_CORE := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
+BOARD_CLOCK := 24
 BOARD_QEMU := -M stm32vldiscovery
 BOARD_OPENOCD := -f board/stm32vldiscovery.cfg
 

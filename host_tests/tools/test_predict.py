@@ -16,7 +16,7 @@ import drawn_scenes
 from board_programs import ROOT, built, made
 from conftest import assert_one_sentence, dry_run, run_cli, run_make, sampled
 from fixel.base.errors import ToolError
-from fixel.bench import bench_plan, costs, frame_costs, predict
+from fixel.bench import badge, bench_plan, costs, cycles, frame_costs, places, predict, stage_costs
 from fixel.board import counted, dump, emulator, flash_memory, fleet, sent_bytes
 from fixel.image import image, memory_needed
 from fixel.scene import making, target
@@ -330,6 +330,50 @@ def test_the_parts_add_up():
     parts = predict.parts(names, numpy.array([[1, 50], [1, 70]], dtype=float), table_of)
     assert [part[2] for part in parts] == [120, 10]
     assert frame_costs.instructions(table_of, names, numpy.array([[1, 50]])).tolist() == [110]
+
+
+def test_the_parts_of_a_frame_are_found_and_add_up():
+    """Counts that each belong to one part, and one that belongs to two."""
+    chance = numpy.random.default_rng(7)
+    wanted = numpy.array([[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 0, 0.25, 0, 0.75], [0, 0, 0, 1, 0]], dtype=float)
+    spent = chance.integers(1, 500, (60, 4)).astype(float)
+    assert numpy.allclose(stage_costs.divide(spent, spent @ wanted), wanted, atol=0.02)
+    known = frame_costs.load()
+    assert set(known["stages"]) == {core for core in known["cores"] if cycles.models(core)}
+    for core, shares in known["stages"].items():
+        assert set(shares) == set(known["cores"][core])
+        assert all(len(each) == len(stage_costs.PARTS) and abs(sum(each) - 1) < 1e-3 and min(each) >= 0 for each in shares.values())
+    assert set(places.Stages().parts.values()) == set(stage_costs.PARTS)
+
+
+def test_each_core_of_the_model_has_a_pace_and_no_other_core_a_rate():
+    paces = frame_costs.load()["cycles"]
+    assert set(paces) == {name for core in ("m0", "m3") for name in cycles.models(core)}
+    assert all(1 <= pace <= 6 for name in paces for pace in paces[name])
+    assert stage_costs.model_of("-mcpu=cortex-m0plus -mthumb") == "cortex-m0plus" and stage_costs.model_of("-mcpu=cortex-m4") == "cortex-m4"
+    assert not any(map(stage_costs.model_of, ("-mcpu=cortex-m0 -mthumb", "-mcpu=cortex-m7", "-march=rv32imc", "")))
+
+
+@pytest.mark.parametrize("board, is_timed", [("mps2-an385", True), ("microbit", False)])
+def test_cycles_and_a_rate_of_drawing_alone(tmp_path, capsys, board, is_timed):
+    result = predicted(board, ROOT / "scenes/tiny.toml", "--frames", 2, "--clock", 100, "--badge", tmp_path / "badge.svg")
+    assert abs(sum(result["stages"].values()) / result["instructions_per_frame"]["mean"] - 1) < 1e-3
+    predict.print_prediction(result)
+    said, picture = capsys.readouterr().out, (tmp_path / "badge.svg").read_text(encoding="utf-8")
+    if is_timed:
+        assert result["cycles"]["core"] == "cortex-m3" and result["cycles"]["frames_per_second"] == round(1e8 / result["cycles"]["mean"], 2)
+        assert "by a model of a cortex-m3" in said and "of drawing alone, by the model, code in RAM" in said
+        assert "frames a second on mps2-an385 at 100 MHz, drawing alone, by model" in picture
+    else:
+        assert result["cycles"] is None and "second" not in said and "instructions a frame on microbit, by model" in picture
+
+
+def test_what_a_badge_says():
+    assert badge.words("pico", 125, 1_600_000, 1) == "78 frames a second on pico at 125 MHz, drawing alone, by model"
+    assert badge.words("pico", 10, 1_600_000, 1).startswith("6.2 frames a second")
+    assert badge.words("pico", None, 1_600_000, 1_200_000) == "1,200,000 instructions a frame on pico, by model"
+    assert badge.words("pico", 125, None, None) == "no room on pico, by model"
+    assert "<b>" not in badge.picture("<b>&") and "&lt;b&gt;&amp;" in badge.picture("<b>&")
 
 
 def test_the_core_of_flags():

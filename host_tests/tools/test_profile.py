@@ -251,8 +251,8 @@ def test_every_file_of_the_library_has_a_stage():
 
 
 def test_a_name_of_a_file_comes_before_a_pattern(tmp_path):
-    (tmp_path / "stages.toml").write_text('shared = []\n[[stages]]\nname = "show"\nwhat = ""\nfiles = ["grey*"]\nfunctions = []\n'
-                                          '[[stages]]\nname = "fill"\nwhat = ""\nfiles = ["grey4"]\nfunctions = []\n', encoding="utf-8")
+    (tmp_path / "stages.toml").write_text('shared = []\n[[stages]]\nname = "show"\npart = "paint"\nwhat = ""\nfiles = ["grey*"]\nfunctions = []\n'
+                                          '[[stages]]\nname = "fill"\npart = "paint"\nwhat = ""\nfiles = ["grey4"]\nfunctions = []\n', encoding="utf-8")
     stages = places.Stages(tmp_path / "stages.toml")
     assert [stages.of_file(stem) for stem in ("grey", "grey4", "mono")] == ["show", "fill", None]
 

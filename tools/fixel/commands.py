@@ -40,7 +40,7 @@ ROOMS = {
         "first-program": ("fixel.report.first_program", "draw the picture of an example"),
     },
     "What it costs": {
-        "predict": ("fixel.bench.predict", "predict flash, RAM, stack and instructions a frame"),
+        "predict": ("fixel.bench.predict", "predict flash, RAM, stack, instructions and cycles a frame"),
         "size": ("fixel.bench.size", "print flash, RAM and stack"),
         "bench": ("fixel.bench.bench", "count the instructions of frames and kernels"),
         "bench-diff": ("fixel.bench.bench_diff", "compare a bench with the baseline"),

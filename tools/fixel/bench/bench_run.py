@@ -71,13 +71,13 @@ def draw(plan, core, renderer, scene, frames=None):
                  _said(r"^bench: memory (\d+)$", output, elf), _said(r"^bench: stack (\d+)$", output, elf))
 
 
-def profile(plan, core, renderer, scene, frames=None):
-    """(Profile, frames): a scene drawn with every place counted."""
+def profile(plan, core, renderer, scene, frames=None, is_whole=True):
+    """(Profile, frames): a scene drawn with every place counted; is_whole: that of places.Profile."""
     elf = plan.program(core, renderer)
     code = read_once(MachineCode, elf)
     with scratch.folder("profile") as folder:
         _, counts = count(plan, elf, folder, scene, frames, detail=True)
-    taken = places.Profile(code, counts, read_once(DebugLines, elf), cycles.models(core))
+    taken = places.Profile(code, counts, read_once(DebugLines, elf), cycles.models(core), is_whole=is_whole)
     # The call of the end marker is the region's last instruction, and nobody's work.
     expected = sum(counts.regions) + counter.MARKER_CALL * len(counts.regions)
     if taken.total.instructions != expected:

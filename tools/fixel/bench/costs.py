@@ -2,8 +2,8 @@
 """Renews bench/costs.json: what a frame costs on the cores given, and what the walk takes on the boards given.
 
 Counts what the library does in scenes of the bench and in some of its own, and the instructions that programs of the bench
-execute for them, with the memory of a large board down to that of a small one. Fits a cost for each count. Exit: 0 done,
-1 a program failed.
+execute for them, with the memory of a large board down to that of a small one. Fits a cost for each count, and for a core of
+bench/cycles.toml what each part of a frame takes (stage_costs.py). Exit: 0 done, 1 a program failed.
 """
 
 import argparse
@@ -21,7 +21,7 @@ from fixel.image import memory_needed
 from fixel.scene import look as looks, target
 
 parallel = late("fixel.base", "parallel")
-bench, bench_plan, bench_run, frame_costs = late("fixel.bench", "bench bench_plan bench_run frame_costs")
+bench, bench_plan, bench_run, cycles, frame_costs, stage_costs = late("fixel.bench", "bench bench_plan bench_run cycles frame_costs stage_costs")
 emulator, fleet, qemu = late("fixel.board", "emulator fleet qemu")
 image = late("fixel.image", "image")
 showcase_models = late("fixel.report", "showcase_models")
@@ -66,6 +66,7 @@ def parser():
                            "entries of the order than a scene needs")
     made.add_argument("--only-new", action="store_true", help="find the costs that the file lacks, by the scenes that have some; "
                                                                  "those that it has stay")
+    made.add_argument("--only-stages", action="store_true", help="divide the costs that the file has among the parts of a frame, and find their cycles")
     made.add_argument("--frames", type=number("FRAMES", 1, 1_000_000), default=30, help="of each scene, at most (30)")
     made.add_argument("--boards", nargs="*", default=[], help="others stay as they are in the file")
     made.add_argument("--build", default="build", help="folder that make builds in")
@@ -115,13 +116,18 @@ def sources_of(plan):
             *(Source(name, look=look) for name in BARE for look in (looks.Look(), looks.Look(pixels="palette")))]
 
 
-def measure(plan, core, size, settings, file, frames):
-    """(counts, instructions) of the frames of a scene image. settings: rows of a band, words of the list, entries of
+def counted(plan, settings, file, frames):
+    """(names, counts) of the frames of a scene image. settings: rows of a band, words of the list, entries of
     the cache, and of the order beside those that the scene needs. frames: at most."""
     scene = image.load(file)
     rows, words, cache, more = settings
-    names, counts = frame_costs.count(plan.build, file, rows * scene.width * scene.pixel_bits // 8,
-                                      memory_needed.draw_list_needed(scene) + more, room_of(words), cache, 4 * words, frames)
+    return frame_costs.count(plan.build, file, rows * scene.width * scene.pixel_bits // 8,
+                             memory_needed.draw_list_needed(scene) + more, room_of(words), cache, 4 * words, frames)
+
+
+def measure(plan, core, size, settings, file, frames):
+    """(names, counts, instructions) of the frames of a scene image; counted has the settings."""
+    names, counts = counted(plan, settings, file, frames)
     drawn = bench_run.draw(plan, core, f"costs-{size}", file, len(counts))
     return names, counts, np.array(drawn.instructions, dtype=float)
 
@@ -168,6 +174,18 @@ def cores(plan, names, sizes, folder, known, frames):
     return result, table(rows, ["core", "scene", *sizes])
 
 
+def stages(plan, known, sizes, folder):
+    """What stage_costs.find says of the known costs of cores, and a table of errors."""
+    files = {}
+    for number, source in enumerate(sources_of(plan)):
+        if number % stage_costs.EACH and source.name not in stage_costs.ALSO:
+            continue
+        files[source.name] = pathlib.Path(folder) / f"stages-{number}.fxls"
+        source.build(files[source.name])
+    found, errors = stage_costs.find(plan, sizes, files, known, lambda settings, file, frames: counted(plan, settings, file, frames))
+    return found, "\n".join(table(rows, [f"{core}: scene", "instructions in another part", *cycles.models(core)]) for core, rows in errors.items())
+
+
 def deepest_stack(board, elf, sources, room, folder):
     """Bytes of the deepest stack that the walk saw in these scenes; None where it has room for none of them."""
     seen = []
@@ -205,11 +223,17 @@ def main(argv):
     if options.cores and not options.sizes:
         raise ToolError("--cores needs --sizes")
     known = frame_costs.load() if frame_costs.FILE.exists() else {"cores": {}, "boards": {}}
+    sizes, errors = dict(options.sizes or []), ""
     with scratch.folder("costs") as folder:
-        stays = known["cores"] if options.only_new else {}
-        found, errors = cores(plan, options.cores, dict(options.sizes or []), folder, stays, options.frames) if options.cores else ({}, "")
-        boards = {board: board_sizes(board, options.build, folder) for board in options.boards}
-    output.write_json(frame_costs.FILE, {"cores": {**known["cores"], **found}, "boards": {**known["boards"], **boards}})
-    print(errors)
+        if options.cores and not options.only_stages:
+            found, errors = cores(plan, options.cores, sizes, folder, known["cores"] if options.only_new else {}, options.frames)
+            known["cores"].update(found)
+        timed = {core: known["cores"][core] for core in options.cores if cycles.models(core)}
+        found, more = stages(plan, timed, sizes, folder) if timed else ({}, "")
+        for kind, each in found.items():
+            known[kind] = {**known.get(kind, {}), **each}
+        known["boards"].update((board, board_sizes(board, options.build, folder)) for board in options.boards)
+    output.write_json(frame_costs.FILE, known)
+    print(errors, more, sep="\n")
     print(f"{frame_costs.FILE}", file=sys.stderr)
     return 0

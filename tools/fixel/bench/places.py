@@ -54,6 +54,7 @@ class Stages:
         entries = data["stages"]
         self.shared = set(data["shared"])
         self.what = {entry["name"]: entry["what"] for entry in entries}
+        self.parts = {entry["name"]: entry["part"] for entry in entries}
         self.of_function = {name: entry["name"] for entry in entries for name in entry["functions"]}
         named = {stem: entry["name"] for entry in entries for stem in entry["files"]}
         self._of_files = sorted(named.items(), key=lambda each: "*" in each[0])     # names come before patterns
@@ -61,6 +62,10 @@ class Stages:
     def of_file(self, stem):
         """The stage of a source file; None if no stage names it."""
         return next((stage for pattern, stage in self._of_files if fnmatch.fnmatchcase(stem, pattern)), None)
+
+    def part_of(self, stage):
+        """The part of a frame that a stage belongs to: what is beside the library prepares the first one."""
+        return self.parts.get(stage, next(iter(self.parts.values())))
 
     def of(self, names, files):
         """The stage of a stack of functions, outermost first. files: {function: its file}."""
@@ -82,21 +87,22 @@ class Profile:
     """What each function, line and stack took, over all frames together.
 
     own[name], inclusive[name]: itself, and with all that it calls; inlined[name]: how much of own was
-    inlined into others; entered[name]: how often its first instruction ran. stacks[(names...)]: Sum. stages[name], staged[stage, name]: instructions of a
-    stage of the pipeline, and of a function there.
+    inlined into others; entered[name]: how often its first instruction ran. stacks[(names...)]: Sum. by_stage[name]: Sum of a stage of the
+    pipeline; stages[name], staged[stage, name]: instructions of it, and of a function there.
     """
 
-    def __init__(self, code, counts, lines, models, stages=None):
-        self.total = Sum()
+    def __init__(self, code, counts, lines, models, stages=None, is_whole=True):
+        """is_whole: False finds by_stage and the total alone, in a tenth of the time."""
+        self.total, self.is_whole = Sum(), is_whole
         self.groups = collections.Counter()
         self.taken = collections.Counter()
         self.own, self.inclusive = collections.defaultdict(Sum), collections.defaultdict(Sum)
         self.inlined, self.lines = collections.Counter(), collections.defaultdict(Sum)
-        self.stacks, self.stages = collections.defaultdict(Sum), collections.Counter()
+        self.stacks, self.by_stage = collections.defaultdict(Sum), collections.defaultdict(Sum)
         self.staged = collections.Counter()
         self.pipeline = stages or Stages()
         self.code, self.debug, self.models = code, lines, models
-        self.scopes = {}
+        self.scopes, self.stage_of = {}, {}
         self.starts = {function.start for function in code.functions}
         self.entered = collections.Counter()
         for function in code.functions:
@@ -104,6 +110,7 @@ class Profile:
         paths = self._paths(counts)
         for node, *executed in cycles.blocks(code, counts):
             self._add(paths[node], *executed)
+        self.stages = collections.Counter({stage: each.instructions for stage, each in self.by_stage.items()})
 
     def _paths(self, counts):
         """{node: names from the root inward}: functions, and what was inlined about each call."""
@@ -121,12 +128,23 @@ class Profile:
 
     def _add(self, path, address, instruction, before, times, left):
         taken = {name: model.cycles(instruction, times, left, before) for name, model in self.models.items()}
+        stack = path + self._inlined_at(address)
         self.total.add(times, taken)
+        stage = self._stage(stack)
+        self.by_stage[stage].add(times, taken)
+        if self.is_whole:
+            self._add_place(path, stack, stage, address, instruction, times, left, taken)
+
+    def _stage(self, stack):
+        if stack not in self.stage_of:
+            self.stage_of[stack] = self.pipeline.of([name.removesuffix(f" {INLINED}") for name in stack], self.debug.files)
+        return self.stage_of[stack]
+
+    def _add_place(self, path, stack, stage, address, instruction, times, left, taken):
         self.groups[GROUP_OF.get(instruction.kind, "other")] += times
         if instruction.kind == "branch conditional":
             self.taken["taken"] += left
             self.taken["not taken"] += times - left
-        stack = path + self._inlined_at(address)
         self.stacks[stack].add(times, taken)
         names = [name.removesuffix(f" {INLINED}") for name in stack]
         self.own[names[-1]].add(times, taken)
@@ -134,8 +152,6 @@ class Profile:
             self.entered[path[-1]] += times
         if stack[-1].endswith(INLINED):
             self.inlined[names[-1]] += times
-        stage = self.pipeline.of(names, self.debug.files)
-        self.stages[stage] += times
         self.staged[stage, names[-1]] += times
         for name in set(names):
             self.inclusive[name].add(times, taken)

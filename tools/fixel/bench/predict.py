@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Predicts flash, RAM, stack and instructions a frame of a scene on a board, before anything is built for the board.
+"""Predicts flash, RAM, stack, instructions and cycles a frame of a scene on a board, before anything is built for the board.
 
 Exit: 0 the board has room for the scene, 1 it has not, 2 there is no prediction.
 """
@@ -12,6 +12,7 @@ import shlex
 import sys
 
 from fixel.base import bounded, children, output, scratch
+from fixel.base.arguments import number
 from fixel.base.errors import ToolError, one_line
 from fixel.base.reading import quoted
 from fixel.base.table import coloured, count_of, table
@@ -21,7 +22,7 @@ from fixel.image import memory_needed
 from fixel.model import suffixes
 from fixel.scene import look, scene_options
 
-frame_costs = late("fixel.bench", "frame_costs")
+badge, frame_costs, stage_costs = late("fixel.bench", "badge frame_costs stage_costs")
 model_look, sent_bytes = late("fixel.board", "model_look sent_bytes")
 image = late("fixel.image", "image")
 making = late("fixel.scene", "making")
@@ -53,6 +54,8 @@ def parser():
     made.add_argument("--list-most", type=int, default=0, help="bytes that limit the display list alone")
     made.add_argument("--without", default="", metavar="NAME,...",
                       help="what the board's program leaves out: surfaces, depth, billboards")
+    made.add_argument("--clock", type=number("CLOCK", 1, 10_000), metavar="MHZ", help="of the core (default: the board's)")
+    made.add_argument("--badge", type=pathlib.Path, metavar="FILE", help="write the rate of drawing alone, or the instructions where no cycles are known, as a picture too (SVG)")
     made.add_argument("--json", help="write the prediction to this file too; - for the terminal, and nothing else")
     made.add_argument("--build", default="build", help="folder that make builds in")
     return made
@@ -86,6 +89,7 @@ def complete(options):
     for name in lacking:
         setattr(options, name, getattr(known, name))
     options.core = options.core or known.core
+    options.clock = options.clock or known.clock
     options.list_most = options.list_most or known.list_most
     options.without = options.without or known.without
 
@@ -139,6 +143,25 @@ def parts(names, counts, table_of):
     return sorted((each for each in found if each[2] > 0), key=lambda each: -each[2])
 
 
+def timed(options, core, names, counts):
+    """Instructions of each part of a mean frame, and cycles and rate where the board's core has a model of cycles, as plain data."""
+    parts, model = stage_costs.instructions(core, names, counts), stage_costs.model_of(options.core)
+    if parts is None:
+        return {"stages": None, "cycles": None}
+    found = {"stages": rounded(parts.mean(axis=0)), "cycles": None}
+    if model:
+        spent = parts * stage_costs.paces_of(model)
+        total = spent.sum(axis=1)
+        found["cycles"] = {"core": model, "min": round(total.min()), "mean": round(total.mean()), "max": round(total.max()), "stages": rounded(spent.mean(axis=0)),
+                           "clock": options.clock, "frames_per_second": round(options.clock * 1e6 / total.mean(), 2) if options.clock else None}
+    return found
+
+
+def rounded(parts):
+    """{part of a frame: a whole number}."""
+    return {name: round(float(each)) for name, each in zip(stage_costs.PARTS, parts)}
+
+
 def of_memory(options, file, costs):
     """What a program of the user's takes with each of the three sizes of an exported header, as plain data: bytes of the block for
     fxl_renderer_init, and instructions of a mean frame by fxl_render and in bands of BAND_ROWS rows."""
@@ -163,7 +186,7 @@ def predict(options, file):
     scene, size = image.load(file), pathlib.Path(file).stat().st_size
     result = {"board": options.board, "core": core, "scene": options.scene, "frames": scene.frames,
               "faces": sum(len(model.faces) for model in scene.models), "lines_not_counted": lines_of(scene), "orthographic": bool(scene.scale),
-              "why_not": None, **frame_costs.memory(board, size, has_looks(scene)), "instructions_per_frame": None,
+              "why_not": None, **frame_costs.memory(board, size, has_looks(scene)), "instructions_per_frame": None, "stages": None, "cycles": None,
               "ram_of_your_program": memory_needed.of_program(scene), "your_memory": [], "parts": [],
               **sent_bytes.told("", scene.width, scene.height, None)}
     try:
@@ -173,11 +196,22 @@ def predict(options, file):
     taken = frame_costs.instructions(known["cores"][core], names, counts)
     result["frames"] = len(taken)
     result["instructions_per_frame"] = {"min": round(taken.min()), "mean": round(taken.mean()), "max": round(taken.max())}
+    result.update(timed(options, core, names, counts))
     result["parts"] = [{"what": what, "times": round(float(times), 1), "instructions": round(float(spent))}
                        for what, times, spent in parts(names, counts, known["cores"][core])]
     result |= sent_bytes.told("", scene.width, scene.height, frame_costs.boxes(options.build, file, scene, options.frames or 0))
     result["your_memory"] = of_memory(options, file, known["cores"][core])
     return result
+
+
+def cycle_rows(cycles):
+    """What is said of the cycles of a frame."""
+    if not cycles:
+        return []
+    rows = [["cycles a frame", f"{cycles['min']:,} to {cycles['max']:,}, mean {cycles['mean']:,}: by a model of a {cycles['core']}; no board was timed"]]
+    if cycles["frames_per_second"]:
+        rows.append(["", f"at {cycles['clock']} MHz {cycles['frames_per_second']:.1f} frames a second of drawing alone, by the model, code in RAM"])
+    return rows
 
 
 def print_prediction(result):
@@ -198,10 +232,15 @@ def print_prediction(result):
         if result["orthographic"]:
             rows.append(["", "by the costs of lenses with an eye; those of an orthographic one are not known: make run counts "
                              "what its frames take"])
+    rows += cycle_rows(result["cycles"])
     if taken and result["lines_not_counted"]:
         rows.append(["not counted", f"{count_of(result['lines_not_counted'], 'line')}, edges and points among them: their instructions come on top"])
     rows.append(sent_bytes.row(result))
     print(table(rows))
+    if result["stages"]:
+        cycles = result["cycles"]
+        print(table([[name, each, *([cycles["stages"][name]] if cycles else [])] for name, each in result["stages"].items()],
+                    ["part of a frame", "instructions", *(["cycles, by model"] if cycles else [])]))
     if result["parts"]:
         print(table([[part["what"], round(part["times"], None if part["times"] >= 100 else 1), part["instructions"]]
                      for part in result["parts"][:8]],
@@ -272,4 +311,6 @@ def main(argv):
         if options.json:
             output.write_json(options.json, result)
             print(f"JSON: {one_line(options.json)}", file=sys.stderr)
+    if options.badge:
+        output.write_file(options.badge, badge.of_prediction(result))
     return 1 if result["why_not"] else 0
