@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The first page of the site: the library as WebAssembly draws a scene, and the page says what the frame costs on a board.
+import { CostCard, badgePicture, badgeWords } from "./site_cost.js";
 import { Held, press } from "./view_keys.js";
-import { Picture, paletteWords, rgb565Words, savePicture } from "./view_picture.js";
+import { Picture, paletteWords, rgb565Words, saveFile, savePicture } from "./view_picture.js";
 import { Views } from "./site_views.js";
 import { Refused, Walk } from "./walk.mjs";
 
@@ -12,7 +13,8 @@ const IMAGE = /[.]fxls$/i;
 
 const at = (id) => document.getElementById(id);
 const data = JSON.parse(at("data").textContent);
-const state = { walk: null, picture: null, name: "", image: null, costs: null, frame: null, paused: false, slow: false, byKeys: false,
+const card = new CostCard(at, data.parts, data.boards);
+const state = { walk: null, picture: null, name: "", image: null, isMine: false, costs: new Map(), myCost: null, frame: null, paused: false, slow: false, byKeys: false,
   due: 0, colours: null, colourBytes: "" };
 const views = new Views({ select: at("view"), words: at("view-words"), pixel: at("pixel"), canvas: at("screen"), say, fetched });
 const held = new Held(() => { if (held.bits) { state.byKeys = true; go(); } });
@@ -29,17 +31,42 @@ async function fetched(name) {
 
 /** Opens a scene of the site. */
 async function openScene(name) {
-  const [image, costs] = await Promise.all([fetched(`scenes/${name}.fxls`).then((got) => got.arrayBuffer()),
-    fetched(`scenes/${name}.json`).then((got) => got.json())]);
-  open(name, new Uint8Array(image), costs);
+  const [image] = await Promise.all([fetched(`scenes/${name}.fxls`).then((got) => got.arrayBuffer()), fetchCost(name)]);
+  open(name, new Uint8Array(image), false);
 }
 
-/** Opens an image. costs: by board, or null for a file of the reader's own. */
-function open(name, image, costs) {
+/** Has what a scene of the site costs on the board that is chosen. */
+async function fetchCost(name) {
+  const place = placeOfCost(name);
+  if (!state.costs.has(place)) {
+    state.costs.set(place, await (await fetched(place)).json());
+  }
+}
+
+function placeOfCost(name) {
+  return `scenes/${name}/${card.board}.json`;
+}
+
+/** The same of an image, where the page's server compiles and predicts. */
+async function askCost(image) {
+  state.myCost = data.compiles ? await (await asked(`predict?board=${card.board}`, image)).json() : null;
+}
+
+/** What the page's server makes of bytes; Refused with its sentence. */
+async function asked(what, body) {
+  const answer = await fetch(what, { method: "POST", body });
+  if (!answer.ok || answer.headers.get("Content-Type").startsWith("text/plain")) {
+    throw new Refused(await answer.text() || `${what}: ${answer.status} ${answer.statusText}`);
+  }
+  return answer;
+}
+
+/** Opens an image. isMine: a file of the reader's own. */
+function open(name, image, isMine) {
   state.walk.open(image);
-  Object.assign(state, { name, image, costs, byKeys: false, picture: null, colourBytes: "" });
-  at("scene").value = costs ? name : "";
-  at("scene-name").textContent = costs ? (data.scenes.find((each) => each.name === name).said || name) : `${name}, a file of yours`;
+  Object.assign(state, { name, image, isMine, byKeys: false, picture: null, colourBytes: "" });
+  at("scene").value = isMine ? "" : name;
+  at("scene-name").textContent = isMine ? `${name}, a file of yours` : data.scenes.find((each) => each.name === name).said || name;
   draw();
 }
 
@@ -65,17 +92,23 @@ async function tried(what) {
 /** A file of the reader's: an image is checked by the library and drawn. */
 async function openFile(file) {
   say("");
-  const was = { name: state.name, image: state.image, costs: state.costs };
+  const was = { name: state.name, image: state.image, isMine: state.isMine };
   const isDone = await tried(async () => {
-    if (!IMAGE.test(file.name)) {
+    let image = new Uint8Array(await file.arrayBuffer());
+    if (!IMAGE.test(file.name) && data.compiles) {
+      image = new Uint8Array(await (await asked(`compile?name=${encodeURIComponent(file.name)}`, image)).arrayBuffer());
+    } else if (!IMAGE.test(file.name)) {
       throw new Refused(`${file.name}: this page draws scene images. In a checkout this makes one of a model or a scene file:\n`
         + `  tools/scene.py build ${file.name} -o scene.fxls\nand make view SCENE=${file.name} shows it live.`);
     }
-    open(file.name, new Uint8Array(await file.arrayBuffer()), null);
+    state.myCost = null;
+    open(file.name, image, true);
+    await tried(() => askCost(image));
+    tellCost();
   });
   if (!isDone && was.image) {
     const words = at("banner").textContent;
-    open(was.name, was.image, was.costs);
+    open(was.name, was.image, was.isMine);
     say(words);
   }
 }
@@ -126,20 +159,19 @@ function colours(frame) {
   return state.colours;
 }
 
+/** What the scene costs on the board, as far as it is here. */
+function cost() {
+  return state.isMine ? state.myCost : state.costs.get(placeOfCost(state.name)) ?? null;
+}
+
 function tellCost() {
-  const board = at("board").value, cost = state.costs && state.costs[board];
-  const words = (text, more) => { at("cost").textContent = text; at("cost-words").textContent = more; };
-  if (!cost) {
-    words("–", "fixel predict says what a file of yours costs.");
-  } else if (cost.why_not) {
-    words("no room", `${cost.why_not}.`);
-  } else if (state.byKeys) {
-    words("–", "Counted for the path alone: “back to start” follows it.");
-  } else {
-    const spent = cost.instructions[state.frame.number];
-    words(spent === undefined ? "–" : `${spent.toLocaleString("en")} instructions`,
-      `An estimate for this frame, as make predict BOARD=${board} makes it: drawing alone. An instruction takes one cycle or more. `
-      + `The program of make run, which can draw every scene, and this scene take ${Math.ceil(cost.flash / 1024)} KB of flash.`);
+  card.tell(cost(), state.byKeys ? null : state.frame.number);
+}
+
+function saveBadge() {
+  if (cost()) {
+    const words = badgeWords(card.board, card.clock, cost());
+    saveFile(new Blob([badgePicture(data.badge, words)], { type: "image/svg+xml" }), `${state.name}-${card.board}.svg`);
   }
 }
 
@@ -242,7 +274,13 @@ function listen() {
   }
   at("save").addEventListener("click", () => savePicture(at("screen"), `${state.name}-${state.frame.number}.png`));
   at("link").addEventListener("click", () => { pause(true); location.hash = linkOf(); });
-  at("board").addEventListener("change", tellCost);
+  at("board").addEventListener("change", () => tried(async () => {
+    card.chosen();
+    await (state.isMine ? askCost(state.image) : fetchCost(state.name));
+    tellCost();
+  }));
+  at("clock").addEventListener("input", tellCost);
+  at("badge").addEventListener("click", saveBadge);
   at("view").addEventListener("change", () => {
     pause(true);
     if (views.shown) {
@@ -265,7 +303,17 @@ function listen() {
   }
 }
 
+/** As an <iframe>: the picture alone, and a way to the whole page. */
+function embed() {
+  document.documentElement.classList.add("embed");
+  at("whole").hidden = false;
+  at("whole").addEventListener("click", () => { at("whole").href = `index.html${linkOf()}`; });
+}
+
 async function start() {
+  if (new URLSearchParams(location.search).has("embed")) {
+    embed();
+  }
   at("scene").append(...data.scenes.map(({ name }) => Object.assign(document.createElement("option"), { value: name, textContent: name })));
   state.walk = new Walk(await WebAssembly.compile(await (await fetched("walk.wasm")).arrayBuffer()));
   listen();

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The keys that move the eye: on the keyboard, and buttons of the page with data-bit.
+// The keys that move the eye: on the keyboard, and buttons with data-bit in the page's #keys.
 
 const KEYS = {  // by the key's place, whatever the layout: bits of fixel/viewer.h
   ArrowUp: 1, KeyW: 1, ArrowDown: 2, KeyS: 2, ArrowLeft: 4, KeyA: 4, ArrowRight: 8, KeyD: 8,
   KeyR: 16, PageUp: 16, KeyF: 32, PageDown: 32, KeyQ: 64, KeyE: 128,
 };
+
+const BUTTONS = [   // as they stand; page.css lays them out
+  [64, "Q", "roll left"], [1, "W ↑", "forward"], [128, "E", "roll right"], [16, "R", "look up"],
+  [4, "A ←", "turn left"], [2, "S ↓", "back"], [8, "D →", "turn right"], [32, "F", "look down"],
+];
 
 /** Says of each button that a selector finds whether it is pressed. */
 export function press(selector, isPressed) {
@@ -42,8 +47,17 @@ export class Held {
     addEventListener("keyup", (event) => this.hold(event.code, 0));
     addEventListener("blur", () => this.letGo());
     document.addEventListener("visibilitychange", () => this.letGo());
-    document.querySelectorAll("[data-bit]").forEach((button) => this.listenToButton(button));
+    document.getElementById("keys").append(...BUTTONS.map((each) => this.button(...each)));
     press("[data-bit]", () => false);
+  }
+
+  button(bit, key, words) {
+    const made = document.createElement("button"), label = document.createElement("kbd");
+    made.dataset.bit = bit;
+    label.textContent = key;
+    made.append(label, words);
+    this.listenToButton(made);
+    return made;
   }
 
   hold(what, bit) {

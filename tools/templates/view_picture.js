@@ -165,15 +165,18 @@ function cover(points, width, height, counts) {
   }
 }
 
-/** Hands a picture to the browser as a file of PNG. */
-export function savePicture(canvas, name) {
+/** Hands bytes to the browser as a file. */
+export function saveFile(blob, name) {
   const link = document.createElement("a");
   link.download = name;
-  canvas.toBlob((blob) => {
-    link.href = URL.createObjectURL(blob);
-    link.click();
-    URL.revokeObjectURL(link.href);
-  });
+  link.href = URL.createObjectURL(blob);
+  link.click();
+  URL.revokeObjectURL(link.href);
+}
+
+/** The same of a picture, as PNG. */
+export function savePicture(canvas, name) {
+  canvas.toBlob((blob) => saveFile(blob, name));
 }
 
 /** A line of the last values, from 0 to a round number above them. */

@@ -5,6 +5,7 @@ import contextlib
 import dataclasses
 import functools
 import hashlib
+import html
 import html.parser
 import http.server
 import json
@@ -12,7 +13,9 @@ import pathlib
 import queue
 import re
 import threading
+import urllib.error
 import urllib.parse
+import urllib.request
 import zlib
 
 import playwright.sync_api
@@ -21,7 +24,7 @@ import pytest
 from conftest import CHECKOUT
 from fixel.board import dump, programs
 from fixel.bench import frame_costs
-from fixel.site import costs
+from fixel.site import costs, serve
 from fixel.view import browser, view_reference
 from outside import need, run
 
@@ -89,7 +92,7 @@ def opened(chromium, address, size=DESKTOP, waits=True, **how):
             page.wait_for_selector("#unserved", state="hidden")
         yield page
         assert page.complaints == []
-        assert not [url for url in page.asked if not url.startswith((address.split(PREFIX)[0], "file:", "data:", "blob:"))]
+        assert not [url for url in page.asked if not url.startswith(("/".join(address.split("/")[:3]), "file:", "data:", "blob:"))]
 
 
 def shows(page, selector, pattern):
@@ -312,23 +315,80 @@ def test_an_image_that_is_dropped_is_checked_by_the_library_and_drawn(chromium, 
         assert crc(page) == mine != before
 
 
-@pytest.mark.parametrize("board", ["mps2-an385", "rv32"])
+def test_a_model_that_is_dropped_is_compiled_where_the_tools_serve_the_site(chromium, site):
+    server, served = serve.server_of(site, 0, str(CHECKOUT / "build"))
+    with server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        with opened(chromium, f"{served}#frame=3") as page:
+            paused(page)
+            drop(page, "my <b>cube.obj", (CHECKOUT / "examples" / "cube" / "cube.obj").read_bytes())
+            shows(page, "#scene-name", "my <b>cube.obj, a file of yours")
+            shows(page, "#cost", r"^[\d,]+ instructions$")
+            page.select_option("#board", "mps2-an385")
+            shows(page, "#cost-words", "BOARD=mps2-an385")
+            drop(page, "broken.glb", b"glTF")
+            shows(page, "#banner", ".")
+            said = page.inner_text("#banner")
+            assert said.startswith("broken.glb") and "/" not in said and page.inner_text("#scene-name").startswith("my <b>cube.obj")
+            drop(page, "sly.toml", b'[[objects]]\nmodel = "/etc/passwd.obj"\n')
+            shows(page, "#banner", "sly.toml")
+        for address in (served.replace(served.split("/")[3], "x"), f"http://127.0.0.1:{server.server_port}/"):
+            with pytest.raises(urllib.error.HTTPError, match="404"):
+                urllib.request.urlopen(f"{address}index.html", timeout=60)
+        server.shutdown()
+
+
+def whole(text):
+    """The number that a text begins with."""
+    return int(re.match(r"[\d,]+", text)[0].replace(",", ""))
+
+
+@pytest.mark.parametrize("board", ["pico", "mps2-an385", "rv32"])
 def test_what_a_frame_costs_is_what_predict_says(chromium, address, board, tmp_path):
-    run("make", "predict", f"BOARD={board}", "SCENE=scenes/spin.toml", f"JSON={tmp_path}/cost.json", folder=CHECKOUT)
-    cost = json.loads((tmp_path / "cost.json").read_text(encoding="utf-8"))["instructions_per_frame"]
+    run("make", "predict", f"BOARD={board}", "SCENE=scenes/spin.toml", f"JSON={tmp_path}/cost.json", f"BADGE={tmp_path}/badge.svg", folder=CHECKOUT)
+    result = json.loads((tmp_path / "cost.json").read_text(encoding="utf-8"))
+    cost, cycles = result["instructions_per_frame"], result["cycles"]
     with opened(chromium, f"{address}#scene=spin&frame=0") as page:
         page.select_option("#board", board)
-        taken = []
+        shows(page, "#cost", "instructions")
+        taken, spent, parts = [], [], []
         for _ in range(int(page.inner_text("#number").split(" of ")[1])):
-            taken.append(int(re.sub(r"\D", "", page.inner_text("#cost"))))
+            taken.append(whole(page.inner_text("#cost")))
+            if cycles:
+                spent.append(whole(page.inner_text("#cycles")))
+                parts.append([whole(text) for text in page.locator("#parts tbody td:nth-child(2)").all_inner_texts()])
             page.click("#step")
+        with page.expect_download() as download:
+            page.click("#badge")
+        assert pathlib.Path(download.value.path()).read_text(encoding="utf-8") == (tmp_path / "badge.svg").read_text(encoding="utf-8")
+        words = page.inner_text("#cost-words")
+        assert f"{-(-result['ram']['program'] // 1024):,} of" in words and f"of {result['flash']['of'] // 1024:,} KB of flash" in words
+        if not cycles:
+            assert page.inner_text("#cycles") == "" and "no rate" in words and page.is_disabled("#clock")
     assert (min(taken), max(taken)) == (cost["min"], cost["max"])
+    if cycles:
+        assert (min(spent), max(spent)) == (cycles["min"], cycles["max"])
+        means = [sum(each) / len(parts) for each in zip(*parts)]
+        assert all(abs(mean - stage) <= 0.5 for mean, stage in zip(means, result["stages"].values())) and len(means) == 5
+
+
+def test_a_rate_is_of_the_clock_and_says_what_it_is_of(chromium, address):
+    with opened(chromium, f"{address}#scene=spin&frame=0") as page:
+        page.fill("#clock", "250")
+        cycles = whole(page.inner_text("#cycles"))
+        assert page.inner_text("#cycles").endswith(f": {250e6 / cycles:.0f} frames a second of drawing alone, by the model, code in RAM")
+        page.fill("#clock", "")
+        assert "second" not in page.inner_text("#cycles") and "by the model" in page.inner_text("#cycles")
+        page.select_option("#board", "microbit")
+        shows(page, "#cost", "instructions|no room")
+        assert page.inner_text("#cycles") == "" and page.is_disabled("#clock")
 
 
 def test_a_board_without_room_says_so(chromium, address):
     with opened(chromium, f"{address}#scene=gallery&frame=0") as page:
         page.select_option("#board", "microbit")
-        assert page.inner_text("#cost") == "no room" and page.inner_text("#cost-words").endswith(".")
+        shows(page, "#cost", "^no room$")
+        assert "/" not in page.inner_text("#cost-words").split(":")[0] and page.inner_text("#cost-words").endswith(".")
 
 
 def test_it_stands_still_for_who_asks_for_less_motion(chromium, address):
@@ -347,6 +407,44 @@ def test_opened_as_a_file_it_says_which_command_serves_it(chromium, site):
         assert page.is_visible("#unserved") and "http.server" in page.inner_text("#unserved")
 
 
+def test_in_a_frame_of_another_page_there_is_the_picture_alone(chromium, address):
+    with opened(chromium, f"{address}?embed#scene=spin&frame=4", (320, 272)) as page:
+        assert page.evaluate("document.documentElement.scrollHeight") <= 272 and page.is_visible("#screen")
+        for selector in ("header", "#words", "#pause", "#keys"):
+            assert not page.is_visible(selector), selector
+        frame = page.text_content("#crc")
+        with page.context.expect_page() as whole:
+            page.click("#whole")
+        whole.value.wait_for_selector("#unserved", state="hidden")
+        assert whole.value.inner_text("#crc") == frame and whole.value.is_visible("#words")
+
+
+# --- scenes -------------------------------------------------------------------------
+
+def test_each_scene_has_a_picture_a_page_its_code_and_its_command(chromium, address, site):
+    """The picture is the frame in the middle of its path, by its pixels."""
+    with opened(chromium, f"{address}gallery.html", waits=False) as page:
+        names = page.locator("article b").all_inner_texts()
+        assert sorted(names) == sorted(each["name"] for each in scenes_of(site)) and len(names) > 20
+    assert names[-1] != "plaza"     # what the bench draws comes last
+    for name in names:
+        text = (site / "scenes" / f"{name}.html").read_text(encoding="utf-8")
+        assert f"make run BOARD=" in text and f" SCENE=scenes/{name}.toml<" in text and f'href="../index.html#scene={name}"' in text
+        assert html.escape((CHECKOUT / "scenes" / f"{name}.toml").read_text(encoding="utf-8")) in text
+        assert (site / "scenes" / f"{name}.png").read_bytes().startswith(b"\x89PNG")
+    with opened(chromium, f"{address}scenes/plaza.html", waits=False) as page:
+        page.click("text=Draw it")
+        page.wait_for_selector("#unserved", state="hidden")
+        assert page.input_value("#scene") == "plaza"
+
+
+def test_the_list_for_models_leads_to_every_document(site):
+    text = (site / "llms.txt").read_text(encoding="utf-8")
+    assert text.startswith("# Fixel\n\n> 3-D for")
+    links = re.findall(r"^- \[[^]]+\]\(([^)]+)\)$", text, re.MULTILINE)
+    assert len(links) > 80 and all((site / link).is_file() for link in links)
+
+
 # --- the documents ------------------------------------------------------------------
 
 def test_the_documents_and_their_search_work_as_files(chromium, site):
@@ -357,7 +455,7 @@ def test_the_documents_and_their_search_work_as_files(chromium, site):
         assert "crc" in " ".join(page.locator("#search-results li").all_inner_texts()).lower()
 
 
-@pytest.mark.parametrize("document", ["pico", *(f"documents/{name}" for name in (
+@pytest.mark.parametrize("document", ["pico", "gallery", "scenes/plaza", "scenes/beam", *(f"documents/{name}" for name in (
     "index", "README", "SPEC", "docs/scenes", "docs/performance", "reference/fixel-scene", "docs/safety/rules"))])
 def test_no_document_scrolls_sideways(chromium, address, document):
     with opened(chromium, f"{address}{document}.html", NARROW, waits=False) as page:
@@ -365,7 +463,7 @@ def test_no_document_scrolls_sideways(chromium, address, document):
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("page", ["index", "pico", "documents/index", "documents/README", "documents/SPEC", "documents/docs/performance",
+@pytest.mark.parametrize("page", ["index", "gallery", "scenes/plaza", "pico", "documents/index", "documents/README", "documents/SPEC", "documents/docs/performance",
                                   "documents/reference/fixel-render"])
 def test_nothing_serious_keeps_anybody_out(chromium, address, page, scheme):
     """By axe-core. It is put into the page, which the page's policy forbids."""
@@ -404,7 +502,8 @@ def test_every_link_leads_somewhere(site, record_property):
             count += 1
             target = pathlib.Path(file.parent / urllib.parse.unquote(address.path)).resolve() if address.path else file
             place = urllib.parse.unquote(address.fragment)
-            if not target.exists() or (place and target in pages and place not in pages[target].places):
+            is_scene = place.startswith("scene=") and (site / "scenes" / f"{place.removeprefix('scene=')}.fxls").exists()
+            if not target.exists() or (place and target in pages and place not in pages[target].places and not is_scene):
                 dead.append(f"{file.relative_to(site)}: {link}")
     assert not dead, dead[:20]
     record_property("figure", f"{count} links of {len(pages)} pages")

@@ -5,19 +5,21 @@ import functools
 import pathlib
 import re
 
-from fixel.bench import frame_costs, predict
+from fixel.bench import frame_costs, predict, stage_costs
 from fixel.image import image
-from fixel.scene import scene_options
 
 CORE = re.compile(r"-m(?:cpu|arch)=([\w-]+)")
+FIRST = "pico"      # the board that the first page begins with
 
 
 def boards(build):
-    """{a board for each core that bench/costs.json has costs of: its core}, the one that make takes by itself first."""
+    """{a board of bench/costs.json: its core, its clock in MHz or None, and the cycles of an instruction of each part or None}, the first page's first."""
     found = {}
-    for board in sorted(frame_costs.load()["boards"], key=lambda board: board != scene_options.BOARD):
-        found.setdefault(CORE.search(settings(board, build).core)[1], board)
-    return {board: core for core, board in found.items()}
+    for board in sorted(frame_costs.load()["boards"], key=lambda board: board != FIRST):
+        options = settings(board, build)
+        model = stage_costs.model_of(options.core)
+        found[board] = {"core": CORE.search(options.core)[1], "clock": options.clock, "paces": model and stage_costs.paces_of(model)}
+    return found
 
 
 @functools.cache
@@ -29,15 +31,22 @@ def settings(board, build):
 
 
 def of_scene(scene, file, board, build):
-    """{instructions: [a frame each], flash: bytes} or {why_not: a sentence} of a scene image."""
+    """What a scene image takes on a board: bytes of flash and RAM, and of each frame the instructions: [all, then those of each of
+    stage_costs.PARTS]; or why the board has no room."""
     options = settings(board, build)
-    options.scene = str(scene)
+    options.scene = scene.name
     known = frame_costs.load()
     entry, core = predict.board_of(options, known)
-    size = pathlib.Path(file).stat().st_size
+    loaded, size = image.load(file), pathlib.Path(file).stat().st_size
+    memory = frame_costs.memory(entry, size)
+    found = {"flash": memory["flash"], "ram": memory["ram"]}
     try:
-        names, counts = predict.count(options, image.load(file), size, entry, file)
+        names, counts = predict.count(options, loaded, size, entry, file)
     except frame_costs.NoRoom as error:
-        return {"why_not": str(error)}
+        return {**found, "why_not": str(error)}
     taken = frame_costs.instructions(known["cores"][core], names, counts)
-    return {"instructions": [round(each) for each in taken], "flash": entry["flash_bytes"] + size}
+    timed = predict.timed(options, core, names, counts)
+    parts = stage_costs.instructions(core, names, counts)
+    found["mean"] = {"instructions": round(taken.mean()), "cycles": timed["cycles"] and timed["cycles"]["mean"]}
+    found["instructions"] = [[round(total), *(parts[number].astype(int).tolist() if parts is not None else ())] for number, total in enumerate(taken)]
+    return found

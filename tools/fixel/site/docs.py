@@ -40,9 +40,12 @@ FENCE = re.compile(r"^(?:```.*?^```$|    .*?$)", re.MULTILINE | re.DOTALL)
 PICTURES = (".png", ".gif", ".svg")
 UNNAMED = re.compile(r'<p class="breathe-sectiondef-title[^>]*>Unnamed Group</p>')     # functions that share a comment
 SYMBOL = re.compile(r'<symbol id="([\w-]+)".*?</symbol>\s*', re.DOTALL)      # of the theme's pictures a page uses some
+# Of the theme: two pictures for a mode that its words name too, and a class that it gives no look.
+SHORTER = {'"#svg-sun-with-moon"': '"#svg-sun"', '"#svg-moon-with-sun"': '"#svg-moon"', 'class="reference internal"': 'class="reference"'}
 FOR_KEYS = {'<p class="caption" role="heading">': '<p class="caption" role="heading" aria-level="2">', "<pre>": '<pre tabindex="0">',
             '<div class="table-wrapper': '<div tabindex="0" class="table-wrapper'}
 FILES = "files"     # the folder of the copies of files
+LISTED_MOST = 256 << 10     # bytes of a folder whose list leads to copies of its files; that of a larger one names them
 SETTINGS = """
 project = "Fixel"
 html_title = "Fixel {version}"
@@ -123,20 +126,24 @@ class Tree:
         return f"{FILES}/{name}.txt"
 
     def listed(self, place):
-        """A page that lists the files of a folder, with their copies. Its place in the site's documents."""
+        """A page that lists the files of a folder, with their copies where it is not too large. Its place in the site's documents."""
         page = self.folder / FILES / place / "list.html"
         if not page.exists():
             page.parent.mkdir(parents=True, exist_ok=True)
             names = sorted(name for name in self.names if name.startswith(place + "/"))
             up = "../" * (place.count("/") + 2)
-            rows = "".join(f'<li><a href="{html.escape(self.of_list(name, up))}">{html.escape(name)}</a></li>' for name in names)
+            is_copied = sum((ROOT / name).stat().st_size for name in names) <= LISTED_MOST
+            rows = "".join(f"<li>{self.row(name, up, is_copied)}</li>" for name in names)
             page.write_text(f'<!DOCTYPE html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
                             f"<title>{html.escape(place)}</title><h1>{html.escape(place)}</h1><ul>{rows}</ul></html>\n", encoding="utf-8")
         return f"{FILES}/{place}/list.html"
 
-    def of_list(self, name, up):
-        """Where a file's line of a list leads: a document to its page."""
-        return up + (name.removesuffix(".md") + ".html" if name.endswith(".md") else self.copy(name))
+    def row(self, name, up, is_copied):
+        """A file's line of a list: a document leads to its page."""
+        text = html.escape(name)
+        if not name.endswith(".md") and not is_copied:
+            return text
+        return f'<a href="{html.escape(up + (name.removesuffix(".md") + ".html" if name.endswith(".md") else self.copy(name)))}">{text}</a>'
 
 
 def copied(text, document, tree):
@@ -163,6 +170,21 @@ def contents(groups):
         lines = "\n".join(name.removesuffix(".md") for name in names if not is_below(name)) + (f"\n{REFERENCE}" if group == REFERENCE_IN else "")
         parts.append(f"```{{toctree}}\n:maxdepth: 1\n:caption: {group}\n\n{lines}\n```\n")
     return "\n".join(parts)
+
+
+def for_models(groups, sentence, up):
+    """llms.txt: what there is to read, for who reads by a model. up: where the documents are."""
+    parts = [f"# Fixel\n\n> {sentence}\n"]
+    for group, names in groups.items():
+        lines = "\n".join(f"- [{title_of(name)}]({up}{name.removesuffix('.md')}.html)" for name in names)
+        parts.append(f"## {group}\n\n{lines}\n")
+    return "\n".join([*parts, f"## Each public function and type\n\n- [Reference]({up}{REFERENCE}.html)\n"])
+
+
+def title_of(name):
+    """The first heading of a document, as text."""
+    found = re.search(r"^# (.+)$", (ROOT / name).read_text(encoding="utf-8"), re.MULTILINE)
+    return found[1].replace("`", "") if found else name
 
 
 def _stage(folder):
@@ -202,10 +224,10 @@ def write(out, folder):
 
 
 def finished(text):
-    """A page without the blanks at the beginning of its lines, but in what is laid out; what scrolls is reached by keys, and a caption of
-    contents has a level."""
+    """A page without the blanks at the beginning of its lines, but in what is laid out, and without what it needs not; what scrolls is reached
+    by keys, and a caption of contents has a level."""
     text = UNNAMED.sub("", text)
-    for before, after in FOR_KEYS.items():
+    for before, after in {**FOR_KEYS, **SHORTER}.items():
         text = text.replace(before, after)
     text = SYMBOL.sub(lambda found: found[0] if f'"#{found[1]}"' in text else "", text)
     parts = re.split(r"(<pre\b.*?</pre>)", text, flags=re.DOTALL)

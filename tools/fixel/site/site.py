@@ -8,14 +8,18 @@ import argparse
 import html
 import json
 import pathlib
+import re
 import shutil
 import zlib
 
 from fixel.base import children, output, progress, scratch, version
+from fixel.base.arguments import number
 from fixel.base.errors import ToolError
 from fixel.commands import late
 
-costs, docs = late("fixel.site", "costs docs")
+badge, stage_costs = late("fixel.bench", "badge stage_costs")
+costs, docs, gallery, serve = late("fixel.site", "costs docs gallery serve")
+image_file = late("fixel.image", "image")
 making = late("fixel.scene", "making")
 dump, emulator, firmware, rp2040 = late("fixel.board", "dump emulator firmware rp2040")
 
@@ -39,6 +43,7 @@ def parser():
     made.add_argument("--game", type=pathlib.Path, default=pathlib.Path("build/boards/pico/game-on-st7789-alone.elf"), metavar="ELF", help="its game (build/boards/pico/game-on-st7789-alone.elf)")
     made.add_argument("--game-here", type=pathlib.Path, default=pathlib.Path("build/boards/host/game"), metavar="FILE", help="the game as a program of this machine (build/boards/host/game)")
     made.add_argument("--out", type=pathlib.Path, default=pathlib.Path("build/site"), metavar="FOLDER", help="where to (build/site)")
+    made.add_argument("--serve", type=number("SERVE", 1, 65535), metavar="PORT", help="then serve it on this port of this machine, and compile what is dropped on its page")
     made.add_argument("--build", default="build", help="folder that make builds in")
     return made
 
@@ -56,7 +61,7 @@ def title_of(scene):
 
 
 def write_scenes(folder, build, say):
-    """Compiles each scene into folder/scenes, with what it costs beside it; [{name, said, bytes}] of the first page's list."""
+    """Compiles each scene into folder/scenes, with what it costs on each board in a folder beside it; what gallery.write takes."""
     scenes = [file for file in sorted((ROOT / "scenes").glob("*.toml")) if file.stem not in LEFT_OUT]
     place = folder / "scenes"
     place.mkdir()
@@ -65,9 +70,13 @@ def write_scenes(folder, build, say):
         say(number, len(scenes))
         image = place / f"{file.stem}.fxls"
         making.build(str(file), str(image))
+        (place / file.stem).mkdir()
         cost = {board: costs.of_scene(file, image, board, build) for board in costs.boards(build)}
-        (place / f"{file.stem}.json").write_text(json.dumps(cost, separators=(",", ":")), encoding="utf-8")
-        found.append({"name": file.stem, "said": title_of(file), "bytes": image.stat().st_size})
+        for board, each in cost.items():
+            (place / file.stem / f"{board}.json").write_text(json.dumps(each, separators=(",", ":")), encoding="utf-8")
+        scene = image_file.load(image)
+        found.append({"name": file.stem, "said": title_of(file), "bytes": image.stat().st_size, "frames": scene.frames,
+                      "faces": sum(len(model.faces) for model in scene.models), "board": costs.FIRST, "cost": cost[costs.FIRST]})
     return found
 
 
@@ -90,8 +99,10 @@ def filled(template, data, **values):
 
 def page(scenes, boards):
     """The first page."""
-    options = "".join(f'<option value="{html.escape(board)}">{html.escape(board)} ({html.escape(core)})</option>' for board, core in boards.items())
-    return filled("site.html", {"first": FIRST, "scenes": scenes}, version=html.escape(version.version()), boards=options)
+    options = "".join(f'<option value="{html.escape(board)}">{html.escape(board)} ({html.escape(each["core"])})</option>' for board, each in boards.items())
+    data = {"first": FIRST, "scenes": [{key: each[key] for key in ("name", "said")} for each in scenes], "boards": boards, "compiles": False, "parts": stage_costs.PARTS,
+            "badge": {"picture": badge.TEMPLATE.read_text(encoding="utf-8"), "letter": badge.LETTER, "beside": badge.BESIDE}}
+    return filled("site.html", data, version=html.escape(version.version()), boards=options)
 
 
 def flash_of(elf, file):
@@ -122,10 +133,16 @@ def write_pico(folder, options, scenes, work):
     (folder / "pico.html").write_text(filled("pico.html", data), encoding="utf-8")
 
 
+def sentence():
+    """What the first page says that Fixel is."""
+    text = (TEMPLATES / "site.html").read_text(encoding="utf-8")
+    return html.unescape(re.search(r"<h1>Fixel</h1>\s*<p>(.*?)</p>", text)[1])
+
+
 def sizes(folder):
     """(bytes of all files, bytes of what the first page loads)."""
     files = [file for file in folder.rglob("*") if file.is_file()]
-    first = [folder / name for name in ("index.html", "site.css", "site.js", "walk.wasm", f"scenes/{FIRST}.fxls", f"scenes/{FIRST}.json")]
+    first = [folder / name for name in ("index.html", "site.css", "site.js", "walk.wasm", f"scenes/{FIRST}.fxls", f"scenes/{FIRST}/{costs.FIRST}.json")]
     return sum(file.stat().st_size for file in files), sum(file.stat().st_size for file in first)
 
 
@@ -140,6 +157,8 @@ def main(argv):
         folder.mkdir()
         with progress.Progress("scenes") as say:
             scenes = write_scenes(folder, options.build, say)
+        with progress.Progress("pictures") as say:
+            gallery.write(folder, scenes, options.build, say)
         with progress.Progress("documents"):
             count, functions, _ = docs.write(folder / "documents", pathlib.Path(made))
         bundle(folder, "site.js", "site.css", "judge_worker.js", "pico.js", "pico_worker.js")
@@ -149,10 +168,13 @@ def main(argv):
         shutil.copyfile(options.counter, folder / "counter.wasm")
         shutil.copyfile(ROOT / "docs" / "plaza.png", folder / "plaza.png")
         (folder / "index.html").write_text(page(scenes, costs.boards(options.build)), encoding="utf-8")
+        (folder / "llms.txt").write_text(docs.for_models(docs.grouped(docs.of_the_tree()), sentence(), "documents/"), encoding="utf-8")
         total, first = sizes(folder)
         if total > MOST:
             raise ToolError(f"the site has {total:,} bytes, of at most {MOST:,}")
         docs.put(folder, options.out)
     print(f"site: {count} documents, {functions} functions, {len(scenes)} scenes, {total:,} bytes, of which the first page loads {first:,}\n"
           f"  {options.out / 'index.html'}; to see it draw: python3 -m http.server --directory {options.out} 8066")
+    if options.serve:
+        serve.serve(options.out, options.serve, options.build)
     return 0
