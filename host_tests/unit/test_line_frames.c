@@ -108,7 +108,7 @@ void test_a_pick_looks_through_lines(void)
 }
 
 /* Of the first model the lines alone are left: these are drawn as before where no face hides them. */
-/* lines 1.1b */
+/* lines 1.1e */
 void test_a_model_without_faces(void)
 {
     const fxl_pose pose = {{Q16(1), Q16(2), Q16(-5)}, 0, 0, 0};
@@ -139,6 +139,58 @@ void test_a_model_without_faces(void)
     }
     tiny->models[1].kind = FXL_MODEL_SORTED;
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_check(&tiny->scene, NULL));
+}
+
+/* Light and fog change the faces alone. */
+/* lines 1.1c */
+void test_light_leaves_lines_as_they_are(void)
+{
+    static uint8_t ramp[2 * 256]; /* no colour of a line */
+    const fxl_light_settings lamp = {.ambient = FXL_Q2_30_ONE / 4, .ramp = ramp, .levels = 2};
+    const fxl_pose pose = {{Q16(1), Q16(2), Q16(-5)}, 0, 0, 0};
+    for (uint32_t bits = 0; bits < 3; bits++) {
+        fxl_light light;
+        uint32_t seen = 0;
+        make_edges(2);
+        start(bits == 0 ? &fxl_palette : depths[bits - 1], true);
+        draw(&pose, without);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &lamp));
+        draw(&pose, frame);
+        for (uint32_t i = 0; i < PIXELS; i++) {
+            TEST_ASSERT_EQUAL(without[i] >= LINE ? without[i] : 0, frame[i]);
+            seen += frame[i] >= LINE;
+        }
+        TEST_ASSERT_TRUE(seen > 30);
+    }
+}
+
+/* Two cubes at one place: with a depth buffer faces of the upper layer come first, near to far, so the lines
+ * of the lower one come last, and are seen. */
+/* lines 2.6b */
+void test_lines_come_in_the_sequence_of_faces(void)
+{
+    const fxl_pose pose = {{Q16(1), Q16(2), Q16(-5)}, 0, 0, 0};
+    for (uint32_t round = 0; round < 4; round++) {
+        const uint32_t upper = round % 2;
+        uint32_t counts[2] = {0, 0};
+        make_edges(1);
+        tiny->scene.instance_count = 2;
+        tiny->instances[1] = tiny->instances[0];
+        tiny->instances[1].model = 1;
+        tiny->instances[upper].layer = 1;
+        for (uint32_t i = 0; i < set.count; i++) {
+            lines[i].faces[0] = lines[i].faces[1] = 0;
+        }
+        start(depths[round / 2], true);
+        draw(&pose, frame);
+        for (uint32_t i = 0; i < PIXELS; i++) {
+            if (frame[i] >= LINE) {
+                counts[frame[i] >= LINE + EDGES]++;
+            }
+        }
+        TEST_ASSERT_EQUAL_UINT32(0, counts[upper]);
+        TEST_ASSERT_TRUE(counts[1 - upper] > 30);
+    }
 }
 
 /* Detached, the frame is that without lines. */

@@ -296,6 +296,34 @@ void test_a_line_has_the_depth_of_its_points(void)
     }
 }
 
+/* The largest of two codes is kept, whichever of the faces is named first. */
+/* lines 3.2a */
+void test_the_sequence_of_a_lines_faces_does_not_matter(void)
+{
+    static uint64_t first[sizeof cells / sizeof cells[0]];
+    uint32_t drawn = 0;
+    for (int round = 0; round < 20; round++) {
+        const fxl_pose pose = tiny_pose_before();
+        for (uint32_t way = 0; way < 2; way++) {
+            make_edges(5);
+            for (uint32_t i = 0; i < set.count && way == 1; i++) {
+                const uint16_t face = lines[i].faces[0];
+                lines[i].faces[0] = lines[i].faces[1];
+                lines[i].faces[1] = face;
+            }
+            start(depths[round % 2], true);
+            draw(&pose, way == 0 ? without : frame);
+            if (way == 0) {
+                memcpy(first, cells, sizeof first);
+            }
+        }
+        TEST_ASSERT_EQUAL_MEMORY(first, cells, sizeof first);
+        TEST_ASSERT_EQUAL_MEMORY(without, frame, sizeof frame);
+        drawn += attached.counters.drawn;
+    }
+    TEST_ASSERT_TRUE(drawn > 100);
+}
+
 /* A line before a face covers it, one behind it is hidden. */
 /* lines 3.1a */
 void test_faces_hide_lines(void)
