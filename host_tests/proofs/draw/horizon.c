@@ -1,8 +1,25 @@
 /* SPDX-License-Identifier: MIT */
 #include "draw/horizon.c"
-#include "proof.h"
+#include "products.h"
 
 static fxl_horizon horizon;
+
+/* [[row]]
+ * function = "is_above"
+ * property = "the first column of any row, and a sine of 0 or of the other sign: nothing overflows, and the side is that of the elevation exactly; of other columns the elevation is a sum"
+ * checks = 67
+ * clause = "horizon 1.3a"
+ * stands_in = { fxl_multiply_s32 = "any_signed" }
+ * unreached = { any_signed = "of two of one sign", fxl_multiply_u32 = "of two of one sign", x_of = "of two of one sign" }
+ */
+void prove_is_above(void)
+{
+    horizon_row row;
+    threshold at;
+    ASSUME(WITHIN(at.sine, FXL_Q2_30_ONE) && (at.sine == 0 || (row.elevation < 0) != (at.sine < 0)));
+    ASSERT("by the sign", is_above(&row, 0, &at) == (row.elevation >= 0));
+    PROOF_ENDS();
+}
 
 /* [[row]]
  * function = "fxl_horizon_check"
