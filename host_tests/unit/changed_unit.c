@@ -58,7 +58,8 @@ static fxl_billboard_set board_set;
 static fxl_billboards billboards;
 static fxl_outlines outlines;
 static fxl_lines lines_attached;
-static const fxl_line lines[] = {{0, 7, {0, 0}, 9, 16, 0}, {1, 1, {0, 0}, 10, 13, 0}, {2, 4, {5, 2}, 11, 3, 0}};
+static const fxl_line lines[] = {
+    {0, 7, {0, 0}, 9, 16, 0}, {1, 1, {0, 0}, 10, 13, 0}, {2, 4, {5, 2}, 11, 3, 0}};
 static const uint32_t line_map[CHANGED_MODELS + 1] = {0, 3, 3, 3};
 static const fxl_line_set line_set = {lines, 3, line_map};
 static const fxl_q2_30 sines[] = {-Q30(0.2), 0, Q30(0.1)};
@@ -257,7 +258,8 @@ static void attach(uint32_t thing, bool is_there)
 
 void changed_attach(uint32_t thing, bool is_there)
 {
-    static const uint8_t going[] = {CHANGED_OUTLINES, CHANGED_LINES, CHANGED_BEAMS, CHANGED_HORIZON};
+    static const uint8_t going[] = {CHANGED_OUTLINES, CHANGED_LINES, CHANGED_BEAMS,
+                                    CHANGED_HORIZON};
     const char *names[2];
     attach(thing, is_there);
     for (uint32_t i = 0; fxl_renderer_conflict(&changed_renderer, names); i++) {
@@ -300,8 +302,8 @@ void changed_start_plain(const changed_target *into, const fxl_lens *lens, bool 
 void changed_start(const fxl_lens *lens)
 {
     const changed_target *into = &changed_targets[unit_between(0, CHANGED_TARGETS - 1)];
-    const bool with_tree = into->target->depth_bits == 0 && lens->off_centre == NULL &&
-                           unit_between(0, 1) == 0;
+    const bool with_tree =
+        into->target->depth_bits == 0 && lens->off_centre == NULL && unit_between(0, 1) == 0;
     changed_start_plain(into, lens, with_tree,
                         (uint32_t)unit_between(1, 4) * (uint32_t)sizeof tree_room / 4);
     for (uint32_t thing = 0; thing < CHANGED_THINGS; thing++) {

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #endif
 
-
 enum {
     STEPS = 25,       /* of an episode */
     NEAR_WIDTH = 768, /* of the second test: a long focal length */

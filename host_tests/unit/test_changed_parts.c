@@ -79,7 +79,8 @@ void test_a_tree_of_any_size_has_a_margin(void)
     const uint32_t most = columns_of_cube(Q16(1.25), FXL_BSP_DEPTH_MAX);
     TEST_ASSERT_LESS_THAN(most, columns_of_cube(Q16(1.25), 6));
     TEST_ASSERT_EQUAL(most, columns_of_cube(Q16(1.25), 60000));
-    TEST_ASSERT_EQUAL(CHANGED_WIDTH, columns_of_cube(2000, FXL_BSP_DEPTH_MAX)); /* nearer than 2 K units */
+    TEST_ASSERT_EQUAL(CHANGED_WIDTH,
+                      columns_of_cube(2000, FXL_BSP_DEPTH_MAX)); /* nearer than 2 K units */
 }
 
 /* changed 3.1a-b */

@@ -232,8 +232,8 @@ static bool find_model_box(const fxl_renderer *renderer, const fxl_scene *scene,
         *box = fxl_box_of_frame(&seen->lens);
         return true;
     }
-    return box_of_extent(&seen->lens, &found, margin_of(renderer, found.depth) + width_of_lines(renderer),
-                         box);
+    return box_of_extent(&seen->lens, &found,
+                         margin_of(renderer, found.depth) + width_of_lines(renderer), box);
 }
 
 /* changed 2.3 */

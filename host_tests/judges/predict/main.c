@@ -80,8 +80,9 @@ static void print_boxes(uint32_t frames)
 static fxl_status draw_all(session *run, uint32_t frames, const uint32_t settings[PREDICT_SETTINGS])
 {
     const fxl_scene *scene = &run->image.scene;
-    const size_t kept = 8u * (size_t)FXL_CHANGED_MEMORY(scene->instance_count, scene->instance_count,
-                                                        scene->model_count, scene->model_count);
+    const size_t kept =
+        8u * (size_t)FXL_CHANGED_MEMORY(scene->instance_count, scene->instance_count,
+                                        scene->model_count, scene->model_count);
     fxl_changed changed;
     found_boxes = session_memory((frames + 1u) * sizeof *found_boxes);
     memset(found_boxes, 0, (frames + 1u) * sizeof *found_boxes);
@@ -128,9 +129,10 @@ int main(int count, char **arguments)
     if (wrong != NULL) {
         return fail(arguments[1], wrong);
     }
-    const uint32_t frames = settings[PREDICT_FRAMES] > 0 && settings[PREDICT_FRAMES] < run.image.frame_count
-                                ? settings[PREDICT_FRAMES]
-                                : run.image.frame_count;
+    const uint32_t frames =
+        settings[PREDICT_FRAMES] > 0 && settings[PREDICT_FRAMES] < run.image.frame_count
+            ? settings[PREDICT_FRAMES]
+            : run.image.frame_count;
     printf("{\"list_bytes\": %" PRIu32 ",\n\"names\": [", 4 * run.memory.display_list_capacity);
     const char *const names[] = {
 #define X(name) #name,
