@@ -73,7 +73,7 @@ static void misuse_lines(fxl_renderer *renderer, some_lines *made)
 
 /* --- lines of the world ----------------------------------------------------------------------- */
 
-static void draw_world_lines(fxl_renderer *renderer, const fxl_band *band, bool has_eye)
+static void draw_world_lines(fxl_renderer *renderer, const fxl_band *band)
 {
     const fxl_view *view = &renderer->frame.view;
     fxl_world_line line;
@@ -83,37 +83,34 @@ static void draw_world_lines(fxl_renderer *renderer, const fxl_band *band, bool 
         if (one_in(5)) {
             line.to = line.from;
         }
-        DEMAND(fxl_frame_draw_line(renderer, NULL, &line, band) ==
-               (has_eye ? FXL_OK : FXL_E_COMBINATION));
+        DEMAND(fxl_frame_draw_line(renderer, NULL, &line, band) == FXL_OK);
     }
-    if (has_eye) {
-        fxl_band other = *band;
-        if (band->palette != NULL) {
-            other.pixels++;
-            DEMAND(fxl_frame_draw_line(renderer, NULL, &line, &other) == FXL_E_ALIGNMENT);
-            other.pixels--;
-            other.palette = NULL;
-            DEMAND(fxl_frame_draw_line(renderer, NULL, &line, &other) == FXL_E_ORDER);
-        }
-        DEMAND(fxl_frame_draw_line(NULL, NULL, &line, band) == FXL_E_ARGUMENT);
-        DEMAND(fxl_frame_draw_line(renderer, NULL, NULL, band) == FXL_E_ARGUMENT);
-        DEMAND(fxl_frame_draw_line(renderer, NULL, &line, NULL) == FXL_E_ARGUMENT);
-        other.pixels = NULL;
-        DEMAND(fxl_frame_draw_line(renderer, NULL, &line, &other) == FXL_E_ARGUMENT);
-        other = *band;
-        other.width++;
-        DEMAND(fxl_frame_draw_line(renderer, NULL, &line, &other) == FXL_E_RANGE);
-        other = *band;
-        other.rows++;
-        DEMAND(fxl_frame_draw_line(renderer, NULL, &line, &other) == FXL_E_RANGE);
-        line.width = (uint8_t)(one_in(2) ? 0 : FXL_LINE_WIDTH_MAX + 1);
-        DEMAND(fxl_frame_draw_line(renderer, NULL, &line, band) == FXL_E_RANGE);
-        line.width = 1;
-        fxl_q16_16 *const ends[] = {&line.from.x, &line.from.y, &line.from.z,
-                                    &line.to.x,   &line.to.y,   &line.to.z};
-        *ends[any(6)] = FXL_COORDINATE_MAX + 1;
-        DEMAND(fxl_frame_draw_line(renderer, NULL, &line, band) == FXL_E_RANGE);
+    fxl_band other = *band;
+    if (band->palette != NULL) {
+        other.pixels++;
+        DEMAND(fxl_frame_draw_line(renderer, NULL, &line, &other) == FXL_E_ALIGNMENT);
+        other.pixels--;
+        other.palette = NULL;
+        DEMAND(fxl_frame_draw_line(renderer, NULL, &line, &other) == FXL_E_ORDER);
     }
+    DEMAND(fxl_frame_draw_line(NULL, NULL, &line, band) == FXL_E_ARGUMENT);
+    DEMAND(fxl_frame_draw_line(renderer, NULL, NULL, band) == FXL_E_ARGUMENT);
+    DEMAND(fxl_frame_draw_line(renderer, NULL, &line, NULL) == FXL_E_ARGUMENT);
+    other.pixels = NULL;
+    DEMAND(fxl_frame_draw_line(renderer, NULL, &line, &other) == FXL_E_ARGUMENT);
+    other = *band;
+    other.width++;
+    DEMAND(fxl_frame_draw_line(renderer, NULL, &line, &other) == FXL_E_RANGE);
+    other = *band;
+    other.rows++;
+    DEMAND(fxl_frame_draw_line(renderer, NULL, &line, &other) == FXL_E_RANGE);
+    line.width = (uint8_t)(one_in(2) ? 0 : FXL_LINE_WIDTH_MAX + 1);
+    DEMAND(fxl_frame_draw_line(renderer, NULL, &line, band) == FXL_E_RANGE);
+    line.width = 1;
+    fxl_q16_16 *const ends[] = {&line.from.x, &line.from.y, &line.from.z,
+                                &line.to.x,   &line.to.y,   &line.to.z};
+    *ends[any(6)] = FXL_COORDINATE_MAX + 1;
+    DEMAND(fxl_frame_draw_line(renderer, NULL, &line, band) == FXL_E_RANGE);
 }
 
 /* --- frames ----------------------------------------------------------------------------------- */
@@ -130,7 +127,7 @@ typedef struct {
 
 /* Pixels of the frame: whole, and in bands with a list; the same. No frame, where things do not go
  * together. */
-static void draw_frame(some_frame *of, const fxl_pose *pose, bool has_eye)
+static void draw_frame(some_frame *of, const fxl_pose *pose)
 {
     fxl_renderer *renderer = &of->renderer;
     const fxl_lens *lens = &renderer->frame.view.lens;
@@ -161,7 +158,7 @@ static void draw_frame(some_frame *of, const fxl_pose *pose, bool has_eye)
         DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
         fxl_frame_fill(renderer, &band, DRAW_BACKGROUND);
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
-        draw_world_lines(renderer, &band, has_eye);
+        draw_world_lines(renderer, &band);
     }
     free(parts);
     free(band.pixels);
@@ -221,11 +218,9 @@ static void draw_target(some_frame *of, const fxl_scene *scene, const fxl_lens *
         }
         make_lines(&of->lines, scene);
         misuse_lines(&of->renderer, &of->lines);
-        if (has_eye || one_in(8)) {
-            DEMAND(fxl_attach_lines(&of->renderer, &of->lines.attached, &of->lines.set) == FXL_OK);
-        }
+        DEMAND(fxl_attach_lines(&of->renderer, &of->lines.attached, &of->lines.set) == FXL_OK);
         attach_any(of, round == 0 ? NULL : set);
-        draw_frame(of, pose, has_eye);
+        draw_frame(of, pose);
         if (one_in(2)) {
             DEMAND(fxl_attach_lines(&of->renderer, NULL, NULL) == FXL_OK);
         }

@@ -119,7 +119,7 @@ def is_refused(order, target, name):
 
 
 # Of which the tool makes no image, and what it says.
-NO_IMAGE = {("tree", "lines"): "lines and a tree do not go together", ("orthographic", "lines"): "lines and an orthographic lens do not go together",
+NO_IMAGE = {("tree", "lines"): "lines and a tree do not go together",
             ("orthographic", "horizon"): "an orthographic lens and a horizon do not go together"}
 
 

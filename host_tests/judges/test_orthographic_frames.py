@@ -24,6 +24,26 @@ LIGHT = "[light]\nlevels = 16\nambient = 0.3\nstrength = 0.7\ndirection = [0.5, 
 BEAM = "[glow]\nstrength = 1.25\n[[beams]]\ndirection = [0.85, -0.5, 0.3]\nwindow = [[-14, 1, -3.9], [-14, 7.5, -3.9], [-14, 7.5, 3.7]]\n"
 BOARD = '[[billboards]]\nname = "tree"\npattern = "tree"\nsize = [2, 3]\n'
 TREES = '[[objects]]\nbillboard = "tree"\nposition = [-2, 0.6, -2]\nrepeat = { count = [3, 1, 3], step = [3, 0, 3] }\nlayer = 1\n'
+LINES = """
+[[objects]]
+solid = "box"
+colour = "#4060c0"
+position = [1, 0.5, -6]
+scale = [2, 3, 1]
+rotation = [30, 0, 10]
+edges = { colour = "white", width = 3 }
+lines = [{ at = [[-0.7, 0.9, -0.6], [0.8, -0.2, 0.9], [0.9, 0.9, 0.2]], colour = "#f0e020", width = 2 }]
+points = [{ at = [[0, 0.8, 0], [0.7, 0.7, 0.7]], colour = "#e02020", width = 5 }]
+layer = 1
+[[objects]]
+solid = "box"
+colour = "#c060a0"
+position = [5, 1, -1]
+spin = { yaw = 9, pitch = 5 }
+size = 2.5
+edges = { colour = "#20e0e0", width = 1 }
+layer = 1
+"""
 FLAT = """
 [[objects]]
 solid = "box"
@@ -96,9 +116,9 @@ def explained(build, image, *options):
 
 @pytest.mark.parametrize("lens", [FAR, CUT, ASIDE])
 @pytest.mark.parametrize("target", TARGETS)
-@pytest.mark.parametrize("parts", [(LIGHT, BOARD, TREES, FLAT), (LIGHT, BOARD, TEXTURED, TREES), (BEAM, FLAT)])
+@pytest.mark.parametrize("parts", [(LIGHT, BOARD, TREES, FLAT), (LIGHT, BOARD, TEXTURED, TREES), (BEAM, FLAT), (LINES, FLAT), (LIGHT, LINES, BOARD, TEXTURED, TREES)])
 def test_the_reference_explains_each_pixel_in_bands_too(parts, target, lens, build, tmp_path):
-    """orthographic 2.4c, 2.5b, 2.5c, 2.8a, 2.10a-c, 2.11b-d, formats 1.2bc, SPEC 4.2o"""
+    """orthographic 2.4c, 2.5b, 2.5c, 2.8a, 2.10a-c, 2.11b-d, 2.12a, 2.12b, formats 1.2bc, SPEC 4.2o"""
     image = scene(tmp_path, lens, target, *parts)
     whole = explained(build, image)
     assert len(set(b"".join(whole))) > 4

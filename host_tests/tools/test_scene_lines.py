@@ -84,7 +84,6 @@ REFUSED = [
     (EDGES + "clusters = true\n", ("object 0", "edges", "leave clusters away")),
     ('tree = "layers"\n' + EDGES, ("lines", "tree", "leave out edges")),
     ("[[beams]]\ndirection = [3, -4, 0]\nwindow = [[-4, 1, -1], [-4, 2, -1], [-4, 2, 1], [-4, 1, 1]]\n" + EDGES, ("lines", "beams", "leave out edges")),
-    ("[view]\nscale = 4\n" + EDGES, ("lines", "orthographic", "scale")),
     ('[[billboards]]\nname = "b"\npattern = "tree"\npixels = [5, 6]\nsize = [2, 3]\n[[objects]]\nbillboard = "b"\nedges = {}\n', ("object 0", '"edges"')),
 ]
 

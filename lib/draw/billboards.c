@@ -202,8 +202,8 @@ static bool submit_flat(const fxl_traversal *traversal)
 }
 
 /* Those of an orthographic lens. */
-static const fxl_billboard_code without_eye = {submit_flat, submit_any_flat, place, NULL};
 static const fxl_order by_depth = {.submit = submit_flat};
+static const fxl_billboard_code without_eye = {submit_flat, submit_any_flat, place, &by_depth};
 
 /* --- attaching -------------------------------------------------------------------------- */
 

@@ -90,8 +90,6 @@ static const struct {
     {FXL_HAS_TREE, FXL_HAS_ORTHOGRAPHIC,
      "the order by tree and an orthographic lens do not go together: config.order must be "
      "&fxl_by_distance"},
-    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_LINES,
-     "an orthographic lens and lines do not go together: detach the lines, by a null set"},
     {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_HORIZON,
      "an orthographic lens and a horizon do not go together: all its rays have one elevation; detach "
      "the horizon, by a null one"},

@@ -17,6 +17,12 @@
 #include "submit_instance.h"
 #include "surface_polygon.h"
 
+/* What draws with an orthographic lens; null: the lens has an eye. */
+static const fxl_orthographic_code *flat_of(const fxl_renderer *renderer)
+{
+    return fxl_orthographic_of(&renderer->frame.view.lens);
+}
+
 /* --- the lines of an instance --------------------------------------------------------------- */
 
 void fxl_begin_line_instance(const fxl_traversal *traversal, uint32_t number, fxl_turned_view *view,
@@ -35,6 +41,10 @@ bool fxl_line_face_is_front(const fxl_line_instance *of, const fxl_face *face)
     const fxl_scene *scene = renderer->scene;
     const fxl_point *eye = &renderer->frame.view.camera.position;
     const fxl_placement_code *turned = fxl_placement_code_of(scene, of->number);
+    const fxl_orthographic_code *flat = flat_of(renderer);
+    if (flat != NULL) {
+        return flat->face_is_front(renderer, of->number, face);
+    }
     return turned != NULL ? turned->face_is_front(scene, of->number, face, eye)
                           : fxl_face_is_front(scene, of->model_view->instance, face, eye);
 }
@@ -47,7 +57,7 @@ static void find_plane(const fxl_line_instance *of, const fxl_face *face, fxl_de
     const fxl_surfaces *surfaces = fxl_surfaces_of(traversal->renderer);
     const fxl_scene *scene = traversal->renderer->scene;
     const uint32_t mapped = surfaces != NULL ? surfaces->set->face_map[face - scene->faces] : 0;
-    if (mapped == 0) {
+    if (mapped == 0 || flat_of(traversal->renderer) != NULL) {
         fxl_find_depth_by_normal(of->model_view, face, traversal, plane);
         return;
     }
@@ -219,8 +229,10 @@ static bool submit_one(const fxl_traversal *traversal, const fxl_draw_entry *ent
     const fxl_renderer *renderer = traversal->renderer;
     const fxl_billboards *billboards = renderer->billboards;
     fxl_line_counters uncounted = {0};
+    const fxl_orthographic_code *flat = flat_of(renderer);
     if (traversal->resume->faces != FACES_DONE &&
         !(billboards != NULL ? billboards->code->instance(traversal, entry)
+          : flat != NULL     ? flat->submit(traversal, entry)
                              : fxl_submit_any_instance(traversal, entry))) {
         return false;
     }
@@ -238,7 +250,9 @@ static bool submit(const fxl_traversal *traversal)
     if (traversal->display_list != NULL) {
         fxl_lines *lines = lines_of(renderer);
         memset(&lines->counters, 0, sizeof lines->counters);
-        if (renderer->scene->placements != NULL) {
+        if (flat_of(renderer) != NULL) {
+            flat_of(renderer)->begin(traversal);
+        } else if (renderer->scene->placements != NULL) {
             traversal->counters->rounded =
                 (uint16_t)renderer->scene->placement_code->count_rounded(traversal, 0, 0);
         }
@@ -309,7 +323,10 @@ static void draw_over(const fxl_renderer *renderer, fxl_workspace *workspace, co
 
 static const fxl_order *order_without(const fxl_renderer *renderer)
 {
-    return renderer->billboards != NULL ? renderer->billboards->code->order : &fxl_by_distance;
+    const fxl_orthographic_code *flat = flat_of(renderer);
+    return renderer->billboards != NULL ? renderer->billboards->code->order
+           : flat != NULL               ? flat->order
+                                        : &fxl_by_distance;
 }
 
 /* combinations 1.1, lines 4.5 */

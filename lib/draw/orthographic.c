@@ -214,6 +214,7 @@ static const fxl_orthographic_code code = {fxl_project_orthographic,
                                            &fxl_by_depth,
                                            take,
                                            fxl_orthographic_begin,
+                                           fxl_orthographic_face_is_front,
                                            fxl_submit_orthographic,
                                            fxl_find_orthographic_depth,
                                            fxl_distance_of_orthographic};

@@ -66,7 +66,6 @@ const char fxl_lines_reasons[] =
     "before fxl_frame_draw_line\0"
     ON_ALIGNMENT "lines must be aligned to 8 bytes, set->line_map to 4, set->lines and pixels of "
     "RGB565 to 2\0"
-    ON_COMBINATION "the lens must not be orthographic: lines are drawn in perspective alone\0"
     ON_COUNT "set->count must be at most FXL_SCENE_FACES_MAX, and set->line_map rise from 0 to it\0"
     ON_INDEX "from and to of a line must be below vertex_count of its model, faces at most "
     "face_count\0"

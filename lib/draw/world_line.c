@@ -12,6 +12,19 @@
 
 /* --- a line in the view --------------------------------------------------------------------- */
 
+/* Where an end is on the screen, and its distance. False where it is out of the range of screen
+ * coordinates. */
+/* lines 2.1, orthographic 2.12 */
+static bool place_end(const fxl_view *view, const fxl_view_point *point, fxl_painted_line *painted,
+                      uint32_t number)
+{
+    const fxl_orthographic_code *flat = fxl_orthographic_of(&view->lens);
+    painted->distances[number] = flat != NULL ? flat->distance_of(view, point->z) : point->z;
+    return (flat != NULL
+                ? flat->project(view, point, &painted->ends[number])
+                : fxl_project_visible(&view->projection, point, &painted->ends[number])) == FXL_OK;
+}
+
 /* lines 2.1 */
 fxl_line_outcome fxl_place_line(const fxl_view *view, const fxl_volume *volume, fxl_clip_line *line,
                                 fxl_painted_line *painted)
@@ -21,12 +34,10 @@ fxl_line_outcome fxl_place_line(const fxl_view *view, const fxl_volume *volume, 
     if (!fxl_line_by_codes(line, volume, &intersections)) {
         return FXL_LINE_OUTSIDE;
     }
-    if (fxl_project_visible(&view->projection, &line->from.position, &painted->ends[0]) != FXL_OK ||
-        fxl_project_visible(&view->projection, &line->to.position, &painted->ends[1]) != FXL_OK) {
+    if (!place_end(view, &line->from.position, painted, 0) ||
+        !place_end(view, &line->to.position, painted, 1)) {
         return FXL_LINE_REFUSED;
     }
-    painted->distances[0] = line->from.position.z;
-    painted->distances[1] = line->to.position.z;
     return intersections > 0 ? FXL_LINE_CLIPPED : FXL_LINE_DRAWN;
 }
 
@@ -66,9 +77,6 @@ static fxl_status check_world_line(const fxl_renderer *renderer, const fxl_works
     }
     if (renderer->frame.state == FXL_FRAME_NONE || !fxl_has_pixels_of(renderer, band)) {
         return FXL_E_ORDER;
-    }
-    if (fxl_orthographic_of(lens) != NULL) {
-        return FXL_E_COMBINATION;
     }
     if (band->width != lens->width || !fxl_band_is_within(band, lens->width, lens->height) ||
         !fxl_point_in_range(&line->from) || !fxl_point_in_range(&line->to) || line->width < 1 ||

@@ -103,6 +103,11 @@ void ref_depth_plane_take_eye(ref_depth_plane *plane, const ref_lens *lens)
 }
 
 /* docs/extras/orthographic.md, 2.11 */
+long double ref_nearness_of_point(const ref_lens *lens, long double z)
+{
+    return lens->scale != 0 ? 1 - (z - lens->near_z) / (2 * (lens->far_z - lens->near_z)) : 1 / z;
+}
+
 static double nearness_along(const ref_depth_plane *plane, const ref_lens *lens, double x, double y)
 {
     const long double across = (x - lens->centre_x) / lens->scale;
@@ -112,7 +117,7 @@ static double nearness_along(const ref_depth_plane *plane, const ref_lens *lens,
     }
     const long double z =
         (plane->height - plane->normal.x * across - plane->normal.y * upright) / plane->normal.z;
-    return (double)(1 - (z - lens->near_z) / (2 * (lens->far_z - lens->near_z)));
+    return (double)ref_nearness_of_point(lens, z);
 }
 
 double ref_nearness(const ref_depth_plane *plane, const ref_lens *lens, double x, double y)

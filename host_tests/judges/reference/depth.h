@@ -49,6 +49,9 @@ void ref_depth_plane_take_eye(ref_depth_plane *plane, const ref_lens *lens);
  * 1 / z, where z is the distance at which the plane is seen at a point of the screen. */
 double ref_nearness(const ref_depth_plane *plane, const ref_lens *lens, double x, double y);
 
+/* The same of a point at a depth. */
+long double ref_nearness_of_point(const ref_lens *lens, long double z);
+
 /* The ratio of nearnesses, less 1, from which on a buffer of so many bits tells two faces apart. */
 double ref_depth_resolution(const ref_lens *lens, int bits);
 

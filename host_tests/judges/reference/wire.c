@@ -305,7 +305,7 @@ static void find_own_depth(const ref_line_view *view, const ref_view_point ends[
     ref_line_look *line = &drawn->line;
     (void)clip_ends(view, ends, 0, left);
     for (int i = 0; i < 2; i++) {
-        line->nearness[i] = (double)(1 / left[i].z);
+        line->nearness[i] = (double)ref_nearness_of_point(view->lens, left[i].z);
     }
     line->upright = fabs(screen[1].y - screen[0].y) > fabs(screen[1].x - screen[0].x);
     line->from = line->upright ? screen[0].y : screen[0].x;
@@ -320,6 +320,9 @@ static void find_thinness(const ref_line_view *view, const ref_instance *instanc
     ref_view_polygon in_view;
     ref_screen_point at[UINT8_MAX];
     double area = 0, longest = 0, nearest = 0, farthest = INFINITY;
+    if (view->lens->scale != 0) {
+        return; /* none is small */
+    }
     ref_face_to_polygon(view->scene, instance, face, false, &world);
     ref_transform_polygon(view->camera, &world, &in_view);
     for (int i = 0; i < in_view.count; i++) {
@@ -396,9 +399,12 @@ bool ref_line_find(const ref_line_view *view, const ref_line *line, ref_drawn *d
         ends[i] = ref_transform_point(view->camera, &world.vertices[i].position);
         const uint32_t number = line->faces[i];
         const ref_face *face = number ? ref_face_of(scene, instance, number - 1) : NULL;
-        if (face && ref_face_is_front(scene, instance, face, view->eye)) {
+        if (face && ref_face_shows_front(scene, instance, face, view->eye, view->camera)) {
             ref_depth_plane_find(scene, view->camera, instance, face,
                                  &look->planes[look->plane_count]);
+            if (view->lens->scale != 0) {
+                ref_depth_plane_take_eye(&look->planes[look->plane_count], view->lens);
+            }
             drawn->depth.slack = fmax(drawn->depth.slack, look->planes[look->plane_count].slack);
             find_thinness(view, instance, face, look);
             look->faces[look->plane_count++] = number;

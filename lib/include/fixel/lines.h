@@ -87,7 +87,6 @@ typedef struct {
  * FXL_E_RANGE: a band that is not of this screen; a coordinate or the width is out of its range.
  * FXL_E_ALIGNMENT: a target of 16 bits a pixel, and pixels or a palette at an odd address.
  * FXL_E_CAPACITY: the depth buffer holds only a part of the band.
- * FXL_E_COMBINATION: the lens is orthographic.
  * With each of these statuses: band untouched; counted in refused_calls of the workspace. */
 fxl_status fxl_frame_draw_line(fxl_renderer *renderer, fxl_workspace *workspace,
                                const fxl_world_line *line, const fxl_band *band);

@@ -362,8 +362,7 @@ def _compile_lit(data, name, folder, frames, progress, screen, files):
 
 def _check_lines(scene, name):
     """Refuses what does not go with lines (docs/extras/combinations.md)."""
-    other, key = ("beams", "beams") if scene.beams else ("a tree", "tree") if scene.layers != "none" else \
-        ("an orthographic lens", "scale") if scene.scale else (None, None)
+    other, key = ("beams", "beams") if scene.beams else ("a tree", "tree") if scene.layers != "none" else (None, None)
     if other and any(model.lines for model in scene.models):
         raise ToolError(f"{name}: lines and {other} do not go together: leave out edges, lines and points, or {key}")
 
