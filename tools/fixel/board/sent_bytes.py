@@ -3,6 +3,7 @@
 
 from fixel.board import controllers
 
+# place pixel-format: bytes of a pixel that is sent
 PIXEL_BYTES = 2     # of RGB565: where no driver is named
 
 
