@@ -4,6 +4,7 @@
 
 #include "fixel/horizon.h"
 #include "rgb565_scene.h"
+/* place field: small images, each field broken */
 #include "scene/scene_sections.h"
 #include "tiny.h"
 

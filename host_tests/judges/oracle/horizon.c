@@ -94,7 +94,6 @@ static oracle_outcome judge(const oracle_input *input, FILE *words, oracle_verdi
     return ORACLE_COUNTED;
 }
 
-/* place claim: a claim in the file of its stage: how a sample is drawn and judged */
 const oracle_claim oracle_horizon = {
     .id = "horizon",
     .unit = "2^-20",

@@ -25,6 +25,7 @@ const char *predict_no_room(const fxl_scene_image *image, const uint32_t setting
  * them where the colour changes; in the first row of a band nothing says where that may be. */
 static void (*fill_horizon)(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour);
 
+/* place pixel-format: whether two pixels are of one colour */
 static bool has_change(const fxl_band *band, size_t place)
 {
     const uint16_t *wide = (const uint16_t *)(const void *)band->pixels;

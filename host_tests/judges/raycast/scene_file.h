@@ -4,6 +4,7 @@
 #define RAYCAST_SCENE_FILE_H
 
 #include "play.h"
+/* place field: the ray-cast oracle's reader: sizes */
 #include "scene_sections.h"
 #include "world.h"
 

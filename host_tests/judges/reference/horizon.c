@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "reference/scan.h"
+/* place field: the reference's reader: sizes of entries, and offsets as numbers */
 #include "reference/sections.h"
 
 bool ref_horizon_read(const uint8_t *bytes, ref_horizon *horizon)
