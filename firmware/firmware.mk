@@ -308,7 +308,7 @@ endef
 
 # What a program of the user's own links beside its objects: own.c, which hands out its pictures, and any of the library. Its
 # code may have warnings, and GNU's C. An exported scene is kept whole, so that the tools find its palette.
-OWN_WRAPPED := main fxl_frame_begin fxl_frame_fill fxl_frame_draw fxl_render fxl_changed_find
+OWN_WRAPPED := main fxl_frame_begin fxl_frame_fill fxl_frame_draw fxl_frame_draw_line fxl_render fxl_changed_find
 OWN_CC = $(filter-out -std=% -W% -fdata-sections,$(CORE_CC.$(call CORE_NAME,$(1)))) -std=gnu11 -Wall
 OWN_LIB_OF = $(if $(BOARD_HOSTED.$(1)),$(BUILD)/host/objects/lib,$(BOARD_CORE_OUT)/lib)
 OWN_LIB_NAMES_OF = $(filter-out study/% draw/offsets,$(if $(BOARD_HOSTED.$(1)),$(LIB_HOST_NAMES),$(call CORE_LIB_NAMES,$(notdir $(BOARD_CORE_OUT)))))

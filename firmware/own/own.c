@@ -8,6 +8,7 @@
 #include "contract/system.h"
 #include "fixel.h"
 #include "fixel/changed.h"
+#include "fixel/lines.h"
 #include "parts/dump.h"
 
 fxl_status __real_fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
@@ -22,6 +23,10 @@ fxl_status __wrap_fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *
                              uint16_t stride);
 fxl_status __real_fxl_changed_find(fxl_changed *changed, const fxl_renderer *renderer);
 fxl_status __wrap_fxl_changed_find(fxl_changed *changed, const fxl_renderer *renderer);
+fxl_status __real_fxl_frame_draw_line(fxl_renderer *renderer, fxl_workspace *workspace,
+                                      const fxl_world_line *line, const fxl_band *band);
+fxl_status __wrap_fxl_frame_draw_line(fxl_renderer *renderer, fxl_workspace *workspace,
+                                      const fxl_world_line *line, const fxl_band *band);
 int __real_main(int argc, char **argv);
 int __wrap_main(int argc, char **argv);
 
@@ -382,6 +387,20 @@ fxl_status __wrap_fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *
 
     hold(&box, pixels, stride, true, __builtin_frame_address(0));
     return FXL_OK;
+}
+
+/* A program may draw more lines over a band than there is time for without a sign of life, to the board and, by the clock, to an
+ * emulator. What they take is not counted: to read the clock for each would take longer. */
+fxl_status __wrap_fxl_frame_draw_line(fxl_renderer *renderer, fxl_workspace *workspace,
+                                      const fxl_world_line *line, const fxl_band *band)
+{
+    static uint32_t lines;
+
+    system_alive();
+    if (++lines % 4096u == 0) {
+        (void)clock_instructions();
+    }
+    return __real_fxl_frame_draw_line(renderer, workspace, line, band);
 }
 
 /* From here on the bands of the frame are those of boxes: the rest of the picture stays. */
