@@ -41,8 +41,8 @@ fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl
  * FXL_E_RANGE: its inset is not 0, or the centre is farther from the middle of the screen than one
  * and a half times the width in x, or the height in y, or than four focal lengths in x or y. Of an
  * orthographic lens: than FXL_ORTHOGRAPHIC_CENTRE_MAX in x or y. Its eye is then moved, for each pose, by
- * as many world units as the centre is away from the middle (pixels / scale): a pose is refused by
- * FXL_E_RANGE where that is beyond FXL_COORDINATE_MAX.
+ * as many world units as the centre is away from the middle (pixels / scale): a pose for which that
+ * is beyond FXL_COORDINATE_MAX is refused.
  * With each of these statuses: lens untouched.
  * Exact.
  * Source: D1. */
