@@ -18,7 +18,8 @@ from fixel.base.children import start
 from fixel.board import own_run
 from fixel.image import image as scene_image
 from fixel.scene import making
-from fixel.view import browser
+from fixel.view import browser, view_own
+from conftest import CHECKOUT
 from viewers import HEIGHT, WIDTH, children, left, wait_for_rest
 
 BUILT_PROGRAMS = ("host/live",)
@@ -313,3 +314,21 @@ def test_a_program_that_does_not_compile_at_first_is_waited_for(folder, programs
         process.wait()
         process.stdout.close()
     assert left(programs) <= before
+
+
+def test_a_program_that_draws_boxes_is_watched_and_picked(programs, tmp_path):
+    """Each frame is the one before with its boxes; the seconds' hand is over the middle."""
+    source = view_own.Source("examples/watch", f"own-{own_run.name_of('examples/watch')}", programs)
+    assert source.make().returncode == 0
+    making.build(str(CHECKOUT / "scenes/tiny.toml"), str(tmp_path / "tiny.fxls"), 2)
+    own = view_own.Own(source, tmp_path / "tiny.fxls", tmp_path)
+    try:
+        frames = [own.frame() for _ in range(3)]
+        assert own.pick(120, 120) == (0, 15, 0)
+    finally:
+        own.close()
+    for before, frame in zip(frames, frames[1:]):
+        kept = numpy.ones(frame.pixels.shape, bool)
+        for column, columns, row, rows in frame.boxes:
+            kept[row:row + rows, column:column + columns] = False
+        assert kept.mean() > 0.5 and (frame.pixels != before.pixels).any() and (frame.pixels == before.pixels)[kept].all()
