@@ -139,7 +139,7 @@ BAD = {"SCENE": ("nothere.glb", "cannot be read"), "CPU_LIMIT": ("0", "from 1 to
        "CLUSTER": ("x", "tcp://"), "GDB_COMMANDS": ("nothere", "cannot be read"), "CORE": ("m9", "m55"), "WORKLOAD": ("w9", "w1"), "THRESHOLD": ("x", "threshold"),
        "THOUSANDS": ("0", "from 1 to"), "RUNS": ("0", "from 1 to"), "EXAMPLES": ("x", "examples"), "HARNESS": ("x", "pipeline"), "ADD": ("nothere", "harness"),
        "KILLS": ("0", "from 1 to"), "SAMPLE": ("-1", "negative"), "PART": ("x", "tools"), "DRAW": ("0", "DRAW"),
-       "JSON": ("/proc/x", "cannot be written")}
+       "JSON": ("/proc/x", "cannot be written"), "STEPS": ("0", "from 1 to"), "CLOCK": ("0", "from 1 to"), "SERVE": ("0", "from 1 to"), "BADGE": ("/proc/x.svg", "cannot be written")}
 BAD |= {flag.rpartition(" ")[2]: ("0", "must be 1") for flag in make.FLAGS if " " not in flag} | {"DEVICE": ("a/b", "ssd0303")}
 BAD_OF = {("compare", "JSON"): ("0", "must be 1"), ("mutants", "COUNT"): ("0", "from 1 to"), ("costs", "FRAMES"): ("0", "from 1 to")}
 # Any text is one: a word that draws breaks, a reason.
@@ -212,7 +212,7 @@ def test_it_is_a_program_of_its_own(command, settings, code):
 
 
 @pytest.mark.parametrize("words", [["run", "SCENE=nothere.glb", "BOARD=pico"], ["report", "SAMPLES=-5"], ["report", "ONLY=nothing"], ["test", "ONLY=nothing"],
-                                   ["flash", "PROBE=jlink"], ["boot", "BOARD=rv32"], ["docs", "OUT=/proc/x"], ["predict", "BOARD=pico"], ["compare"],
+                                   ["flash", "PROBE=jlink"], ["boot", "BOARD=rv32"], ["docs", "OUT=/proc/x"], ["predict", "BOARD=netduino2"], ["compare"],
                                    ["run", "SCENE=README.md"], ["run", "SCENE=scenes/tiny.toml", "LOOK=--flat"], ["screen", "PICTURE=docs"],
                                    ["screen", "DEVICE=no-such"], ["lib", "SIZE=0"], ["lib", "LIB_FLAGS=x"], ["flash", "PROBE=openocd", "BOARD=mps3-an547"],
                                    ["flash", "DRIVER=st7789", "BOARD=rv32"], ["flash", "DRIVER=no-such", "BOARD=pico"],

@@ -24,7 +24,7 @@ from fixel.campaign import runner
 from fixel.model import suffixes
 from fixel.scene import look, scene_options
 
-RESULTS = ("out", "keep", "json")   # options that name a result
+RESULTS = ("out", "keep", "json", "badge")   # options that name a result
 
 
 def asked(name, words):
