@@ -53,6 +53,10 @@ static bool expect_place(const fxl_view *view, const fxl_point *point, const fxl
     fxl_screen_point screen = {7, 7};
     fxl_screen_place place;
     fxl_transform_point(&view->camera, point, &drawn);
+    TEST_ASSERT_EQUAL_INT64(seen->z - (int64_t)lens->near_z * FXL_Q2_30_ONE,
+                            drawn.z - view->view_frustum.near_z);
+    TEST_ASSERT_EQUAL_INT64(seen->z - (int64_t)lens->far_z * FXL_Q2_30_ONE,
+                            drawn.z - view->view_frustum.far_z);
     TEST_ASSERT_EQUAL(fits ? FXL_OK : FXL_E_RANGE, fxl_project_orthographic(view, &drawn, &screen));
     TEST_ASSERT_EQUAL_INT32(fits ? x : 7, screen.x);
     TEST_ASSERT_EQUAL_INT32(fits ? y : 7, screen.y);
