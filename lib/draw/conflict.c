@@ -62,11 +62,11 @@ static const struct {
      "outlines and a depth buffer do not go together: the style's code must be "
      "&fxl_outlines_by_depth"},
     {FXL_HAS_DEEP_OUTLINES, FXL_HAS_WORLD_CLIPPER,
-     "outlines and a clipper of the study do not go together by depth: the clipper must be "
+     "outlines and a clipper of the study do not go together: with a depth buffer the clipper must be "
      "&fxl_clipper_view"},
     {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_DEEP_OUTLINES,
-     "an orthographic lens and outlines do not go together by depth: detach the outlines, by a null "
-     "style"},
+     "an orthographic lens and outlines do not go together: with a depth buffer the outlines must be "
+     "detached, by a null style"},
     {FXL_HAS_OUTLINES, FXL_HAS_BEAMS,
      "outlines and beams do not go together: detach one, by a null style or set"},
     {FXL_HAS_OUTLINES, FXL_HAS_MOVERS,
