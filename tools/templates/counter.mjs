@@ -3,8 +3,8 @@
 
 const NO_ROOM = 0, WRONG = 1, COUNT = 2, NAMES = 3, COUNTS = 4, SETTINGS = 5, POSE = 6;      // words of what it tells
 
-/** The nearest whole number, of two the even one: as predict prints it. */
-function whole(number) {
+/** The nearest whole number, of two the even one: as Python rounds. */
+export function whole(number) {
   const up = Math.round(number);
   return up - number === 0.5 && up % 2 ? up - 1 : up;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The first page of the site: the library as WebAssembly draws a scene, and the page says what the frame costs on a board.
 import { CostCard, badgePicture, badgeWords } from "./site_cost.js";
+import { FrameCounts } from "./site_count.js";
 import { Held, press } from "./view_keys.js";
 import { Picture, paletteWords, rgb565Words, saveFile, savePicture } from "./view_picture.js";
 import { Views } from "./site_views.js";
@@ -17,6 +18,7 @@ const card = new CostCard(at, data.parts, data.boards);
 const state = { walk: null, picture: null, name: "", image: null, isMine: false, costs: new Map(), myCost: null, frame: null, paused: false, slow: false, byKeys: false,
   due: 0, colours: null, colourBytes: "" };
 const views = new Views({ select: at("view"), words: at("view-words"), pixel: at("pixel"), canvas: at("screen"), say, fetched });
+const counts = new FrameCounts(fetched, data.boards);
 const held = new Held(() => { if (held.bits) { state.byKeys = true; go(); } });
 
 // --- scenes ------------------------------------------------------------------------
@@ -47,9 +49,15 @@ function placeOfCost(name) {
   return `scenes/${name}/${card.board}.json`;
 }
 
-/** The same of an image, where the page's server compiles and predicts. */
+/** The same of an image: from the page's server where that compiles and predicts, or else counted here. */
 async function askCost(image) {
-  state.myCost = data.compiles ? await (await asked(`predict?board=${card.board}`, image)).json() : null;
+  state.myCost = null;
+  if (data.compiles) {
+    state.myCost = await (await asked(`predict?board=${card.board}`, image)).json();
+  } else if (counts.knows(card.board)) {
+    await counts.load();
+    state.myCost = counts.costOf(image, card.board);
+  }
 }
 
 /** What the page's server makes of bytes; Refused with its sentence. */
@@ -164,12 +172,25 @@ function cost() {
   return state.isMine ? state.myCost : state.costs.get(placeOfCost(state.name)) ?? null;
 }
 
+/** Instructions of the frame: of a path of the site they are there; those of others are counted, once what counts is here. */
+function taken() {
+  const known = cost(), { frame, image } = state;
+  if (!known || known.why_not || (known.instructions && !state.byKeys)) {
+    return known?.instructions?.[frame.number];
+  }
+  if (!counts.cores) {
+    tried(() => counts.load().then(tellCost));
+    return undefined;
+  }
+  return counts.taken(image, card.board, frame);
+}
+
 function tellCost() {
-  card.tell(cost(), state.byKeys ? null : state.frame.number);
+  card.tell(cost(), taken());
 }
 
 function saveBadge() {
-  if (cost()) {
+  if (cost()?.mean || cost()?.why_not) {
     const words = badgeWords(card.board, card.clock, cost());
     saveFile(new Blob([badgePicture(data.badge, words)], { type: "image/svg+xml" }), `${state.name}-${card.board}.svg`);
   }

@@ -67,9 +67,9 @@ export class CostCard {
     this.at("clock").disabled = !paces;
   }
 
-  /** cost: of a scene on the board; null: none is known. number: of the frame, null: of no path. */
-  tell(cost, number) {
-    const taken = cost?.instructions?.[number], cycles = taken && this.cyclesOf(taken.slice(1));
+  /** cost: of a scene on the board; null: none is known. taken: instructions of the frame, all and then those of each part; or undefined. */
+  tell(cost, taken) {
+    const cycles = taken && this.cyclesOf(taken.slice(1));
     this.at("cost").textContent = cost?.why_not ? "no room" : taken ? `${count(taken[0])} instructions` : "–";
     this.at("cycles").textContent = cycles ? this.cycleWords(cycles[0]) : "";
     this.at("parts").hidden = !(taken?.length > 1);
@@ -95,7 +95,7 @@ export class CostCard {
 
   words(cost, taken, cycles) {
     if (!cost) {
-      return "fixel predict says what a file of yours costs.";
+      return "fixel predict says what a file of yours costs on this board.";
     }
     if (cost.why_not) {
       return `${cost.why_not}.`;
@@ -103,7 +103,7 @@ export class CostCard {
     const memory = `Program and scene take ${kilobytes(cost.flash.program + cost.flash.scene)} of ${kilobytes(cost.flash.of)} KB of flash, `
       + `and ${kilobytes(cost.ram.program)} of ${kilobytes(cost.ram.of)} KB of RAM.`;
     if (!taken) {
-      return `Counted for the path alone: “back to start” follows it. ${memory}`;
+      return memory;
     }
     return `An estimate, as make predict BOARD=${this.board} makes it. ${cycles ? "" : "No model knows this core’s cycles, so no rate follows. "}${memory}`;
   }

@@ -10,7 +10,8 @@ const module = (file) => new WebAssembly.Module(fs.readFileSync(file));
 const image = new Uint8Array(fs.readFileSync(imageFile)), counter = new Counter(module(counterFile), image, settings.map(Number));
 const counted = [], walk = new Walk(module(walkFile));
 walk.open(image);
-for (let i = 0; i < Number(frames) && !counter.noRoom; i++) {
+const most = Math.min(frames, walk.shown().pathFrames);
+for (let i = 0; i < most && !counter.noRoom; i++) {
   counted.push(counter.count(walk.draw(null).pose, i));
 }
 console.log(JSON.stringify({ noRoom: counter.noRoom, names: counter.names, frames: counted }));

@@ -372,6 +372,34 @@ def test_what_a_frame_costs_is_what_predict_says(chromium, address, board, tmp_p
         assert all(abs(mean - stage) <= 0.5 for mean, stage in zip(means, result["stages"].values())) and len(means) == 5
 
 
+def test_a_walk_and_a_file_of_yours_are_counted_in_the_page(chromium, address, site, tmp_path):
+    """The counted frame is one of the path, whose costs the site has."""
+    def told(page):
+        shows(page, "#cost-words", "BOARD=mps2-an385")
+        shows(page, "#cost", "instructions$")
+        return [page.inner_text(f"#{name}") for name in ("cost", "cycles", "parts")]
+
+    with opened(chromium, f"{address}#scene=spin&frame=3") as page:
+        page.select_option("#board", "mps2-an385")
+        of_path, words = told(page), page.inner_text("#cost-words")
+        programs.run_program([CHECKOUT / "build" / "host" / "frames", site / "scenes" / "spin.fxls", tmp_path / "frames.fxld"])
+        frame = dump.read_dump(tmp_path / "frames.fxld").frames[3]
+        pose = ",".join(str(number) for number in (*frame.position, *frame.angles))
+        assert not any("counter.wasm" in url for url in page.asked)
+        page.evaluate(f"location.hash = '#scene=spin&frame=3&pose={pose}'")
+        shows(page, "#number", "of your walk")
+        assert told(page) == of_path and page.inner_text("#cost-words") == words
+        drop(page, "mine.fxls", (site / "scenes" / "spin.fxls").read_bytes())
+        for _ in range(3):
+            page.click("#step")
+        shows(page, "#number", "^3 of")
+        assert told(page) == of_path and page.inner_text("#cost-words") == words
+        page.select_option("#board", "microbit")
+        shows(page, "#cost-words", "^fixel predict says")
+        drop(page, "large.fxls", (site / "scenes" / "gallery.fxls").read_bytes())
+        assert sum("counter.wasm" in url for url in page.asked) == 1
+
+
 def test_a_rate_is_of_the_clock_and_says_what_it_is_of(chromium, address):
     with opened(chromium, f"{address}#scene=spin&frame=0") as page:
         page.fill("#clock", "250")

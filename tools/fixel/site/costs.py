@@ -18,8 +18,18 @@ def boards(build):
     for board in sorted(frame_costs.load()["boards"], key=lambda board: board != FIRST):
         options = settings(board, build)
         model = stage_costs.model_of(options.core)
-        found[board] = {"core": CORE.search(options.core)[1], "clock": options.clock, "paces": model and stage_costs.paces_of(model)}
+        entry, code = predict.board_of(options, frame_costs.load())
+        found[board] = {"core": CORE.search(options.core)[1], "clock": options.clock, "paces": model and stage_costs.paces_of(model), "code": code,
+                        "settings": [options.band, options.order, options.list, options.cache, options.list_most], "without": options.without,
+                        "memory": frame_costs.memory(entry, 0)}
     return found
+
+
+def cores():
+    """{a core of bench/costs.json: {count: instructions of one, all and then those of each of stage_costs.PARTS, where these are known}}."""
+    known = frame_costs.load()
+    return {core: {name: [cost, *(cost * share for share in known["stages"][core][name])] if core in known["stages"] else [cost] for name, cost in costs.items()}
+            for core, costs in known["cores"].items()}
 
 
 @functools.cache

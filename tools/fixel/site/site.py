@@ -166,6 +166,7 @@ def main(argv):
         shutil.copyfile(options.module, folder / "walk.wasm")
         shutil.copyfile(options.judge, folder / "judge.wasm")
         shutil.copyfile(options.counter, folder / "counter.wasm")
+        (folder / "costs.json").write_text(json.dumps(costs.cores(), separators=(",", ":")), encoding="utf-8")
         shutil.copyfile(ROOT / "docs" / "plaza.png", folder / "plaza.png")
         (folder / "index.html").write_text(page(scenes, costs.boards(options.build)), encoding="utf-8")
         (folder / "llms.txt").write_text(docs.for_models(docs.grouped(docs.of_the_tree()), sentence(), "documents/"), encoding="utf-8")
