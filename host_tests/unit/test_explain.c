@@ -184,7 +184,7 @@ void test_two_things_that_do_not_go_together(void)
     TEST_ASSERT_TRUE(fxl_renderer_conflict(&renderer, names));
     expect_words(fxl_render_explain(&renderer, &eye, pixels, WIDTH, NULL), names[0], names[1]);
     expect_words(fxl_renderer_explain(&renderer, &scene, &config, block, sizeof block), names[0],
-                 "config.target must be");
+                 "&fxl_outlines_by_depth");
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_outlines(&renderer, NULL, NULL));
     TEST_ASSERT_NULL(fxl_renderer_explain(&renderer, &scene, &config, block, sizeof block));
 }
