@@ -149,6 +149,7 @@
     X(wide_values) \
     X(wide_texels) \
     X(wide_lit) \
+    X(wide_lit_texels) \
     X(wide_evenly_lit) \
     X(wide_levels) \
     X(wide_blended) \

@@ -201,6 +201,13 @@ static bool is_repeated(const fxl_paint *paint)
            paint->level.flags == FXL_LEVEL_565;
 }
 
+/* Texels of a palette whose light is an attribute: a core may have a kernel for them. */
+static bool has_lit_texels(const fxl_paint *paint)
+{
+    return paint->of_565.part_of_level != 0 && !paint->is_evenly_lit && paint->opacity == 16 &&
+           paint->level.texels != NULL && paint->level.colours == NULL && paint->level.flags == 0;
+}
+
 /* Pixels of 16 bits that are painted, and what each of them takes. */
 static void count_wide(const fxl_paint *paint, double pixels, bool linear)
 {
@@ -213,6 +220,11 @@ static void count_wide(const fxl_paint *paint, double pixels, bool linear)
         counted.wide_segments += 1;
         *(paint->of_565.part_of_level != 0 ? &counted.wide_repeated_lit : &counted.wide_repeated) +=
             pixels;
+        return;
+    }
+    if (linear && has_lit_texels(paint)) {
+        counted.wide_segments += 1;
+        counted.wide_lit_texels += pixels;
         return;
     }
     *(linear ? &counted.wide_painted : &counted.wide_divided) += pixels;

@@ -97,6 +97,7 @@ NAMES = {
     "wide_kernel_pixels": "a pixel of it", "wide_line_segments": "16 columns of it where the weight is constant",
     "wide_painted": "a pixel of a surface in RGB565", "wide_divided": "such a pixel that is divided by itself",
     "wide_values": "an attribute of such a pixel", "wide_texels": "a texel in RGB565", "wide_lit": "a lit pixel of RGB565",
+    "wide_lit_texels": "a pixel of lit texels of a palette in RGB565",
     "wide_evenly_lit": "a pixel of texels in RGB565 that are lit evenly",
     "wide_levels": "a pixel of a lit colour in RGB565",
     "wide_repeated": "a pixel of opaque texels of RGB565", "wide_repeated_lit": "a lit one of them",
