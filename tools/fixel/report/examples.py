@@ -35,6 +35,8 @@ BAND_PICTURES = {"attitude": 35}
 BOX_PICTURES = {"watch": 1}
 # Those that send frames of 240 x 240 by a pump, with what they draw over them: the frame that is their picture.
 PUMP_PICTURES = {"horizon": 5}
+# Those that keep a band of ROWS rows alone, by the side of their square frame, which is drawn as one band.
+SIDE_PICTURES = {"toolpath": 128}
 # Those whose pixels are RGB565: the frame that is their picture.
 WIDE_PICTURES = {"model": 3, "neon": 60}
 
@@ -46,7 +48,7 @@ def picture_of(name):
 
 
 def draw_example(library, name):
-    """The picture of an example of PICTURES, BAND_PICTURES, BOX_PICTURES or PUMP_PICTURES, and its palette."""
+    """The picture of an example whose pixels are entries of a palette, and its palette."""
     if name in BAND_PICTURES:
         program, flags = ROOT / "examples" / name / "main.c", ["-DEXAMPLE_BANDED", f"-DEXAMPLE_FRAMES={BAND_PICTURES[name]}"]
         return _with_palette(library, program, "board_palette", *flags)
@@ -56,8 +58,13 @@ def draw_example(library, name):
     if name in PUMP_PICTURES:
         flags = ["-DEXAMPLE_PUMPED", f"-DEXAMPLE_FRAMES={PUMP_PICTURES[name]}", "-Wl,--wrap=fxl_pump_send"]
         return _with_palette(library, ROOT / "examples" / name / "main.c", f"{name}_palette", *flags, size=(240, 240))
+    if name in SIDE_PICTURES:
+        side = SIDE_PICTURES[name]
+        pixels, _, palette = _run(library, ROOT / "examples" / name / "main.c", 0, f"-DROWS={side}", size=(side, side))
+        return pixels, palette
     if name not in PICTURES:
-        raise ToolError(f"there is no example '{name}'; there are: {', '.join(sorted({**PICTURES, **BAND_PICTURES, **BOX_PICTURES, **PUMP_PICTURES, **WIDE_PICTURES}))}")
+        known = {*PICTURES, *BAND_PICTURES, *BOX_PICTURES, *PUMP_PICTURES, *SIDE_PICTURES, *WIDE_PICTURES}
+        raise ToolError(f"there is no example '{name}'; there are: {', '.join(sorted(known))}")
     frames, own = PICTURES[name]
     program, flags = ROOT / "examples" / name / "main.c", [] if frames is None else [f"-DEXAMPLE_FRAMES={frames}"]
     if own:
