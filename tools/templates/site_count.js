@@ -44,7 +44,8 @@ export class FrameCounts {
       return null;
     }
     const counts = counter.count(pose, number), sums = costs[counter.names[0]].map(() => 0);
-    counts.forEach((count, i) => costs[counter.names[i]].forEach((cost, part) => { sums[part] += count * cost; }));
+    counts.forEach((count, i) => costs[counter.names[i]].forEach((cost, part) => { sums[part] += count * (part ? cost : Math.round(1000 * cost)); }));
+    sums[0] /= 1000;        // costs have three decimals: the sum of thousandths is exact
     return sums.map(whole);
   }
 }

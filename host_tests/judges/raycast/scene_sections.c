@@ -51,7 +51,8 @@ static void check_set(const char *path, const uint8_t *bytes, const table *s)
     for (int kind = KIND_BILLBOARDS; kind <= KIND_SPRITE_PIXELS; kind++)
         some_billboards |= s[kind].count > 0;
     for (int kind = KIND_PALETTE; kind <= KIND_INSTANCES; kind++)
-        need(path, s[kind].count > 0 || kind == KIND_INDICES, "a section is missing");
+        need(path, s[kind].count > 0 || kind == KIND_INDICES || kind == KIND_FACES,
+             "a section is missing");
     need(path, !s[KIND_WHOLE_FACES].count || s[KIND_WHOLE_FACES].count == s[KIND_FACES].count,
          "the whole faces have not an entry for each face");
     need(path, s[KIND_PALETTE].count == 256, "its palette has not 256 entries");
@@ -67,7 +68,9 @@ static void check_set(const char *path, const uint8_t *bytes, const table *s)
          !some_surfaces ||
              (s[KIND_SURFACES].count && s[KIND_MAPPED_FACES].count && s[KIND_CORNERS].count),
          "a part of the surfaces is missing");
-    need(path, !some_surfaces || s[KIND_FACE_MAP].count == s[KIND_FACES].count,
+    need(path,
+         !some_surfaces ||
+             (s[KIND_FACE_MAP].count && s[KIND_FACE_MAP].count == s[KIND_FACES].count),
          "the face map has not an entry for each face");
     need(path, !some_billboards || (s[KIND_BILLBOARDS].count && s[KIND_SPRITE_PIXELS].count),
          "a part of the billboards is missing");

@@ -151,7 +151,7 @@ static uint32_t count_of(const uint8_t *bytes, int kind)
 static bool set_is_sound(const uint8_t *bytes)
 {
     const bool surfaces = has(bytes, REF_SURFACES) && has(bytes, REF_MAPPED_FACES) &&
-                          has(bytes, REF_CORNERS) &&
+                          has(bytes, REF_CORNERS) && has(bytes, REF_FACE_MAP) &&
                           count_of(bytes, REF_FACE_MAP) == count_of(bytes, REF_FACES);
     const bool billboards = has(bytes, REF_BILLBOARDS) && has(bytes, REF_SPRITE_PIXELS) &&
                             count_of(bytes, REF_BILLBOARD_MAP) == count_of(bytes, REF_MODELS);
