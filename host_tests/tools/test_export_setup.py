@@ -297,8 +297,8 @@ def test_a_board_that_says_nothing_of_a_scene_is_refused(tmp_path, scene, board,
 def test_a_board_whose_program_alone_knows_its_room_is_refused_where_that_is_not_built(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(ToolError) as error:
-        scene_command.main(["export", "--c", str(CHECKOUT / "examples/cube/cube.obj"), "-o", str(tmp_path / "cube.h"), "--board", "pico"])
-    assert "--board" in str(error.value) and "make run BOARD=pico SCENE=" in str(error.value)
+        scene_command.main(["export", "--c", str(CHECKOUT / "examples/cube/cube.obj"), "-o", str(tmp_path / "cube.h"), "--board", "netduino2"])
+    assert "--board" in str(error.value) and "make run BOARD=netduino2 SCENE=" in str(error.value)
     assert not (tmp_path / "cube.h").exists()
 
 
