@@ -97,7 +97,8 @@ def test_names_of_a_run(capsys):
                "pixels_differing": None, "program": "grey", "polygons": {"in": 1}, "driver": None,
                "instructions_per_frame": {"min": None}, "cycles_per_frame": {"min": None}, "host_frames_equal": True, "frames_empty": 0,
                "order_wrong_pixels": None, "pixels_unexplained": None, "wires_frames_equal": None, "kept": [], "spilled_note": "",
-               "frame_crc_all": "00000000", "sent_crc_all": None}
+               "frame_crc_all": "00000000", "sent_crc_all": None,
+               "display_bytes": 2, "display_bytes_by_boxes": None, "display_share_saved": None, "boxes_unknown": ""}
     run.print_summary(summary, ODD)
     said = capsys.readouterr().out
     assert said.count(SHOWN) == 3 and "\x1b" not in said, said

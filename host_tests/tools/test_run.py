@@ -32,7 +32,8 @@ KEYS = {"texel_pixels", "board", "cpu", "scene", "width", "height", "frames", "p
         "pixels_unexplained", "worst_frame_differing", "max_edge_distance_px", "polygons",
         "instructions_per_frame", "frame_sha256", "host_frames_equal", "frames_empty", "visibility", "clipper", "program",
         "order_wrong_pixels", "order_judged_pixels", "driver", "wires_frames_equal", "wires_frame_sha256", "kept",
-        "frame_crc", "frame_crc_all", "sent_crc", "sent_crc_all", "cycles_per_frame", "emulator", "spilled_note"}
+        "frame_crc", "frame_crc_all", "sent_crc", "sent_crc_all", "cycles_per_frame", "emulator", "spilled_note",
+        "display_bytes", "display_bytes_by_boxes", "display_share_saved", "boxes_unknown"}
 
 
 def walk(out, board="mps2-an385", scene=SCENE, frames=FRAMES, **changes):
