@@ -259,6 +259,8 @@ def test_a_scene_of_rgb565_is_drawn_to_nothing_else(plan):
 def test_a_change_changes_the_scene(tmp_path, change):
     if change in ("smooth", *bench_changes.POINTS):
         path, before = "bench/scenes/egg.toml", []
+    elif change == "without lines":
+        path, before = "bench/scenes/lines.toml", []
     else:
         path, before = "bench/scenes/tqp.toml", ["rgb565"] if change in ("16 bits", "added") else []
     made = [image.pack(bench_changes.compile_file({"scene": CHECKOUT / path}, names, tmp_path)) for names in (before, [*before, change])]
@@ -296,6 +298,11 @@ def test_rows_and_pixels_are_slopes(monkeypatch):
     monkeypatch.setattr(bench_budgets._Frames, "on", lambda self, screen: 1000 + 50 * screen[1] + 6 * screen[0] * screen[1])
     frames = bench_budgets._Frames(None, {}, None)
     assert bench_budgets.KINDS["pixel"](frames) == 6 and bench_budgets.KINDS["row"](frames) == 50
+
+
+def test_what_a_scene_has_more_is_what_it_takes_without_a_change(monkeypatch):
+    monkeypatch.setattr(bench_budgets._Frames, "mean", lambda self, *changes: 600 if changes == ("without lines",) else 1000)
+    assert bench_budgets.KINDS["taken"](bench_budgets._Frames(None, {"less": "without lines", "per": 4}, None)) == 100
 
 
 # --- goals --------------------------------------------------------------------------

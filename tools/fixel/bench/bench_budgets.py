@@ -53,6 +53,11 @@ def _added(frames):
     return (frames.mean(frames.entry["more"]) - frames.mean()) / frames.entry["per"]
 
 
+def _taken(frames):
+    """What the scene has more than with the changes `less`."""
+    return (frames.mean() - frames.mean(frames.entry["less"])) / frames.entry["per"]
+
+
 def _frame(frames):
     return frames.mean() / frames.entry["per"]
 
@@ -82,7 +87,7 @@ def _terrain(frames):
     return frames.staged(file) / frames.entry["faces"] / frames.entry["per"]
 
 
-KINDS = {"pixel": _pixel, "row": _row, "added": _added, "frame": _frame, "times": _times, "stage": _stage, "calls": _calls, "terrain": _terrain}
+KINDS = {"pixel": _pixel, "row": _row, "added": _added, "taken": _taken, "frame": _frame, "times": _times, "stage": _stage, "calls": _calls, "terrain": _terrain}
 
 
 def _measure(plan, entry):

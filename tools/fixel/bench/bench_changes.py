@@ -111,6 +111,11 @@ def _horizon(data):
             thing.pop(key, None)
 
 
+def _without_lines(data):
+    """No lines and points, and no objects that have nothing else."""
+    data["objects"] = [{key: value for key, value in thing.items() if key not in keys.LINES} for thing in data["objects"] if thing.get("solid") != "none"]
+
+
 # Of a workload's `with`, in its order. SCREENS change the screen, with the same field of view.
 CHANGES = {"textured": _textured, "lit": _lit, "depth": _of_view(visibility="depth"), "rgb565": _of_view(pixels="rgb565"),
            "affine": _of_objects(division="affine"), "divided": _of_objects(division=1),
@@ -118,7 +123,7 @@ CHANGES = {"textured": _textured, "lit": _lit, "depth": _of_view(visibility="dep
            "256x256": _of_textures(size=[256, 256]), "levels": _of_textures(levels=4), "clamp": _of_textures(wrap="clamp"),
            "4 bits": _of_textures(bits=4), "16 bits": _of_textures(bits=16), "key": _of_textures(pattern="grille"),
            "stipple": _of_objects(opacity=8), "added": _of_objects(blend="add"), "rolled": _rolled, "half a pixel": _half_a_pixel,
-           "plain": _plain, "horizon": _horizon, "smooth": _of_objects(smooth=True), **{name: _points(places) for name, places in POINTS.items()}}
+           "plain": _plain, "horizon": _horizon, "without lines": _without_lines, "smooth": _of_objects(smooth=True), **{name: _points(places) for name, places in POINTS.items()}}
 
 
 def _read(workload):
