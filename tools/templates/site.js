@@ -37,16 +37,11 @@ async function openScene(name) {
   open(name, new Uint8Array(image), false);
 }
 
-/** Has what a scene of the site costs on the board that is chosen. */
+/** Has what a scene of the site costs on each board. */
 async function fetchCost(name) {
-  const place = placeOfCost(name);
-  if (!state.costs.has(place)) {
-    state.costs.set(place, await (await fetched(place)).json());
+  if (!state.costs.has(name)) {
+    state.costs.set(name, await (await fetched(`scenes/${name}.json`)).json());
   }
-}
-
-function placeOfCost(name) {
-  return `scenes/${name}/${card.board}.json`;
 }
 
 /** The same of an image: from the page's server where that compiles and predicts, or else counted here. */
@@ -169,10 +164,10 @@ function colours(frame) {
 
 /** What the scene costs on the board, as far as it is here. */
 function cost() {
-  return state.isMine ? state.myCost : state.costs.get(placeOfCost(state.name)) ?? null;
+  return state.isMine ? state.myCost : state.costs.get(state.name)?.[card.board] ?? null;
 }
 
-/** Instructions of the frame: of a path of the site they are there; those of others are counted, once what counts is here. */
+/** Instructions of the frame: of a path of the site on the first board they are there; those of others are counted, once what counts is here. */
 function taken() {
   const known = cost(), { frame, image } = state;
   if (!known || known.why_not || (known.instructions && !state.byKeys)) {
@@ -182,7 +177,7 @@ function taken() {
     tried(() => counts.load().then(tellCost));
     return undefined;
   }
-  return counts.taken(image, card.board, frame);
+  return counts.taken(image, card.board, frame, !state.byKeys && frame.pathFrames > 0);
 }
 
 function tellCost() {
@@ -297,7 +292,9 @@ function listen() {
   at("link").addEventListener("click", () => { pause(true); location.hash = linkOf(); });
   at("board").addEventListener("change", () => tried(async () => {
     card.chosen();
-    await (state.isMine ? askCost(state.image) : fetchCost(state.name));
+    if (state.isMine) {
+      await askCost(state.image);
+    }
     tellCost();
   }));
   at("clock").addEventListener("input", tellCost);

@@ -6,7 +6,7 @@ import { Counter, whole } from "./counter.mjs";
 export class FrameCounts {
   /** fetched(name): the answer for a file; boards: {name: { code, settings, without, memory }}. */
   constructor(fetched, boards) {
-    Object.assign(this, { fetched, boards, counter: null, image: null, board: null });
+    Object.assign(this, { fetched, boards, counter: null, image: null, board: null, ofPath: [] });
   }
 
   /** Whether it counts images of the reader's own for a board: one that leaves nothing out. */
@@ -25,7 +25,7 @@ export class FrameCounts {
   of(image, board) {
     if (this.image !== image || this.board !== board) {
       this.counter = new Counter(this.module, image, this.boards[board].settings);
-      Object.assign(this, { image, board });
+      Object.assign(this, { image, board, ofPath: [] });
     }
     return this.counter;
   }
@@ -37,13 +37,21 @@ export class FrameCounts {
     return why ? { ...found, why_not: why } : found;
   }
 
-  /** Instructions of a frame from a pose: all, then those of each part. Null where the board has no room. */
-  taken(image, board, { pose, number }) {
-    const counter = this.of(image, board), costs = this.cores[this.boards[board].code];
+  /** Instructions of a frame: all, then those of each part. isOfPath: the frame of that number of the scene's path, which is counted once. Null
+   * where the board has no room. */
+  taken(image, board, frame, isOfPath) {
+    const counter = this.of(image, board);
     if (counter.noRoom) {
       return null;
     }
-    const counts = counter.count(pose, number), sums = costs[counter.names[0]].map(() => 0);
+    if (!isOfPath) {
+      return this.count(counter, frame);
+    }
+    return this.ofPath[frame.number] ??= this.count(counter, frame);
+  }
+
+  count(counter, { pose, number }) {
+    const costs = this.cores[this.boards[this.board].code], counts = counter.count(pose, number), sums = costs[counter.names[0]].map(() => 0);
     counts.forEach((count, i) => costs[counter.names[i]].forEach((cost, part) => { sums[part] += count * (part ? cost : Math.round(1000 * cost)); }));
     sums[0] /= 1000;        // costs have three decimals: the sum of thousandths is exact
     return sums.map(whole);

@@ -373,14 +373,13 @@ def test_what_a_frame_costs_is_what_predict_says(chromium, address, board, tmp_p
 
 
 def test_a_walk_and_a_file_of_yours_are_counted_in_the_page(chromium, address, site, tmp_path):
-    """The counted frame is one of the path, whose costs the site has."""
+    """The counted frame is one of the path, whose costs the site has on the first board."""
     def told(page):
-        shows(page, "#cost-words", "BOARD=mps2-an385")
+        shows(page, "#cost-words", f"BOARD={costs.FIRST}")
         shows(page, "#cost", "instructions$")
         return [page.inner_text(f"#{name}") for name in ("cost", "cycles", "parts")]
 
     with opened(chromium, f"{address}#scene=spin&frame=3") as page:
-        page.select_option("#board", "mps2-an385")
         of_path, words = told(page), page.inner_text("#cost-words")
         programs.run_program([CHECKOUT / "build" / "host" / "frames", site / "scenes" / "spin.fxls", tmp_path / "frames.fxld"])
         frame = dump.read_dump(tmp_path / "frames.fxld").frames[3]

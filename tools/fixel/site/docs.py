@@ -40,8 +40,16 @@ FENCE = re.compile(r"^(?:```.*?^```$|    .*?$)", re.MULTILINE | re.DOTALL)
 PICTURES = (".png", ".gif", ".svg")
 UNNAMED = re.compile(r'<p class="breathe-sectiondef-title[^>]*>Unnamed Group</p>')     # functions that share a comment
 SYMBOL = re.compile(r'<symbol id="([\w-]+)".*?</symbol>\s*', re.DOTALL)      # of the theme's pictures a page uses some
-# Of the theme: two pictures for a mode that its words name too, and a class that it gives no look.
-SHORTER = {'"#svg-sun-with-moon"': '"#svg-sun"', '"#svg-moon-with-sun"': '"#svg-moon"', 'class="reference internal"': 'class="reference"'}
+# Of the theme: two pictures for a mode that its words name too, and a class that it gives no look. A line of the list of contents has no class.
+SHORTER = {'"#svg-sun-with-moon"': '"#svg-sun"', '"#svg-moon-with-sun"': '"#svg-moon"', 'class="reference internal"': 'class="reference"',
+           '<li class="toctree-l1"><a class="reference"': "<li><a"}
+UNCOLOURED = re.compile(r'<span class="[npw]">([^<]*)</span>')      # names, punctuation and blanks of code have the colour of all of it
+LITERAL = re.compile(r'<code class="docutils literal notranslate">((?:<span class="pre">[^<]*</span>\s*)+)</code>')
+WORD = re.compile(r'<span class="pre">([^<]*)</span>')
+# So the theme's rules name what these leave.
+STYLES = {"_static/styles/furo.css": {"code.literal": "code", ".toctree-l1>.reference": "li>a", ".sidebar-tree .reference": ".sidebar-tree li>a",
+                                      "current-page>.reference": "current-page>a", "current>.reference": "current>a"},
+          "_static/basic.css": {"span.pre {": "code:not(:has(span)), code span {"}}
 FOR_KEYS = {'<p class="caption" role="heading">': '<p class="caption" role="heading" aria-level="2">', "<pre>": '<pre tabindex="0">',
             '<div class="table-wrapper': '<div tabindex="0" class="table-wrapper'}
 FILES = "files"     # the folder of the copies of files
@@ -220,15 +228,29 @@ def write(out, folder):
         file.unlink()
     for page in out.rglob("*.html"):
         page.write_text(finished(page.read_text(encoding="utf-8")), encoding="utf-8")
+    for name, changes in STYLES.items():
+        (out / name).write_text(replaced((out / name).read_text(encoding="utf-8"), changes), encoding="utf-8")
     return counts
+
+
+def replaced(text, changes):
+    """A text with each of the changes, {what stands there: what shall}."""
+    for before, after in changes.items():
+        text = text.replace(before, after)
+    return text
+
+
+def literal(found):
+    """Code in a sentence: a word of several has an element, so that no line ends in it."""
+    words = WORD.findall(found[1])
+    return "<code>" + (words[0] if len(words) == 1 else WORD.sub(r"<span>\1</span>", found[1])) + "</code>"
 
 
 def finished(text):
     """A page without the blanks at the beginning of its lines, but in what is laid out, and without what it needs not; what scrolls is reached
     by keys, and a caption of contents has a level."""
-    text = UNNAMED.sub("", text)
-    for before, after in {**FOR_KEYS, **SHORTER}.items():
-        text = text.replace(before, after)
+    text = replaced(UNNAMED.sub("", text), {**FOR_KEYS, **SHORTER})
+    text = UNCOLOURED.sub(r"\1", WORD.sub(r"\1", LITERAL.sub(literal, text)))
     text = SYMBOL.sub(lambda found: found[0] if f'"#{found[1]}"' in text else "", text)
     parts = re.split(r"(<pre\b.*?</pre>)", text, flags=re.DOTALL)
     return "".join(part if number % 2 else re.sub(r"\n\s+", "\n", part) for number, part in enumerate(parts))

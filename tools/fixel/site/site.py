@@ -61,7 +61,7 @@ def title_of(scene):
 
 
 def write_scenes(folder, build, say):
-    """Compiles each scene into folder/scenes, with what it costs on each board in a folder beside it; what gallery.write takes."""
+    """Compiles each scene into folder/scenes, with what it costs on each board in a file beside it; what gallery.write takes."""
     scenes = [file for file in sorted((ROOT / "scenes").glob("*.toml")) if file.stem not in LEFT_OUT]
     place = folder / "scenes"
     place.mkdir()
@@ -70,10 +70,11 @@ def write_scenes(folder, build, say):
         say(number, len(scenes))
         image = place / f"{file.stem}.fxls"
         making.build(str(file), str(image))
-        (place / file.stem).mkdir()
         cost = {board: costs.of_scene(file, image, board, build) for board in costs.boards(build)}
         for board, each in cost.items():
-            (place / file.stem / f"{board}.json").write_text(json.dumps(each, separators=(",", ":")), encoding="utf-8")
+            if board != costs.FIRST:
+                each.pop("instructions", None)      # which the page counts
+        (place / f"{file.stem}.json").write_text(json.dumps(cost, separators=(",", ":")), encoding="utf-8")
         scene = image_file.load(image)
         found.append({"name": file.stem, "said": title_of(file), "bytes": image.stat().st_size, "frames": scene.frames,
                       "faces": sum(len(model.faces) for model in scene.models), "board": costs.FIRST, "cost": cost[costs.FIRST]})
@@ -142,7 +143,7 @@ def sentence():
 def sizes(folder):
     """(bytes of all files, bytes of what the first page loads)."""
     files = [file for file in folder.rglob("*") if file.is_file()]
-    first = [folder / name for name in ("index.html", "site.css", "site.js", "walk.wasm", f"scenes/{FIRST}.fxls", f"scenes/{FIRST}/{costs.FIRST}.json")]
+    first = [folder / name for name in ("index.html", "site.css", "site.js", "walk.wasm", f"scenes/{FIRST}.fxls", f"scenes/{FIRST}.json")]
     return sum(file.stat().st_size for file in files), sum(file.stat().st_size for file in first)
 
 
