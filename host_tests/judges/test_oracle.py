@@ -124,6 +124,13 @@ def test_a_horizon_is_judged_where_it_is_nearly_wrong(build):
     assert exact["max"] == 0 and all(0.0001 < kind["max"] < 0.1 for kind in near)
 
 
+@pytest.mark.parametrize("claim, least", (("orthographic_vertex", 0.4999), ("orthographic_texel", 0.004), ("orthographic_depth", 0.8)))
+def test_an_orthographic_lens_is_judged_where_it_is_nearly_wrong(build, claim, least):
+    """orthographic 2.6a, 2.10a, 2.11. Half of the samples of depth are faces that a buffer cannot tell apart or that are seen nearly edge-on."""
+    found = json.loads(oracle(build, claim, "--samples", 40_000, "--seed", 9, "--shard", 0))
+    assert least < found["max"] <= BOUNDS[claim] and found["skipped"] < 0.2 * found["samples"]
+
+
 def test_rows_at_the_corner_of_the_tolerance_are_among_the_samples(build):
     found = json.loads(oracle(build, "vertex_turned", "--samples", 20_000, "--seed", 9, "--shard", 0))
     corner = next(kind for kind in found["kinds"] if "corner" in kind["kind"])

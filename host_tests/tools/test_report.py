@@ -104,7 +104,8 @@ def test_every_claim_is_measured(result):
         "matrix_entry", "matrix_entry_instance", "orientation_angles", "orientation_axis", "orientation_look_at",
         "orientation_product", "orientation_quaternion", "quaternion", "orientation_parents", "sine_cosine", "vertex_unclipped", "vertex_turned",
         "outline_clipped", "coverage", "watertight", "texel_divided", "texel_every_16", "texel_every_8", "texel_affine",
-        "light_level", "corner_colour", "depth_16", "depth_32", "horizon", "frame", "scale"]
+        "light_level", "corner_colour", "depth_16", "depth_32", "horizon", "orthographic_vertex", "orthographic_texel", "orthographic_depth",
+        "frame", "scale"]
     for claim in report["claims"]:
         assert claim["holds"] is True and claim["samples"] > 0 and claim["unit"]
         assert claim["measured"] <= claim["bound"]

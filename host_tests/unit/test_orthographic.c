@@ -281,6 +281,26 @@ void test_depths_are_linear_between_near_and_far(void)
     TEST_ASSERT_TRUE(checked > 0);
 }
 
+/* The depth of a face through a corner, seen straight ahead from the origin. */
+static fxl_depth_plane depth_of_face(fxl_q16_16 scale, fxl_q16_16 near_z, fxl_q16_16 far_z,
+                                     fxl_point corner, fxl_direction normal)
+{
+    const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+    fxl_face face = {.normal = normal, .count = 3, .indices = {0, 0, 0}};
+    fxl_lens lens;
+    fxl_vertex_cache own;
+    fxl_model_view model_view;
+    fxl_view view;
+    fxl_depth_plane plane;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_orthographic(WIDTH, HEIGHT, scale, near_z, far_z, &lens));
+    fxl_view_set_lens(&view, &lens);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
+    fxl_vertex_cache_init(&own, NULL, 0);
+    fxl_model_view_of_polygon(&model_view, &corner, &view, &own);
+    lens.off_centre->orthographic->find_depth(&model_view, &face, &plane);
+    return plane;
+}
+
 /* Faces that are seen edge-on, or nearly so, are at infinity, and a slope that no pixel can notice
  * is none. */
 /* orthographic 2.11a */
@@ -293,28 +313,29 @@ void test_depths_of_faces_at_the_limits(void)
                  {{4, 4, -FXL_Q2_30_ONE}, true},
                  {{FXL_Q2_30_ONE, 0, -1}, false},
                  {{0, FXL_Q2_30_ONE, -1}, false}};
-    const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
     const fxl_point corner = {0, 0, Q16(1)};
     for (uint32_t i = 0; i < 4; i++) {
-        const fxl_q16_16 scale =
-            cases[i].is_seen ? FXL_ORTHOGRAPHIC_SCALE_MAX : FXL_ORTHOGRAPHIC_SCALE_MIN;
-        fxl_face face = {.normal = cases[i].normal, .count = 3, .indices = {0, 0, 0}};
-        fxl_lens lens;
-        fxl_vertex_cache own;
-        fxl_model_view model_view;
-        fxl_view view;
-        fxl_depth_plane plane;
-        TEST_ASSERT_EQUAL(FXL_OK,
-                          fxl_lens_orthographic(WIDTH, HEIGHT, scale, FXL_NEAR_MIN,
-                                                cases[i].is_seen ? FXL_FAR_MAX : Q16(2), &lens));
-        fxl_view_set_lens(&view, &lens);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
-        fxl_vertex_cache_init(&own, NULL, 0);
-        fxl_model_view_of_polygon(&model_view, &corner, &view, &own);
-        lens.off_centre->orthographic->find_depth(&model_view, &face, &plane);
-        TEST_ASSERT_EQUAL(cases[i].is_seen, plane.one != 0);
+        const bool is_seen = cases[i].is_seen;
+        const fxl_depth_plane plane =
+            depth_of_face(is_seen ? FXL_ORTHOGRAPHIC_SCALE_MAX : FXL_ORTHOGRAPHIC_SCALE_MIN,
+                          FXL_NEAR_MIN, is_seen ? FXL_FAR_MAX : Q16(2), corner, cases[i].normal);
+        TEST_ASSERT_EQUAL(is_seen, plane.one != 0);
         TEST_ASSERT_TRUE(plane.gradient.along == 0 && plane.gradient.down == 0);
     }
+}
+
+/* A depth that changes by 100 a column has its place, 20 columns beside the middle of the screen. */
+/* orthographic 2.11a */
+void test_a_steep_face_has_its_depth_where_it_is(void)
+{
+    const fxl_point corner = {Q16(320), 0, Q16(1)};
+    const fxl_direction normal = {759250125, 0, -759250125};
+    const fxl_depth_plane plane = depth_of_face(Q16(0.0625), Q16(1), Q16(1.08), corner, normal);
+    const int64_t twice =
+        2 * plane.gradient.at + (43 + 44) * plane.gradient.along; /* between these columns */
+    TEST_ASSERT_TRUE(fabs(ldexp((double)twice, -plane.one - 1) - 1) < 0x1p-12);
+    TEST_ASSERT_TRUE(fabs(ldexp((double)plane.gradient.along, -plane.one) + 100) < 0.1);
+    TEST_ASSERT_EQUAL_INT64(0, plane.gradient.down);
 }
 
 /* The sequence of faces is the same where no bounds of faces are known. */

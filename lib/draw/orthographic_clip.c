@@ -151,13 +151,15 @@ const fxl_clipper fxl_orthographic_deep_clipper = {.clip = clip_deep};
 
 /* --- depth ------------------------------------------------------------------------------------ */
 
-/* A depth of 1 in a gradient, as a power of two; and how large its members may be: over 1024 columns
- * and rows sums stay below 2^62. */
-#define DEPTH_ONE  44
-#define DEPTH_MOST 51
+/* A depth of 1 in a gradient, as a power of two; how large its changes a column and a row may be; and how
+ * far behind near its plane in the middle of the screen: over 512 columns and rows from there sums stay below 2^62 + 2^50. */
+#define DEPTH_ONE   44
+#define CHANGE_MOST 51
+#define BEHIND_MOST 61
 
-/* part / whole 2^scale, off by less than 2^-29 of it. False: it is not below 2^DEPTH_MOST. */
-static bool find_quotient(int64_t part, const fxl_real *whole, int scale, int64_t *quotient)
+/* part / whole 2^scale, off by less than 2^-29 of it. False: it is not below 2^most. */
+static bool find_quotient(int64_t part, const fxl_real *whole, int scale, int most,
+                          int64_t *quotient)
 {
     *quotient = 0;
     if (part == 0) {
@@ -166,7 +168,7 @@ static bool find_quotient(int64_t part, const fxl_real *whole, int scale, int64_
     const fxl_real of = fxl_real_of(fxl_magnitude(part), 0);
     const uint32_t ratio = fxl_mantissa_ratio(&of, whole);
     const int shift = of.exponent - whole->exponent - 31 + scale;
-    if (shift > DEPTH_MOST - 32) {
+    if (shift >= most || (shift > most - 32 && ratio >> (most - shift) != 0)) {
         return false;
     }
     const int64_t value = shift >= 0 ? (int64_t)((uint64_t)ratio << shift)
@@ -175,7 +177,7 @@ static bool find_quotient(int64_t part, const fxl_real *whole, int scale, int64_
     return true;
 }
 
-/* What so much of a pixel, in 1/65536, changes: of what is below 2^DEPTH_MOST and 2^13. */
+/* What so much of a pixel, in 1/65536, changes: of what is below 2^CHANGE_MOST and 2^13. */
 static int64_t beside(int64_t gradient, int32_t pixels)
 {
     return (gradient >> 4) * pixels >> 12;
@@ -217,9 +219,9 @@ void fxl_find_orthographic_depth(const fxl_model_view *model_view, const fxl_fac
         const fxl_real whole = fxl_real_of(fxl_multiply_u32((uint32_t)n.z, range), 0);
         const fxl_real by_pixel = fxl_real_of(
             fxl_multiply_u32(whole.mantissa, (uint32_t)view->lens.focal), whole.exponent);
-        if (find_quotient(height, &whole, DEPTH_ONE + 1, &behind) &&
-            find_quotient(n.x, &by_pixel, DEPTH_ONE + 31, &gradient->along) &&
-            find_quotient(-n.y, &by_pixel, DEPTH_ONE + 31, &gradient->down)) {
+        if (find_quotient(height, &whole, DEPTH_ONE + 1, BEHIND_MOST, &behind) &&
+            find_quotient(n.x, &by_pixel, DEPTH_ONE + 31, CHANGE_MOST, &gradient->along) &&
+            find_quotient(-n.y, &by_pixel, DEPTH_ONE + 31, CHANGE_MOST, &gradient->down)) {
             gradient->at =
                 ((int64_t)1 << DEPTH_ONE) - behind +
                 ((gradient->along * (1 - view->lens.width) +

@@ -56,8 +56,8 @@ extern const oracle_claim oracle_matrix_entry, oracle_matrix_entry_instance, ora
     oracle_orientation_parents, oracle_vertex_unclipped, oracle_outline_clipped,
     oracle_outline_near_parallel, oracle_coverage, oracle_watertight, oracle_texel_divided,
     oracle_texel_every_16, oracle_texel_every_8, oracle_texel_affine, oracle_light_level,
-    oracle_corner_colour, oracle_vertex_turned, oracle_depth_16, oracle_depth_32,
-    oracle_horizon;
+    oracle_corner_colour, oracle_vertex_turned, oracle_depth_16, oracle_depth_32, oracle_horizon,
+    oracle_orthographic_vertex, oracle_orthographic_texel, oracle_orthographic_depth;
 
 static inline void oracle_put(oracle_input *input, int64_t number)
 {

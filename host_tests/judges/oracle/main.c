@@ -43,6 +43,9 @@ static const oracle_claim *const claims[] = {
     &oracle_depth_16,
     &oracle_depth_32,
     &oracle_horizon,
+    &oracle_orthographic_vertex,
+    &oracle_orthographic_texel,
+    &oracle_orthographic_depth,
 };
 
 enum {

@@ -9,11 +9,25 @@ static int in_32_bits(int64_t number)
     return number >= INT32_MIN && number <= INT32_MAX;
 }
 
+int oracle_setup_is_orthographic(const oracle_input *input)
+{
+    return input->count >= ORACLE_SETUP_NUMBERS && input->numbers[2] < 0;
+}
+
+static fxl_status make_lens(const oracle_input *input, fxl_lens *lens)
+{
+    const int64_t *n = input->numbers;
+    return oracle_setup_is_orthographic(input)
+               ? fxl_lens_orthographic((uint16_t)n[0], (uint16_t)n[1], (int32_t)-n[2],
+                                       (int32_t)n[3], (int32_t)n[4], lens)
+               : fxl_lens_from_fov((uint16_t)n[0], (uint16_t)n[1], (uint32_t)n[2], (int32_t)n[3],
+                                   (int32_t)n[4], (int32_t)n[5], lens);
+}
+
 int oracle_setup_lens(const oracle_input *input, fxl_lens *lens)
 {
     const int64_t *n = input->numbers;
-    return fxl_lens_from_fov((uint16_t)n[0], (uint16_t)n[1], (uint32_t)n[2], (int32_t)n[3],
-                             (int32_t)n[4], (int32_t)n[5], lens) == FXL_OK &&
+    return make_lens(input, lens) == FXL_OK &&
            fxl_lens_set_centre(lens, (int32_t)n[12], (int32_t)n[13]) == FXL_OK;
 }
 
@@ -25,7 +39,7 @@ int oracle_setup_read(const oracle_input *input, oracle_setup *setup)
         return 0;
     }
     for (int i = 2; i < ORACLE_SETUP_NUMBERS; i++) {
-        int is_angle = i == 2 || (i >= 9 && i <= 11);
+        int is_angle = (i == 2 && n[i] >= 0) || (i >= 9 && i <= 11);
         if (is_angle ? n[i] < 0 || n[i] > UINT32_MAX : !in_32_bits(n[i])) {
             return 0;
         }
@@ -42,7 +56,9 @@ int oracle_setup_read(const oracle_input *input, oracle_setup *setup)
     if (fxl_view_set_pose(&setup->view, &setup->pose) != FXL_OK) {
         return 0;
     }
-    setup->view.lens = fxl_view_drawn_lens(&setup->view);
+    if (!oracle_setup_is_orthographic(input)) {
+        setup->view.lens = fxl_view_drawn_lens(&setup->view);
+    }
     return 1;
 }
 
@@ -118,12 +134,8 @@ static uint32_t angle(oracle_random *random)
     }
 }
 
-void oracle_setup_generate(oracle_random *random, int side_max, oracle_input *input)
+static void generate_pose(oracle_random *random, oracle_input *input)
 {
-    oracle_put(input, side(random, 320, side_max));
-    oracle_put(input, side(random, 240, side_max));
-    oracle_put(input, field_of_view(random));
-    generate_depths(random, input);
     double reach = oracle_below(random, 4) ? oracle_spread(random, 1, 8191) : 8191;
     int at_ends = oracle_below(random, 16) == 0;
     for (int i = 0; i < 3; i++) {
@@ -137,7 +149,41 @@ void oracle_setup_generate(oracle_random *random, int side_max, oracle_input *in
     for (int i = 0; i < 3; i++) {
         oracle_put(input, quarters ? angle(random) & 0xC0000000u : angle(random));
     }
+}
+
+void oracle_setup_generate(oracle_random *random, int side_max, oracle_input *input)
+{
+    oracle_put(input, side(random, 320, side_max));
+    oracle_put(input, side(random, 240, side_max));
+    oracle_put(input, field_of_view(random));
+    generate_depths(random, input);
+    generate_pose(random, input);
     generate_centre(random, input);
+}
+
+void oracle_setup_generate_orthographic(oracle_random *random, int side_max, oracle_input *input)
+{
+    oracle_setup setup;
+    for (int tries = 0; tries < 64; tries++) {
+        const int moved = oracle_below(random, 3) == 0;
+        input->count = 0;
+        oracle_put(input, side(random, 320, side_max));
+        oracle_put(input, side(random, 240, side_max));
+        oracle_put(input, -(int64_t)oracle_spread(random, FXL_ORTHOGRAPHIC_SCALE_MIN,
+                                                  FXL_ORTHOGRAPHIC_SCALE_MAX + 1));
+        generate_depths(random, input);
+        input->numbers[5] = 0; /* no inset */
+        generate_pose(random, input);
+        for (int i = 0; i < 2; i++) {
+            oracle_put(input, input->numbers[i] * 32768 +
+                                  (moved ? oracle_between(random, -FXL_ORTHOGRAPHIC_CENTRE_MAX,
+                                                          FXL_ORTHOGRAPHIC_CENTRE_MAX)
+                                         : 0));
+        }
+        if (oracle_setup_read(input, &setup)) {
+            return;
+        }
+    }
 }
 
 void oracle_to_world(const oracle_input *input, const double view[3], double world[3])
@@ -154,7 +200,8 @@ void oracle_to_world(const oracle_input *input, const double view[3], double wor
                     s[2] * s[0] - c[2] * s[1] * c[0]};
     double forward[3] = {c[1] * s[0], s[1], c[1] * c[0]};
     const int64_t *n = input->numbers;
-    const double scale = view[2] / (65536 * focal_of(input));
+    const double scale = oracle_setup_is_orthographic(input) ? -1 / (double)n[2]
+                                                             : view[2] / (65536 * focal_of(input));
     const double x = view[0] - (double)(n[12] - n[0] * 32768) * scale;
     const double y = view[1] - (double)(n[1] * 32768 - n[13]) * scale;
     for (int i = 0; i < 3; i++) {

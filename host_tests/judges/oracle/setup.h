@@ -31,12 +31,20 @@ int oracle_setup_read(const oracle_input *input, oracle_setup *setup);
  * oracle_setup_read takes. Returns 0 where the library refuses them. */
 int oracle_setup_lens(const oracle_input *input, fxl_lens *lens);
 
+/* Whether the third number is below 0: it is then less the scale of an orthographic lens, and no field
+ * of view. */
+int oracle_setup_is_orthographic(const oracle_input *input);
+
 /* Appends random numbers for a setup. The sides of the screen are at most side_max. */
 void oracle_setup_generate(oracle_random *random, int side_max, oracle_input *input);
 
+/* The same with an orthographic lens, a third of them off-centre. */
+void oracle_setup_generate_orthographic(oracle_random *random, int side_max, oracle_input *input);
+
 /* Converts a vector of the view to one of the world, in double: for making samples. Where the lens
  * is off-centre, the view is sheared so that the middle of the screen is straight ahead; its x and
- * y are as long as those of the unsheared view. */
+ * y are as long as those of the unsheared view. With an orthographic lens they count from the middle of the
+ * screen. */
 void oracle_to_world(const oracle_input *input, const double view[3], double world[3]);
 
 /* Appends the point of the world that a point of the view is. Returns whether it is in range. */

@@ -26,7 +26,7 @@ static int is_steep(const surface_sample *sample, int attribute, int64_t exact)
 
 /* place sampling: the claims of texels */
 /* accuracy 5.3 */
-static oracle_outcome judge_texel(const oracle_input *input, FILE *words, oracle_verdict *verdict)
+oracle_outcome surface_judge_texel(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
     const uint8_t division = (uint8_t)input->variant;
     surface_sample sample;
@@ -37,7 +37,11 @@ static oracle_outcome judge_texel(const oracle_input *input, FILE *words, oracle
     if (!surface_sample_read(input, &sample)) {
         return ORACLE_SKIPPED;
     }
-    if (division == FXL_AFFINE && !surface_sample_make_affine(&sample)) {
+    if (oracle_setup_is_orthographic(input)) {
+        if (!surface_sample_make_orthographic(&sample)) {
+            return ORACLE_SKIPPED;
+        }
+    } else if (division == FXL_AFFINE && !surface_sample_make_affine(&sample)) {
         return ORACLE_SKIPPED; /* drawn as texel_every_16 has it */
     }
     const int log = (int)input->numbers[SURFACE_NUMBERS];
@@ -120,7 +124,7 @@ static oracle_outcome judge_light(const oracle_input *input, FILE *words, oracle
         .extras = {"beyond_own_bound", "not_judged"}, \
         .variant = division, \
         .generate = generate_texel, \
-        .judge = judge_texel, \
+        .judge = surface_judge_texel, \
     }
 
 TEXEL_CLAIM(divided, FXL_DIVIDE_1, "anywhere in sight");

@@ -43,6 +43,14 @@ int surface_sample_read(const oracle_input *input, surface_sample *sample);
  * are not all on the screen, so that the face has its perspective. */
 int surface_sample_make_affine(surface_sample *sample);
 
+/* Makes them those of corners that are where docs/extras/orthographic.md, section 2.6, has them, to 2^-31 pixel.
+ * Returns 0 where they are on one line there, or too far away for 64 bits. */
+int surface_sample_make_orthographic(surface_sample *sample);
+
+/* Judges the texel that a pixel shows, of SURFACE_NUMBERS and the log2 of the texture's side. The claim's variant is
+ * the division. */
+oracle_outcome surface_judge_texel(const oracle_input *input, FILE *words, oracle_verdict *verdict);
+
 /* The colour of RGB565 that the pixel shows of a face with colours at its corners, divided every 16
  * columns or more often; or -1. Colours: 65536 red + 256 green + blue. */
 int surface_sample_draw_colours(surface_sample *sample, const uint32_t colours[3]);

@@ -83,6 +83,12 @@ CLAIMS = (
     Claim("depth_32", 1, "of its bound", "The same with 32 bits.", "accuracy 3.1s, SPEC 10.6b"),
     Claim("horizon", 1, "2^-20", "The level of a horizon that a pixel shows, where it is not that of its ray: how far the sine of the ray's "
           "elevation is from the sine between, given the camera's rows. The horizon itself is exact.", "accuracy 3.1x, horizon 1.3a, horizon 1.3b"),
+    Claim("orthographic_vertex", 0.5, "1/65536 pixel", "The place of a vertex on the screen with an orthographic lens, against the exact place, "
+          "given its coordinates, the pose's position, and the camera's rows.", "accuracy 3.1y, orthographic 2.6a"),
+    Claim("orthographic_texel", 0.04, "texel", "The texel that a pixel shows with an orthographic lens: how far it is from the exact affine function "
+          "of the three corners' places.", "accuracy 3.1z, orthographic 2.10a"),
+    Claim("orthographic_depth", 1, "of its bound", "The face that a pixel shows with an orthographic lens and a depth buffer of 16 bits, of two that "
+          "cover it: how much farther it is than the other, by the resolution.", "accuracy 3.1aa, orthographic 2.11b"),
     Claim("frame", 1, "in 100,000 pixels", "Pixels of whole frames that differ from the reference "
           "renderer in double. Each must lie within 1/8192 pixel of an edge.", "accuracy 3.1t"),
     Claim("scale", 1, "in 100,000 pixels", "Pixels that change when W1 is scaled by 4, 16 or 64, with "

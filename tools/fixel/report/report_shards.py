@@ -84,7 +84,10 @@ CLAIMS = tuple(Kind("oracle", *kind) for kind in (
     ("corner_colour", 1_000_000, 50_000),
     ("depth_16", 2_000_000, 50_000),
     ("depth_32", 2_000_000, 50_000),
-    ("horizon", 1_000_000, 20_000)))
+    ("horizon", 1_000_000, 20_000),
+    ("orthographic_vertex", 10_000_000, 250_000),
+    ("orthographic_texel", 1_000_000, 50_000),
+    ("orthographic_depth", 2_000_000, 50_000)))
 STAGES = tuple(Kind("designs", *kind) for kind in (
     ("matrix", 1_000_000, 100_000),
     ("vertex", 10_000_000, 250_000),
