@@ -384,7 +384,7 @@ packages: ## write packages for Arduino, PlatformIO, ESP-IDF, Zephyr, Conan and 
 # The programs of the emulated board in the site, as make flash BOARD=pico DRIVER=st7789 has them.
 SITE_PICO := $(addprefix $(BUILD)/boards/pico/,walk-on-st7789-alone.elf game-on-st7789-alone.elf)
 SITE_GAME := $(BUILD)/boards/host/game
-site: ## write the site: a page that draws, and all documents, into build/site; serve it, and compile what is dropped on it [OUT= SERVE=]
+site: ## write the site: a page that draws, and all documents, into build/site [OUT=]
 	@$(SET_UP) site
 	@$(MAKE) $(WEB_MODULE) $(WEB_JUDGE) $(WEB_COUNTER) $(BUILD)/host/predict $(BUILD)/host/frames
 	@$(MAKE) $(firstword $(SITE_PICO)) BOARD=pico DRIVER=st7789

@@ -139,7 +139,7 @@ BAD = {"SCENE": ("nothere.glb", "cannot be read"), "CPU_LIMIT": ("0", "from 1 to
        "CLUSTER": ("x", "tcp://"), "GDB_COMMANDS": ("nothere", "cannot be read"), "CORE": ("m9", "m55"), "WORKLOAD": ("w9", "w1"), "THRESHOLD": ("x", "threshold"),
        "THOUSANDS": ("0", "from 1 to"), "RUNS": ("0", "from 1 to"), "EXAMPLES": ("x", "examples"), "HARNESS": ("x", "pipeline"), "ADD": ("nothere", "harness"),
        "KILLS": ("0", "from 1 to"), "SAMPLE": ("-1", "negative"), "PART": ("x", "tools"), "DRAW": ("0", "DRAW"),
-       "JSON": ("/proc/x", "cannot be written"), "STEPS": ("0", "from 1 to"), "CLOCK": ("0", "from 1 to"), "SERVE": ("0", "from 1 to"), "BADGE": ("/proc/x.svg", "cannot be written")}
+       "JSON": ("/proc/x", "cannot be written"), "STEPS": ("0", "from 1 to"), "CLOCK": ("0", "from 1 to"), "BADGE": ("/proc/x.svg", "cannot be written")}
 BAD |= {flag.rpartition(" ")[2]: ("0", "must be 1") for flag in make.FLAGS if " " not in flag} | {"DEVICE": ("a/b", "ssd0303")}
 BAD_OF = {("compare", "JSON"): ("0", "must be 1"), ("mutants", "COUNT"): ("0", "from 1 to"), ("costs", "FRAMES"): ("0", "from 1 to")}
 # Any text is one: a word that draws breaks, a reason.

@@ -3,7 +3,8 @@
 import { CostCard, badgePicture, badgeWords } from "./site_cost.js";
 import { FrameCounts } from "./site_count.js";
 import { Held, press } from "./view_keys.js";
-import { Picture, paletteWords, rgb565Words, saveFile, savePicture } from "./view_picture.js";
+import { saveFile, savePicture, takeFiles } from "./view_files.js";
+import { Picture, paletteWords, rgb565Words } from "./view_picture.js";
 import { Views } from "./site_views.js";
 import { Refused, Walk } from "./walk.mjs";
 
@@ -23,18 +24,22 @@ const held = new Held(() => { if (held.bits) { state.byKeys = true; go(); } });
 
 // --- scenes ------------------------------------------------------------------------
 
-async function fetched(name) {
-  const answer = await fetch(name);
-  if (!answer.ok) {
-    throw new Refused(`${name}: ${answer.status} ${answer.statusText}`);
+/** The answer for a file, or for what is posted. Refused: the server's sentence, if it is one of the tools. */
+async function fetched(name, how) {
+  const answer = await fetch(name, how).catch(() => { throw new Refused(`${name}: the server does not answer`); });
+  if (!answer.ok || (data.compiles && answer.headers.get("Content-Type").startsWith("text/plain"))) {
+    throw new Refused((data.compiles && await answer.text()) || `${name}: ${answer.status} ${answer.statusText}`);
   }
   return answer;
 }
 
 /** Opens a scene of the site. */
 async function openScene(name) {
-  const [image] = await Promise.all([fetched(`scenes/${name}.fxls`).then((got) => got.arrayBuffer()), fetchCost(name)]);
+  const [image] = await Promise.all([fetched(`scenes/${encodeURIComponent(name)}.fxls`).then((got) => got.arrayBuffer()), data.compiles || fetchCost(name)]);
   open(name, new Uint8Array(image), false);
+  if (data.compiles) {
+    tellCostOf(state.image);
+  }
 }
 
 /** Has what a scene of the site costs on each board. */
@@ -44,29 +49,42 @@ async function fetchCost(name) {
   }
 }
 
-/** The same of an image: from the page's server where that compiles and predicts, or else counted here. */
+/** The same of an image: from the page's server where that compiles and predicts, or else counted here. Null: it is not known. */
 async function askCost(image) {
-  state.myCost = null;
   if (data.compiles) {
-    state.myCost = await (await asked(`predict?board=${card.board}`, image)).json();
-  } else if (counts.knows(card.board)) {
-    await counts.load();
-    state.myCost = counts.costOf(image, card.board);
+    return (await posted(`predict?board=${card.board}`, image)).json();
   }
+  if (!counts.knows(card.board)) {
+    return null;
+  }
+  await counts.load();
+  return counts.costOf(image, card.board);
 }
 
-/** What the page's server makes of bytes; Refused with its sentence. */
-async function asked(what, body) {
-  const answer = await fetch(what, { method: "POST", body });
-  if (!answer.ok || answer.headers.get("Content-Type").startsWith("text/plain")) {
-    throw new Refused(await answer.text() || `${what}: ${answer.status} ${answer.statusText}`);
+/** Says what the image that is open costs, as soon as that is known. */
+async function tellCostOf(image) {
+  const { board } = card;
+  state.myCost = undefined;
+  const isDone = await tried(async () => {
+    const cost = await askCost(image);
+    if (state.image === image && card.board === board) {
+      state.myCost = cost;
+    }
+  });
+  if (!isDone) {
+    state.myCost = null;
   }
-  return answer;
+  tellCost();
+}
+
+function posted(what, body) {
+  return fetched(what, { method: "POST", body });
 }
 
 /** Opens an image. isMine: a file of the reader's own. */
 function open(name, image, isMine) {
   state.walk.open(image);
+  state.myCost = null;
   Object.assign(state, { name, image, isMine, byKeys: false, picture: null, colourBytes: "" });
   at("scene").value = isMine ? "" : name;
   at("scene-name").textContent = isMine ? `${name}, a file of yours` : data.scenes.find((each) => each.name === name).said || name;
@@ -92,23 +110,24 @@ async function tried(what) {
   }
 }
 
-/** A file of the reader's: an image is checked by the library and drawn. */
+/** A file of the reader's: an image is checked by the library and drawn; another file is compiled first, if the page's server can. */
+async function openMine(file) {
+  let image = new Uint8Array(await file.arrayBuffer());
+  if (!IMAGE.test(file.name) && data.compiles) {
+    image = new Uint8Array(await (await posted(`compile?name=${encodeURIComponent(file.name)}`, image)).arrayBuffer());
+  } else if (!IMAGE.test(file.name)) {
+    throw new Refused(`${file.name}: this page draws scene images. A page that compiles models and scene files, too, is that of\n  make view SCENE=${file.name}\n`
+      + `or, with the Python package, fixel view ${file.name}. In a checkout, tools/scene.py build ${file.name} -o scene.fxls makes an image of it.`);
+  }
+  open(file.name, image, true);
+  tellCostOf(image);
+}
+
+/** The same; where it is refused, what was drawn before goes on. */
 async function openFile(file) {
   say("");
   const was = { name: state.name, image: state.image, isMine: state.isMine };
-  const isDone = await tried(async () => {
-    let image = new Uint8Array(await file.arrayBuffer());
-    if (!IMAGE.test(file.name) && data.compiles) {
-      image = new Uint8Array(await (await asked(`compile?name=${encodeURIComponent(file.name)}`, image)).arrayBuffer());
-    } else if (!IMAGE.test(file.name)) {
-      throw new Refused(`${file.name}: this page draws scene images. In a checkout this makes one of a model or a scene file:\n`
-        + `  tools/scene.py build ${file.name} -o scene.fxls\nand make view SCENE=${file.name} shows it live.`);
-    }
-    state.myCost = null;
-    open(file.name, image, true);
-    await tried(() => askCost(image));
-    tellCost();
-  });
+  const isDone = await tried(() => openMine(file));
   if (!isDone && was.image) {
     const words = at("banner").textContent;
     open(was.name, was.image, was.isMine);
@@ -164,7 +183,7 @@ function colours(frame) {
 
 /** What the scene costs on the board, as far as it is here. */
 function cost() {
-  return state.isMine ? state.myCost : state.costs.get(state.name)?.[card.board] ?? null;
+  return state.isMine || data.compiles ? state.myCost : state.costs.get(state.name)?.[card.board] ?? null;
 }
 
 /** Instructions of the frame: of a path of the site on the first board they are there; those of others are counted, once what counts is here. */
@@ -223,6 +242,7 @@ function go() {
 }
 
 const COMMANDS = {
+  KeyO: () => at("open").click(),
   KeyP: () => pause(!state.paused), Period: () => { pause(true); step(); }, KeyL: () => { state.slow = !state.slow; press("#slow", () => state.slow); },
   Home: () => { state.byKeys = false; state.walk.restart(); step(); },
 };
@@ -243,6 +263,10 @@ async function openLink() {
   say("");
   const said = new URLSearchParams(location.hash.slice(1)), name = said.get("scene") ?? data.first;
   const isDone = await tried(async () => {
+    if (data.compiles && said.has("file")) {    // it was dropped on the live window
+      await openMine(new File([await (await fetched("kept")).arrayBuffer()], said.get("file")));
+      return;
+    }
     if (!data.scenes.some((each) => each.name === name)) {
       throw new Refused(`The link names the scene “${name}”, which this site does not have.`);
     }
@@ -289,14 +313,21 @@ function listen() {
     at(name).addEventListener("click", COMMANDS[code]);
   }
   at("save").addEventListener("click", () => savePicture(at("screen"), `${state.name}-${state.frame.number}.png`));
-  at("link").addEventListener("click", () => { pause(true); location.hash = linkOf(); });
-  at("board").addEventListener("change", () => tried(async () => {
-    card.chosen();
+  at("link").addEventListener("click", () => {
+    pause(true);
     if (state.isMine) {
-      await askCost(state.image);
+      say("No link holds a file of yours.");
+    } else {
+      location.hash = linkOf();
+    }
+  });
+  at("board").addEventListener("change", () => {
+    card.chosen();
+    if (state.isMine || data.compiles) {
+      tellCostOf(state.image);
     }
     tellCost();
-  }));
+  });
   at("clock").addEventListener("input", tellCost);
   at("badge").addEventListener("click", saveBadge);
   at("view").addEventListener("change", () => {
@@ -309,23 +340,14 @@ function listen() {
   });
   at("scene").addEventListener("change", () => { say(""); tried(() => openScene(at("scene").value)); });
   addEventListener("hashchange", () => { if (location.hash !== linkOf()) { openLink(); } });
-  const stage = at("stage");
-  for (const name of ["dragover", "dragleave", "drop"]) {
-    stage.addEventListener(name, (event) => {
-      event.preventDefault();
-      stage.classList.toggle("dropping", name === "dragover");
-      if (name === "drop" && event.dataTransfer.files.length) {
-        openFile(event.dataTransfer.files[0]);
-      }
-    });
-  }
+  takeFiles(at("stage"), at("open"), at("file"), openFile);
 }
 
 /** As an <iframe>: the picture alone, and a way to the whole page. */
 function embed() {
   document.documentElement.classList.add("embed");
   at("whole").hidden = false;
-  at("whole").addEventListener("click", () => { at("whole").href = `index.html${linkOf()}`; });
+  at("whole").addEventListener("click", () => { at("whole").href = `${location.pathname}${linkOf()}`; });
 }
 
 async function start() {
@@ -333,7 +355,11 @@ async function start() {
     embed();
   }
   at("scene").append(...data.scenes.map(({ name }) => Object.assign(document.createElement("option"), { value: name, textContent: name })));
-  state.walk = new Walk(await WebAssembly.compile(await (await fetched("walk.wasm")).arrayBuffer()));
+  const hasModule = await tried(async () => { state.walk = new Walk(await WebAssembly.compile(await (await fetched("walk.wasm")).arrayBuffer())); });
+  if (!hasModule) {
+    at("unserved").hidden = true;
+    return;
+  }
   listen();
   pause(matchMedia("(prefers-reduced-motion: reduce)").matches);
   press("#slow", () => false);

@@ -94,6 +94,9 @@ export class CostCard {
   }
 
   words(cost, taken, cycles) {
+    if (cost === undefined) {
+      return "…";
+    }
     if (!cost) {
       return "fixel predict says what a file of yours costs on this board.";
     }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The live window: a websocket's frames on the page, the page's keys to the websocket.
 import { Held, press } from "./view_keys.js";
-import { Picture, Plot, dimmed, paletteWords, savePicture } from "./view_picture.js";
+import { savePicture, takeFiles } from "./view_files.js";
+import { Picture, Plot, dimmed, paletteWords } from "./view_picture.js";
 import { lookAt, pixelAt, pixelWords } from "./view_pixel.js";
 import { FIGURES_WIDTH, Zoom, scaleBelow, scaleOf } from "./view_zoom.js";
 
 const COMMANDS = {
   Digit0: () => show(""), Digit1: () => show("double"), Digit2: () => show("difference"), Digit3: () => show("wireframe"),
-  KeyP: () => say({ type: "pause", paused: !paused }), Period: () => say({ type: "step" }),
+  KeyO: () => at("open").click(), KeyP: () => say({ type: "pause", paused: !paused }), Period: () => say({ type: "step" }),
   Home: () => say({ type: "restart" }), Equal: () => zoomBy(1), NumpadAdd: () => zoomBy(1), Minus: () => zoomBy(-1),
   NumpadSubtract: () => zoomBy(-1),
 };
@@ -336,6 +337,18 @@ function save() {
   savePicture(at("fixed"), `${hello.board}-${scene}-${newest.number}.png`);
 }
 
+/** A file of the reader's: the page that draws in the browser opens it. */
+async function take(file) {
+  const answer = await fetch("keep", { method: "POST", body: file }).catch(() => null);
+  if (answer?.ok) {
+    location.assign(`draw.html#${new URLSearchParams({ file: file.name })}`);
+  } else {
+    at("banner").textContent = `${file.name} was not taken: ${answer ? answer.statusText : "the server does not answer"}.`;
+    at("banner").hidden = false;
+    layOut();
+  }
+}
+
 // --- keys ------------------------------------------------------------------------
 
 function listen() {
@@ -352,6 +365,7 @@ function listen() {
     at(name).addEventListener("click", COMMANDS[code]);
   }
   at("save").addEventListener("click", () => newest && save());
+  takeFiles(at("stage"), at("open"), at("file"), take);
   [at("fixed"), at("other")].forEach(listenToPointer);
 }
 

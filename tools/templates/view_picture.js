@@ -165,20 +165,6 @@ function cover(points, width, height, counts) {
   }
 }
 
-/** Hands bytes to the browser as a file. */
-export function saveFile(blob, name) {
-  const link = document.createElement("a");
-  link.download = name;
-  link.href = URL.createObjectURL(blob);
-  link.click();
-  URL.revokeObjectURL(link.href);
-}
-
-/** The same of a picture, as PNG. */
-export function savePicture(canvas, name) {
-  canvas.toBlob((blob) => saveFile(blob, name));
-}
-
 /** A line of the last values, from 0 to a round number above them. */
 export class Plot {
   constructor(canvas, most) {

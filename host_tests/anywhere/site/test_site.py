@@ -13,28 +13,23 @@ import pathlib
 import queue
 import re
 import threading
-import urllib.error
 import urllib.parse
-import urllib.request
 import zlib
 
-import playwright.sync_api
 import pytest
 
 from conftest import CHECKOUT
 from fixel.board import dump, programs
 from fixel.bench import frame_costs
-from fixel.site import costs, serve
-from fixel.view import browser, view_reference
+from fixel.site import costs
+from fixel.view import view_reference
 from outside import need, run
+from pages import DESKTOP, NARROW, PATIENCE, assert_accessible, crc, drop, fixture_chromium, opened, paused, shows     # one is a fixture
 
-AXE = CHECKOUT / ".node" / "node_modules" / "axe-core" / "axe.min.js"
 PREFIX = "/some/place/"
-DESKTOP, NARROW = (1366, 768), (390, 844)
 FIRST_REQUESTS = 8
 FIRST_BYTES, ALL_BYTES = 1 << 20, 12 << 20
 JUDGED, DIFFERS = 4, 17  # frames a scene; a frame of the plaza that differs from double precision
-PATIENCE = 60_000   # milliseconds for what comes by itself: it ends a test that hangs
 STEPS = """async (count) => {
     const found = [];
     for (let i = 0; i < count; i++) {
@@ -69,45 +64,6 @@ def fixture_address(site):
         threading.Thread(target=server.serve_forever, daemon=True).start()
         yield f"http://127.0.0.1:{server.server_port}{PREFIX}"
         server.shutdown()
-
-
-@pytest.fixture(scope="module", name="chromium")
-def fixture_chromium():
-    with browser.chromium() as opened:
-        yield opened
-
-
-@contextlib.contextmanager
-def opened(chromium, address, size=DESKTOP, waits=True, **how):
-    """A page; .complaints has what its console says, .asked the addresses of its requests. At the end nothing was said, and nobody else asked."""
-    with contextlib.closing(chromium.new_context(viewport=dict(zip(("width", "height"), size)), **how)) as context:
-        page = context.new_page()
-        page.set_default_timeout(PATIENCE)
-        page.complaints, page.asked = [], []
-        page.on("console", lambda message: page.complaints.append(message.text))
-        page.on("pageerror", lambda error: page.complaints.append(str(error)))
-        page.on("request", lambda request: page.asked.append(request.url))
-        page.goto(address)
-        if waits:
-            page.wait_for_selector("#unserved", state="hidden")
-        yield page
-        assert page.complaints == []
-        assert not [url for url in page.asked if not url.startswith(("/".join(address.split("/")[:3]), "file:", "data:", "blob:"))]
-
-
-def shows(page, selector, pattern):
-    """Waits until an element's text is as the pattern says."""
-    playwright.sync_api.expect(page.locator(selector)).to_have_text(re.compile(pattern), timeout=PATIENCE)
-
-
-def crc(page):
-    return page.inner_text("#crc")
-
-
-def paused(page):
-    if page.get_attribute("#pause", "aria-pressed") == "false":
-        page.click("#pause")
-    return crc(page)
 
 
 # --- the first page -----------------------------------------------------------------
@@ -288,15 +244,6 @@ def test_a_wrong_link_opens_the_first_scene_with_a_sentence(chromium, address, l
         assert re.fullmatch("[0-9a-f]{8}", crc(page))
 
 
-def drop(page, name, data):
-    """A file dropped on the picture."""
-    page.evaluate("""([name, bytes]) => {
-        const transfer = new DataTransfer();
-        transfer.items.add(new File([new Uint8Array(bytes)], name));
-        document.getElementById("stage").dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, cancelable: true }));
-    }""", [name, list(data)])
-
-
 def test_an_image_that_is_dropped_is_checked_by_the_library_and_drawn(chromium, address, site):
     image = (site / "scenes" / "w3.fxls").read_bytes()
     with opened(chromium, f"{address}#frame=3") as page:
@@ -313,29 +260,6 @@ def test_an_image_that_is_dropped_is_checked_by_the_library_and_drawn(chromium, 
         mine = crc(page)
     with opened(chromium, f"{address}#scene=w3&frame=0") as page:
         assert crc(page) == mine != before
-
-
-def test_a_model_that_is_dropped_is_compiled_where_the_tools_serve_the_site(chromium, site):
-    server, served = serve.server_of(site, 0, str(CHECKOUT / "build"))
-    with server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        with opened(chromium, f"{served}#frame=3") as page:
-            paused(page)
-            drop(page, "my <b>cube.obj", (CHECKOUT / "examples" / "cube" / "cube.obj").read_bytes())
-            shows(page, "#scene-name", "my <b>cube.obj, a file of yours")
-            shows(page, "#cost", r"^[\d,]+ instructions$")
-            page.select_option("#board", "mps2-an385")
-            shows(page, "#cost-words", "BOARD=mps2-an385")
-            drop(page, "broken.glb", b"glTF")
-            shows(page, "#banner", ".")
-            said = page.inner_text("#banner")
-            assert said.startswith("broken.glb") and "/" not in said and page.inner_text("#scene-name").startswith("my <b>cube.obj")
-            drop(page, "sly.toml", b'[[objects]]\nmodel = "/etc/passwd.obj"\n')
-            shows(page, "#banner", "sly.toml")
-        for address in (served.replace(served.split("/")[3], "x"), f"http://127.0.0.1:{server.server_port}/"):
-            with pytest.raises(urllib.error.HTTPError, match="404"):
-                urllib.request.urlopen(f"{address}index.html", timeout=60)
-        server.shutdown()
 
 
 def whole(text):
@@ -493,11 +417,7 @@ def test_no_document_scrolls_sideways(chromium, address, document):
 @pytest.mark.parametrize("page", ["index", "gallery", "scenes/plaza", "pico", "documents/index", "documents/README", "documents/SPEC", "documents/docs/performance",
                                   "documents/reference/fixel-render"])
 def test_nothing_serious_keeps_anybody_out(chromium, address, page, scheme):
-    """By axe-core. It is put into the page, which the page's policy forbids."""
-    with opened(chromium, f"{address}{page}.html", waits=page == "index", bypass_csp=True, color_scheme=scheme) as seen:
-        seen.add_script_tag(path=AXE)
-        found = seen.evaluate("async () => (await axe.run()).violations.filter(each => ['serious', 'critical'].includes(each.impact))")
-    assert not [(each["id"], each["nodes"][0]["html"]) for each in found]
+    assert_accessible(chromium, f"{address}{page}.html", scheme, waits=page == "index")
 
 
 class Links(html.parser.HTMLParser):

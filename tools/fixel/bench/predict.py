@@ -29,6 +29,7 @@ making = late("fixel.scene", "making")
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 COSTS = ROOT / "bench" / "costs.json"
+SETTINGS_KEPT = ROOT / "bench" / "settings"     # a wheel has for each board what make says (tools/wheel)
 # What make knows of a board, and what it is.
 SETTINGS = {"band": "bytes of a band", "order": "entries of the order", "list": "bytes of the display list", "cache": "entries of the vertex cache"}
 BAND_ROWS = 16          # of a program that export --c --program writes
@@ -80,8 +81,9 @@ def complete(options):
     if not lacking:
         return
     refuse_board(options.board)
-    done = children.run(["make", "-n", "MAKE=:", "predict", f"BOARD={options.board}"], cwd=ROOT)
-    words = shlex.split(next((line for line in done.stdout.decode().replace("\\\n", " ").splitlines() if " make predict --board " in line), ""))
+    kept = SETTINGS_KEPT / options.board
+    said = kept.read_bytes() if kept.exists() else children.run(["make", "-n", "MAKE=:", "predict", f"BOARD={options.board}"], cwd=ROOT).stdout
+    words = shlex.split(next((line for line in said.decode().replace("\\\n", " ").splitlines() if " make predict --board " in line), ""))
     if not words:
         raise ToolError(f"the settings of {options.board} are needed, which make knows in a checkout alone: give "
                         f"{', '.join(f'--{name} ({SETTINGS[name]})' for name in lacking)}, or run make predict BOARD={options.board} SCENE=...")

@@ -3,5 +3,6 @@
 
 `fixel docs`, of `docs.py`, writes the Markdown of the tree as pages, with the reference of the public functions and types:
 `reference.py` has Doxygen read the headers. `fixel site`, of `site.py`, writes these and the first page, whose scenes
-`firmware/web` draws as WebAssembly; `costs.py` says what their frames cost, and `gallery.py` writes a page for each. `serve.py` serves the site on this machine, and compiles what is dropped on it. `tools/templates/site.*` and `walk.mjs` are the page.
+`firmware/web` draws as WebAssembly; `costs.py` says what their frames cost, and `gallery.py` writes a page for each.
+`tools/templates/site.*` and `walk.mjs` are the page, which the live window serves too: `tools/fixel/view/view_drawing.py`.
 """

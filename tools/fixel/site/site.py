@@ -13,12 +13,11 @@ import shutil
 import zlib
 
 from fixel.base import children, output, progress, scratch, version
-from fixel.base.arguments import number
 from fixel.base.errors import ToolError
 from fixel.commands import late
 
 badge, stage_costs = late("fixel.bench", "badge stage_costs")
-costs, docs, gallery, serve = late("fixel.site", "costs docs gallery serve")
+costs, docs, gallery = late("fixel.site", "costs docs gallery")
 image_file = late("fixel.image", "image")
 making = late("fixel.scene", "making")
 dump, emulator, firmware, rp2040 = late("fixel.board", "dump emulator firmware rp2040")
@@ -31,6 +30,8 @@ GAME = ROOT / "examples" / "game" / "game.toml"
 FIRST = "plaza"         # the scene of the first page
 LEFT_OUT = ("adversarial", "tiny", "knot-moving", "f32p")   # scenes for tests, which no person looks at
 MOST = 12 << 20         # bytes of the site
+# What stands in the page of the live window alone, and in that of the site alone.
+OF_THE_OTHER = [re.compile(rf" *<!-- {word} alone -->.*?<!-- end -->\n", re.DOTALL) for word in ("live", "site")]
 
 
 def parser():
@@ -43,7 +44,6 @@ def parser():
     made.add_argument("--game", type=pathlib.Path, default=pathlib.Path("build/boards/pico/game-on-st7789-alone.elf"), metavar="ELF", help="its game (build/boards/pico/game-on-st7789-alone.elf)")
     made.add_argument("--game-here", type=pathlib.Path, default=pathlib.Path("build/boards/host/game"), metavar="FILE", help="the game as a program of this machine (build/boards/host/game)")
     made.add_argument("--out", type=pathlib.Path, default=pathlib.Path("build/site"), metavar="FOLDER", help="where to (build/site)")
-    made.add_argument("--serve", type=number("SERVE", 1, 65535), metavar="PORT", help="then serve it on this port of this machine, and compile what is dropped on its page")
     made.add_argument("--build", default="build", help="folder that make builds in")
     return made
 
@@ -60,9 +60,14 @@ def title_of(scene):
     return said[:said.index(". ") + 1] if ". " in said else said
 
 
+def scenes_of(folder):
+    """The scene files of a folder that a person looks at, the first page's first."""
+    return sorted((file for file in folder.glob("*.toml") if file.stem not in LEFT_OUT), key=lambda file: (file.stem != FIRST, file.stem))
+
+
 def write_scenes(folder, build, say):
     """Compiles each scene into folder/scenes, with what it costs on each board in a file beside it; what gallery.write takes."""
-    scenes = [file for file in sorted((ROOT / "scenes").glob("*.toml")) if file.stem not in LEFT_OUT]
+    scenes = scenes_of(ROOT / "scenes")
     place = folder / "scenes"
     place.mkdir()
     found = []
@@ -98,12 +103,12 @@ def filled(template, data, **values):
     return text
 
 
-def page(scenes, boards):
-    """The first page."""
+def page(scenes, boards, is_live=False):
+    """The first page. is_live: beside a live window, whose server compiles what is dropped on it, and has no other page of the site."""
     options = "".join(f'<option value="{html.escape(board)}">{html.escape(board)} ({html.escape(each["core"])})</option>' for board, each in boards.items())
-    data = {"first": FIRST, "scenes": [{key: each[key] for key in ("name", "said")} for each in scenes], "boards": boards, "compiles": False, "parts": stage_costs.PARTS,
+    data = {"first": scenes[0]["name"], "scenes": [{key: each[key] for key in ("name", "said")} for each in scenes], "boards": boards, "compiles": is_live, "parts": stage_costs.PARTS,
             "badge": {"picture": badge.TEMPLATE.read_text(encoding="utf-8"), "letter": badge.LETTER, "beside": badge.BESIDE}}
-    return filled("site.html", data, version=html.escape(version.version()), boards=options)
+    return OF_THE_OTHER[is_live].sub("", filled("site.html", data, version=html.escape(version.version()), boards=options))
 
 
 def flash_of(elf, file):
@@ -177,6 +182,4 @@ def main(argv):
         docs.put(folder, options.out)
     print(f"site: {count} documents, {functions} functions, {len(scenes)} scenes, {total:,} bytes, of which the first page loads {first:,}\n"
           f"  {options.out / 'index.html'}; to see it draw: python3 -m http.server --directory {options.out} 8066")
-    if options.serve:
-        serve.serve(options.out, options.serve, options.build)
     return 0

@@ -20,7 +20,7 @@ from fixel.scene import making, scene_options
 asyncio, webbrowser = late("asyncio"), late("webbrowser")
 firmware, flash_memory, model_look = late("fixel.board", "firmware flash_memory model_look")
 image = late("fixel.image", "image")
-view_board, view_own, view_reference, view_server = late("fixel.view", "view_board view_own view_reference view_server")
+view_board, view_drawing, view_own, view_reference, view_server = late("fixel.view", "view_board view_drawing view_own view_reference view_server")
 
 OWN_SCENE = "scenes/tiny.toml"      # what store_scene of a program of the user's own has, as in make run
 
@@ -85,9 +85,9 @@ def greeting(board, head, scene=None, judged=False):
     return view_server.hello(board.program, scene or board.source.path, head, judged, scene is None)
 
 
-async def serve(board, reference, scene, options):
+async def serve(board, reference, scene, drawing, options):
     """Shows the board until it ends or a signal does; the error that it ended with, or None. reference(found, failed): makes a
-    Reference; None without one. scene: its name, None for a program of the user's own."""
+    Reference; None without one. scene: its name, None for a program of the user's own. drawing: the page beside the window's."""
     loop = asyncio.get_running_loop()
 
     def later(name):
@@ -106,7 +106,7 @@ async def serve(board, reference, scene, options):
         hub.pump = stack.enter_context(contextlib.closing(view_board.Pump(board, view_board.IDLE_RATE, later("show"), failed, picked)))
         for each in ENDINGS:
             loop.add_signal_handler(each, hub.end)
-        server = view_server.Server(hub)
+        server = view_server.Server(hub, drawing)
         try:
             await server.open(options.port)
             print(f"{board.program.board} ({board.program.cpu}) {'walks' if scene else 'runs'} {one_line(scene or board.source.path)}: "
@@ -119,11 +119,11 @@ async def serve(board, reference, scene, options):
         return hub.error
 
 
-def watch(board, reference, scene, options):
+def watch(board, reference, scene, drawing, options):
     """Serves the board until it ends."""
     with contextlib.closing(board):
         try:
-            error = asyncio.run(serve(board, reference, scene, options))
+            error = asyncio.run(serve(board, reference, scene, drawing, options))
         finally:
             for each in ENDINGS:    # whoever is impatient now would leave something behind
                 signal.signal(each, signal.SIG_IGN)
@@ -143,7 +143,8 @@ def view(options):
 
         def reference(found, failed):
             return view_reference.Reference(pathlib.Path(options.build) / "host" / "live", scene_image, found, failed, methods.judge_options(options))
-        return watch(view_board.Board(program, folder / "flash.bin", folder), reference, options.scene, options)
+        drawing = view_drawing.Drawing(options.build, folder, options.scene, scene_image)
+        return watch(view_board.Board(program, folder / "flash.bin", folder), reference, options.scene, drawing, options)
 
 
 def view_own_program(options):
@@ -153,7 +154,7 @@ def view_own_program(options):
     with scratch.folder("view", options.build) as folder:
         making.build(OWN_SCENE, folder / "scene.fxls")
         view_own.first_build(source)
-        return watch(view_own.start(source, folder / "scene.fxls", folder), None, None, options)
+        return watch(view_own.start(source, folder / "scene.fxls", folder), None, None, view_drawing.Drawing(options.build, folder), options)
 
 
 def main(argv):

@@ -33,13 +33,20 @@ DONE = re.compile(r"^own: done (\d+) frames$", re.MULTILINE)
 AGAIN = "A change of one of its files starts it again, and so does the page's \"back to start\""
 
 
+def make(build, *words, **how):
+    """Has the makefile build files, given as paths, in a folder; the finished process."""
+    environment = {name: value for name, value in os.environ.items() if name not in MAKES_OWN}
+    words = [os.path.relpath(word, ROOT) if isinstance(word, pathlib.Path) else word for word in words]
+    return children.run(["make", "-s", f"BUILD={os.path.relpath(build, ROOT)}", *words], cwd=ROOT, env=environment, text=True, errors="replace", **how)
+
+
 class Source:
     """The files of a program, and how it is built. path: a C file or a folder of C files, as PROGRAM= has it."""
 
     def __init__(self, path, name, build):
         self.path = path
-        self.build = os.path.relpath(build, ROOT)   # as make names what it builds
-        self.elf = methods.elf_of(firmware.HOST, ROOT / self.build, name)
+        self.build = build
+        self.elf = methods.elf_of(firmware.HOST, ROOT / os.path.relpath(build, ROOT), name)
         self.state = self._look()
 
     @property
@@ -74,9 +81,7 @@ class Source:
 
     def make(self, **how):
         """Builds the program; the finished process."""
-        environment = {name: value for name, value in os.environ.items() if name not in MAKES_OWN}
-        done = children.run(["make", "-s", f"BUILD={self.build}", f"PROGRAM={self.path}", os.path.relpath(self.elf, ROOT)], cwd=ROOT, env=environment, text=True,
-                            errors="replace", **how)
+        done = make(self.build, f"PROGRAM={self.path}", self.elf, **how)
         self.state = self._look()   # which headers there are is known only now
         return done
 

@@ -24,7 +24,7 @@ import struct
 
 from aiohttp import WSCloseCode, WSMsgType, web
 
-from fixel.view import view_reference
+from fixel.view import view_drawing, view_reference
 from fixel.base.errors import ToolError
 from fixel.view.view_guard import Guard
 from fixel.view.view_board import IDLE_RATE
@@ -40,9 +40,9 @@ HEARTBEAT = 20.0        # seconds
 FAREWELL = 1.0          # seconds for the last words to a tab
 TOKEN_BYTES = 16        # 128 random bits
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "templates"
-FILES = {"/": ("view.html", "text/html"), **{f"/{name}": (name, "text/css") for name in ("page.css", "view.css")},
-         **{f"/{file.name}": (file.name, "text/javascript") for file in sorted(PAGE.glob("view*.js"))}}
-HEADERS = {"Content-Security-Policy": "default-src 'self'; img-src 'self' data:", "Cache-Control": "no-store",
+FILES = {"/": ("view.html", "text/html"), **{f"/{name}": (name, "text/css") for name in ("page.css", "view.css", "site.css")},
+         **{f"/{file.name}": (file.name, "text/javascript") for file in sorted(PAGE.glob("*.*js")) if not file.name.startswith("pico")}}
+HEADERS = {"Content-Security-Policy": "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' data:", "Cache-Control": "no-store",
            "X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer"}
 
 
@@ -279,16 +279,18 @@ def hello(program, scene, head, judged=True, picks=False):
 
 
 class Server:
-    """The server on a port of this machine."""
+    """The server on a port of this machine. drawing: a view_drawing.Drawing, the page beside the window's."""
 
-    def __init__(self, hub):
+    def __init__(self, hub, drawing=None):
         self.hub = hub
         self.port = None
         self.token = secrets.token_urlsafe(TOKEN_BYTES)
-        application = web.Application(middlewares=[self._only_invited])
+        application = web.Application(middlewares=[self._only_invited], client_max_size=view_drawing.MOST)
         for path in FILES:
             application.router.add_get(f"/{self.token}{path}", self._file)
         application.router.add_get(f"/{self.token}/live", self._live)
+        if drawing:
+            application.add_routes(drawing.routes(f"/{self.token}", HEADERS))
         self._runner = web.AppRunner(application, access_log=None, handle_signals=False,
                                      shutdown_timeout=FAREWELL)
         self._troubles = Troubles()

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+"""make view's page that draws in the browser: what is dropped on it, or on the live window, is checked, compiled, drawn and predicted."""
+
+import contextlib
+import pathlib
+import signal
+import subprocess
+
+import pytest
+
+from conftest import CHECKOUT, environment
+from fixel.scene import making
+from fixel.view import browser
+from outside import need, run
+from pages import DESKTOP, NARROW, assert_accessible, crc, drop, drop_each, fixture_chromium, opened, paused, shows      # one is a fixture
+
+HOSTILE = "<img src=x onerror=alert(1)>"
+
+
+@contextlib.contextmanager
+def make_view(*words):
+    """make view as a user runs it: yields its page's address, and ends it by Ctrl-C."""
+    process = subprocess.Popen(["make", "view", "BOARD=host", *words], cwd=CHECKOUT, env=environment(), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                               stderr=subprocess.STDOUT, text=True, start_new_session=True)
+    said = []
+    with process:
+        for line in process.stdout:
+            said.append(line)
+            address = browser.ADDRESS.search(line)
+            if address:
+                yield address[0]
+                break
+        else:
+            raise AssertionError("".join(said))
+        process.send_signal(signal.SIGINT)
+        subprocess.run(["kill", "-INT", "--", f"-{process.pid}"], check=False)
+
+
+@pytest.fixture(scope="module", name="address")
+def fixture_address():
+    need("clang", "wasm-ld", "chromium")
+    with make_view("SCENE=scenes/spin.toml", "SCREEN=160x120") as address:
+        yield address
+
+
+def test_it_draws_what_the_board_draws(chromium, address, tmp_path):
+    """The scene of the live window as that has it, with its options; and each scene of the tree, compiled when it is chosen."""
+    making.build(str(CHECKOUT / "scenes" / "spin.toml"), str(tmp_path / "spin.fxls"), screen=(160, 120))
+    with opened(chromium, f"{address}draw.html#scene=spin&frame=7") as page:
+        found = crc(page)
+        assert page.evaluate("document.getElementById('screen').width") == 160
+        shows(page, "#cost", r"^[\d,]+ instructions$")
+        drop(page, "mine.fxls", (tmp_path / "spin.fxls").read_bytes())
+        shows(page, "#scene-name", "^mine.fxls, a file of yours$")
+        for _ in range(7):
+            page.click("#step")
+        assert crc(page) == found
+        page.select_option("#scene", "cube")
+        shows(page, "#cost", r"^[\d,]+ instructions$")
+        page.select_option("#view", "differ")
+        shows(page, "#view-words", "differ from double precision")
+        assert not [url for url in page.asked if "esbuild" in url or "documents" in url]
+
+
+@pytest.mark.parametrize("size", [DESKTOP, NARROW])
+def test_each_kind_of_file_is_compiled_drawn_and_predicted(chromium, address, size, tmp_path):
+    with opened(chromium, f"{address}draw.html#frame=3", size) as page:
+        paused(page)
+        drop_each(page, tmp_path)
+        page.select_option("#board", "microbit")
+        shows(page, "#cost-words", "^An estimate, as make predict BOARD=microbit|room|partition")
+        assert page.evaluate("document.documentElement.scrollWidth") <= size[0]
+
+
+def test_a_file_that_is_dropped_on_the_live_window_is_opened_there(chromium, address):
+    with opened(chromium, address, waits=False) as page:
+        page.wait_for_selector("#state.live")
+        drop(page, f"{HOSTILE}#&.obj", (CHECKOUT / "examples" / "cube" / "cube.obj").read_bytes())
+        shows(page, "#scene-name", r"#&\.obj, a file of yours$")
+        assert page.inner_text("#scene-name").startswith(HOSTILE) and not page.query_selector("figcaption img")
+        page.click("text=on the board, live")
+        page.wait_for_selector("#state.live")
+
+
+def press_and_choose(page, key, file):
+    """Presses a key, and chooses a file where the browser asks for one. The browser hears after the first evaluation that Playwright waits for that."""
+    page.once("filechooser", lambda chooser: chooser.set_files(file))
+    page.evaluate("1")
+    page.keyboard.press(key)
+
+
+def test_a_file_is_opened_by_the_keyboard_alone(chromium, address):
+    with opened(chromium, f"{address}draw.html") as page:
+        press_and_choose(page, "o", CHECKOUT / "examples" / "cube" / "cube.obj")
+        shows(page, "#scene-name", "^cube.obj, a file of yours$")
+        page.focus("#open")
+        press_and_choose(page, "Enter", CHECKOUT / "examples" / "model" / "model.glb")
+        shows(page, "#scene-name", "^model.glb, a file of yours$")
+    with opened(chromium, address, waits=False) as page:
+        page.wait_for_selector("#state.live")
+        press_and_choose(page, "o", CHECKOUT / "examples" / "model" / "model.glb")
+        shows(page, "#scene-name", "^model.glb, a file of yours$")
+
+
+def test_what_is_refused_is_a_sentence_and_what_was_drawn_stays(chromium, address, tmp_path):
+    making.build(str(CHECKOUT / "scenes" / "cube.toml"), str(tmp_path / "cube.fxls"))
+    image = (tmp_path / "cube.fxls").read_bytes()
+    with opened(chromium, f"{address}draw.html#scene=spin&frame=5") as page:
+        for name, data, words in (("broken.glb", b"glTF", "^broken.glb"), ("sly.toml", b'[[objects]]\nmodel = "/etc/passwd.obj"\n', "^sly.toml"),
+                                  (f"{HOSTILE}.fxls", image[:-5] + bytes(5), "scene refused"), (f"{HOSTILE}.txt", b"words", "no model and no scene file")):
+            drop(page, name, data)
+            shows(page, "#banner", words)
+            assert "fixel-" not in page.inner_text("#banner") and not page.query_selector("#banner *")
+            assert page.input_value("#scene") == "spin"
+        page.evaluate("location.hash = '#scene=nowhere'")
+        shows(page, "#banner", "“nowhere”, which this site does not have")
+
+
+def test_without_a_compiler_for_it_the_page_says_what_to_install(chromium, tmp_path):
+    folder = tmp_path / "bin"
+    folder.mkdir()
+    for file in pathlib.Path("/usr/bin").iterdir():
+        if not file.name.startswith(("clang", "wasm-ld")):
+            (folder / file.name).symlink_to(file)
+    run("make", "build/boards/host/walk", "build/host/live", folder=CHECKOUT)
+    with browser.viewing("host", "scenes/tiny.toml", str(CHECKOUT / "build"), cwd=CHECKOUT, env=environment(PATH=str(folder))) as (_, address), \
+            opened(chromium, f"{address}draw.html", waits=False) as page:
+        shows(page, "#banner", "^walk.wasm is compiled by clang .*: run 'sudo apt-get install clang lld ")
+        assert not page.is_visible("#unserved")
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_nothing_serious_keeps_anybody_out(chromium, address, scheme):
+    assert_accessible(chromium, f"{address}draw.html", scheme)
+    assert_accessible(chromium, address, scheme, waits=False)
