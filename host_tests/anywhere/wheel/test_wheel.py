@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The wheel: built once, installed into an empty venv, and used in a folder that knows no checkout and no compiler."""
 
+import contextlib
 import email
 import hashlib
 import json
@@ -19,6 +20,7 @@ from conftest import CHECKOUT, run_cli, without_progress
 from fixel.base.version import version
 from fixel.check import frame_hashes
 from outside import need, run
+from pages import drop_each, fixture_chromium, opened, shows     # one is a fixture
 
 
 def pip(python, *words):
@@ -153,17 +155,31 @@ def test_export_writes_the_scene_of_the_checkout(use):
     assert ours == same and "cube_scene" in ours
 
 
-def test_view_serves_its_page(use):
-    process = use("fixel", "view", "scenes/tiny.toml", start=subprocess.Popen, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+@contextlib.contextmanager
+def viewing(use, scene):
+    """fixel view of a scene; yields its page's address."""
+    process = use("fixel", "view", scene, start=subprocess.Popen, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     try:
         line = process.stdout.readline()
         address = re.search(r"http://127\.0\.0\.1:\d+/[\w-]+/", line)
         assert address, line + process.stderr.read()
-        with urllib.request.urlopen(address[0]) as page:
-            assert page.status == 200 and "<title>" in page.read().decode()
+        yield address[0]
     finally:
         process.send_signal(signal.SIGINT)
         process.communicate()
+
+
+def test_view_serves_its_page(use):
+    with viewing(use, "scenes/tiny.toml") as address, urllib.request.urlopen(address) as page:
+        assert page.status == 200 and "<title>" in page.read().decode()
+
+
+def test_view_draws_in_the_browser_what_is_dropped(use, chromium, tmp_path):
+    need("clang", "wasm-ld")    # of which the wheel was built
+    with viewing(use, "scenes/tiny.toml") as address, opened(chromium, f"{address}draw.html") as page:
+        shows(page, "#cost", r"^[\d,]+ instructions$")
+        assert page.input_value("#scene") == "tiny"
+        drop_each(page, tmp_path)
 
 
 def test_what_the_wheel_cannot_do_is_a_sentence(use):
