@@ -5,6 +5,8 @@ import contextlib
 import pathlib
 import signal
 import subprocess
+import urllib.error
+import urllib.request
 
 import pytest
 
@@ -127,6 +129,41 @@ def test_without_a_compiler_for_it_the_page_says_what_to_install(chromium, tmp_p
             opened(chromium, f"{address}draw.html", waits=False) as page:
         shows(page, "#banner", "^walk.wasm is compiled by clang .*: run 'sudo apt-get install clang lld ")
         assert not page.is_visible("#unserved")
+
+
+def asked(address, data=None, **headers):
+    """The code of an answer, and its text."""
+    try:
+        with urllib.request.urlopen(urllib.request.Request(address, data, headers), timeout=60) as answer:
+            return answer.status, answer.read().decode(errors="replace")
+    except urllib.error.HTTPError as error:
+        with error:
+            return error.code, error.read().decode()
+
+
+def test_who_has_not_the_token_or_comes_from_another_page_gets_nothing(address):
+    cube = (CHECKOUT / "examples" / "cube" / "cube.obj").read_bytes()
+    root = "/".join(address.split("/")[:3])
+    for path in ("draw.html", "walk.wasm", "scenes/spin.fxls", "kept"):
+        assert asked(f"{address}{path}")[0] == 200
+        assert asked(f"{root}/{path}")[0] == asked(f"{root}/x/{path}")[0] == asked(f"{address}{path}", Origin="http://example.org")[0] == 403
+    for path in ("compile?name=cube.obj", "predict?board=pico", "keep"):
+        assert asked(f"{root}/x/{path}", cube)[0] == asked(f"{address}{path}", cube, Origin="http://example.org")[0] == 403
+    assert asked(f"{address}compile?name=cube.obj", cube)[1].startswith("FXLS")
+    assert asked(f"{address}predict?board=/etc", cube) == (200, "no such board")
+    for path in ("scenes/..%2F..%2FMakefile.fxls", "scenes/none.fxls", "Makefile.wasm", "..%2Fhost%2Flive.wasm"):
+        assert asked(f"{address}{path}")[0] == 404, path
+
+
+def test_a_file_is_bounded(address):
+    """64 MiB; more ends the connection, or is refused."""
+    most = 64 << 20
+    assert asked(f"{address}keep", bytes(most))[0] == 200
+    try:
+        assert asked(f"{address}keep", bytes(most + 1))[0] == 413
+    except (urllib.error.URLError, ConnectionError):
+        pass
+    assert len(asked(f"{address}kept")[1]) == most
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
