@@ -4,6 +4,8 @@
 #define FXL_LINE_VIEW_H
 
 #include "../paint/line_paint.h"
+#include "../scene/lens.h"
+#include "../scene/placement_code.h"
 #include "../view/placement.h"
 #include "fixel/line.h"
 #include "fixel/lines.h"
@@ -18,13 +20,20 @@ typedef enum {
     FXL_LINE_CLIPPED /* drawn, and cut by a plane */
 } fxl_line_outcome;
 
-/* The planes of the view, by which its lines are cut. */
-void fxl_find_line_volume(const fxl_view *view, fxl_volume *volume);
-
-/* clip -> project. On FXL_LINE_DRAWN and FXL_LINE_CLIPPED the ends and distances of *painted are
- * set. */
-fxl_line_outcome fxl_place_line(const fxl_view *view, const fxl_volume *volume, fxl_clip_line *line,
+/* clip -> project, from the ends of a line in the view. On FXL_LINE_DRAWN and FXL_LINE_CLIPPED the
+ * ends and distances of *painted are set. */
+fxl_line_outcome fxl_place_line(const fxl_view *view, fxl_clip_line *line,
                                 fxl_painted_line *painted);
+
+/* Whether a line on the screen may have pixels in so many rows from first on. */
+/* lines 2.7 */
+static inline bool fxl_line_meets_rows(const fxl_painted_line *painted, int32_t first, int32_t rows)
+{
+    const fxl_q16_16 a = painted->ends[0].y, b = painted->is_point ? a : painted->ends[1].y;
+    const int32_t reach = (painted->width + 1) * 32768;
+    return (a < b ? b : a) + reach >= first * 65536 &&
+           (a < b ? a : b) - reach < (first + rows) * 65536;
+}
 
 /* The canvas of a band. */
 fxl_line_canvas fxl_line_canvas_of(const fxl_renderer *renderer, const fxl_workspace *workspace,
@@ -32,27 +41,39 @@ fxl_line_canvas fxl_line_canvas_of(const fxl_renderer *renderer, const fxl_works
 
 /* --- lines of instances --------------------------------------------------------------------- */
 
+/* Of how many faces of an instance the depth is kept from line to line. */
+#define FXL_LINE_PLANES 4
+
 /* An instance whose lines are drawn. */
 typedef struct {
     const fxl_traversal *traversal;
     const fxl_model_view *model_view;
+    const fxl_placement_code *turned;  /* of a turned instance, else null */
+    const fxl_orthographic_code *flat; /* of an orthographic lens, else null */
     uint32_t number;
-    fxl_volume volume;
+    const fxl_face *first_face; /* of the model */
+    uint32_t tested, front;     /* bits of its first faces: which were tested, which face the eye */
+    fxl_line_canvas canvas;     /* without a display list */
+    uint8_t next;               /* the place of the next plane */
+    const fxl_face *faces[FXL_LINE_PLANES];
+    fxl_line_plane planes[FXL_LINE_PLANES];
 } fxl_line_instance;
 
 /* view: room for that of a turned instance. */
 void fxl_begin_line_instance(const fxl_traversal *traversal, uint32_t number, fxl_turned_view *view,
                              fxl_line_instance *of);
 
+/* transform -> clip -> project, for a line of the instance's model. */
+fxl_line_outcome fxl_place_model_line(const fxl_line_instance *of, const fxl_line *line,
+                                      fxl_painted_line *painted);
+
 /* Whether a face of the instance faces the eye. */
 bool fxl_line_face_is_front(const fxl_line_instance *of, const fxl_face *face);
 
-/* transform -> clip -> project -> pixels, for a line that is seen: on so many faces, or on none. The
- * planes of *painted are those of the faces if its plane_count is not 0; else it becomes that where
- * they are found. *fits: false where the display list has no room. */
-fxl_line_outcome fxl_draw_line_on(const fxl_line_instance *of, const fxl_line *line,
-                                  const fxl_face *const faces[], uint32_t count,
-                                  fxl_painted_line *painted, bool *fits);
+/* transform -> clip -> project -> pixels, for a line that is seen: on so many faces, or on none.
+ * *fits: false where the display list has no room. */
+fxl_line_outcome fxl_draw_line_on(fxl_line_instance *of, const fxl_line *line,
+                                  const fxl_face *const faces[], uint32_t count, bool *fits);
 
 /* Draws over an instance. */
 typedef void fxl_instance_overdraw(const fxl_traversal *traversal, uint32_t number, void *with);

@@ -31,8 +31,16 @@ void fxl_begin_line_instance(const fxl_traversal *traversal, uint32_t number, fx
     const fxl_renderer *renderer = traversal->renderer;
     of->traversal = traversal;
     of->model_view = fxl_surfaces_view(traversal, &renderer->scene->instances[number], view);
+    of->turned = fxl_placement_code_of(renderer->scene, number);
+    of->flat = flat_of(renderer);
     of->number = number;
-    fxl_find_line_volume(&renderer->frame.view, &of->volume);
+    of->canvas = fxl_line_canvas_of(renderer, traversal->workspace, traversal->band);
+    of->first_face =
+        &renderer->scene
+             ->faces[renderer->scene->models[of->model_view->instance->model].first_face];
+    of->tested = of->front = 0;
+    of->next = 0;
+    memset(of->faces, 0, sizeof of->faces);
 }
 
 bool fxl_line_face_is_front(const fxl_line_instance *of, const fxl_face *face)
@@ -40,13 +48,11 @@ bool fxl_line_face_is_front(const fxl_line_instance *of, const fxl_face *face)
     const fxl_renderer *renderer = of->traversal->renderer;
     const fxl_scene *scene = renderer->scene;
     const fxl_point *eye = &renderer->frame.view.camera.position;
-    const fxl_placement_code *turned = fxl_placement_code_of(scene, of->number);
-    const fxl_orthographic_code *flat = flat_of(renderer);
-    if (flat != NULL) {
-        return flat->face_is_front(renderer, of->number, face);
+    if (of->flat != NULL) {
+        return of->flat->face_is_front(renderer, of->number, face);
     }
-    return turned != NULL ? turned->face_is_front(scene, of->number, face, eye)
-                          : fxl_face_is_front(scene, of->model_view->instance, face, eye);
+    return of->turned != NULL ? of->turned->face_is_front(scene, of->number, face, eye)
+                              : fxl_face_is_front(scene, of->model_view->instance, face, eye);
 }
 
 /* The depth that a face has when it is drawn: to the bit, by the function that draws it. */
@@ -57,7 +63,7 @@ static void find_plane(const fxl_line_instance *of, const fxl_face *face, fxl_de
     const fxl_surfaces *surfaces = fxl_surfaces_of(traversal->renderer);
     const fxl_scene *scene = traversal->renderer->scene;
     const uint32_t mapped = surfaces != NULL ? surfaces->set->face_map[face - scene->faces] : 0;
-    if (mapped == 0 || flat_of(traversal->renderer) != NULL) {
+    if (mapped == 0 || of->flat != NULL) {
         fxl_find_depth_by_normal(of->model_view, face, traversal, plane);
         return;
     }
@@ -69,48 +75,67 @@ static void find_plane(const fxl_line_instance *of, const fxl_face *face, fxl_de
     *plane = polygon.depth;
 }
 
+/* The same, kept from one line of the instance to the next. */
+static fxl_line_plane *plane_of(fxl_line_instance *of, const fxl_face *face)
+{
+    for (uint32_t i = 0; i < FXL_LINE_PLANES; i++) {
+        if (of->faces[i] == face) {
+            return &of->planes[i];
+        }
+    }
+    fxl_line_plane *plane = &of->planes[of->next];
+    of->faces[of->next] = face;
+    of->next = (of->next + 1u) % FXL_LINE_PLANES;
+    find_plane(of, face, &plane->plane);
+    plane->span = 0;
+    return plane;
+}
+
+/* fxl_line_face_is_front of a face of the model, kept from one line of the instance to the next of
+ * the first faces. */
+static bool is_front(fxl_line_instance *of, uint32_t number)
+{
+    const uint32_t bit = number < 32 ? (uint32_t)1 << number : 0;
+    if ((of->tested & bit) == 0) {
+        const bool front = fxl_line_face_is_front(of, &of->first_face[number]);
+        of->tested |= bit;
+        of->front |= front ? bit : 0;
+        return front;
+    }
+    return (of->front & bit) != 0;
+}
+
 /* The faces of a line that face the eye. Returns how many; false in *visible: it has faces, and
  * none does. */
 /* lines 2.4 */
-static uint32_t front_faces(const fxl_line_instance *of, const fxl_line *line,
-                            const fxl_face *faces[2], bool *visible)
+static uint32_t front_faces(fxl_line_instance *of, const fxl_line *line, const fxl_face *faces[2],
+                            bool *visible)
 {
-    const fxl_scene *scene = of->traversal->renderer->scene;
-    const fxl_face *first =
-        &scene->faces[scene->models[of->model_view->instance->model].first_face];
     uint32_t count = 0;
+    *visible = true;
+    if ((line->faces[0] | line->faces[1]) == 0) {
+        return 0;
+    }
     for (uint32_t i = 0; i < 2; i++) {
         const uint32_t number = line->faces[i];
-        if (number != 0 && fxl_line_face_is_front(of, &first[number - 1])) {
-            faces[count++] = &first[number - 1];
+        if (number != 0 && is_front(of, number - 1)) {
+            faces[count++] = &of->first_face[number - 1];
         }
     }
-    *visible = count > 0 || (line->faces[0] | line->faces[1]) == 0;
+    *visible = count > 0;
     return count;
-}
-
-/* Whether a line that is drawn has a pixel in the band; always, where there is none. */
-static bool is_in_band(const fxl_traversal *traversal, const fxl_painted_line *painted,
-                       fxl_rows *rows)
-{
-    *rows = fxl_rows_of_line(painted, traversal->renderer->frame.view.lens.height);
-    return rows->first < rows->end &&
-           (traversal->band == NULL || fxl_rows_meet(*rows, fxl_rows_of_band(traversal->band)));
 }
 
 /* Into the display list, or into the band. False where the list has no room. */
 /* lines 4.1 */
-static bool emit(const fxl_line_instance *of, const fxl_painted_line *painted, fxl_rows rows)
+static bool emit(fxl_line_instance *of, const fxl_painted_line *painted)
 {
     const fxl_traversal *traversal = of->traversal;
-    fxl_workspace *workspace = traversal->workspace;
     if (traversal->display_list == NULL) {
-        const fxl_line_canvas canvas =
-            fxl_line_canvas_of(traversal->renderer, workspace, traversal->band);
-        fxl_paint_wide_line(&canvas, painted);
+        fxl_paint_wide_line(&of->canvas, painted);
         return true;
     }
-    fxl_screen_polygon *screen = &workspace->screen;
+    fxl_screen_polygon *screen = &traversal->workspace->screen;
     const uint8_t shade = screen->shade;
     screen->colour = painted->colour;
     screen->count = 3;
@@ -120,60 +145,60 @@ static bool emit(const fxl_line_instance *of, const fxl_painted_line *painted, f
     screen->points[1] = painted->ends[1];
     screen->points[2].x = painted->is_point;
     screen->points[2].y = 0;
-    const bool fits = fxl_display_list_append(traversal->display_list, screen, rows);
+    const bool fits = fxl_display_list_append(
+        traversal->display_list, screen,
+        fxl_rows_of_line(painted, traversal->renderer->frame.view.lens.height));
     screen->kind = FXL_POLYGON_FLAT;
     screen->shade = shade;
     return fits;
 }
 
 /* lines 1.1 */
-fxl_line_outcome fxl_draw_line_on(const fxl_line_instance *of, const fxl_line *line,
-                                  const fxl_face *const faces[], uint32_t count,
-                                  fxl_painted_line *painted, bool *fits)
+fxl_line_outcome fxl_draw_line_on(fxl_line_instance *of, const fxl_line *line,
+                                  const fxl_face *const faces[], uint32_t count, bool *fits)
 {
     const fxl_traversal *traversal = of->traversal;
-    const fxl_renderer *renderer = traversal->renderer;
-    fxl_clip_line clipped;
-    fxl_rows rows;
-    fxl_find_corner(of->model_view, line->from, traversal, &clipped.from.position);
-    fxl_find_corner(of->model_view, line->to, traversal, &clipped.to.position);
-    const fxl_line_outcome outcome =
-        fxl_place_line(&renderer->frame.view, &of->volume, &clipped, painted);
-    painted->colour = line->colour;
-    painted->width = line->width;
-    painted->is_point = line->from == line->to;
-    if (outcome < FXL_LINE_DRAWN || !is_in_band(traversal, painted, &rows)) {
+    fxl_painted_line painted;
+    const fxl_line_outcome outcome = fxl_place_model_line(of, line, &painted);
+    painted.colour = line->colour;
+    painted.width = line->width;
+    painted.is_point = line->from == line->to;
+    const fxl_band *band = traversal->band;
+    if (outcome < FXL_LINE_DRAWN ||
+        (band != NULL && !fxl_line_meets_rows(&painted, band->first_row, band->rows))) {
         return outcome;
     }
-    if (renderer->target->depth_bits != 0 && painted->plane_count != count) {
-        painted->plane_count = (uint8_t)count;
+    painted.plane_count = 0;
+    if (traversal->renderer->target->depth_bits != 0) {
         for (uint32_t i = 0; i < count; i++) {
-            find_plane(of, faces[i], &painted->planes[i]);
+            painted.planes[i] = plane_of(of, faces[i]);
         }
+        painted.plane_count = (uint8_t)count;
     }
-    *fits = emit(of, painted, rows);
+    *fits = emit(of, &painted);
     return outcome;
 }
 
-static fxl_line_outcome draw_line(const fxl_line_instance *of, const fxl_line *line, bool *fits)
+static fxl_line_outcome draw_line(fxl_line_instance *of, const fxl_line *line, bool *fits)
 {
     const fxl_face *faces[2];
-    fxl_painted_line painted;
     bool visible;
     const uint32_t count = front_faces(of, line, faces, &visible);
-    painted.plane_count = 0;
-    return visible ? fxl_draw_line_on(of, line, faces, count, &painted, fits) : FXL_LINE_BACKFACING;
+    return visible ? fxl_draw_line_on(of, line, faces, count, fits) : FXL_LINE_BACKFACING;
 }
 
+/* Of each outcome so many. */
 /* lines 4.2 */
-static void count_line(fxl_line_counters *counters, fxl_line_outcome outcome)
+static void add_outcomes(fxl_line_counters *counters, const uint32_t outcomes[])
 {
-    counters->in++;
-    counters->backfacing += outcome == FXL_LINE_BACKFACING;
-    counters->outside += outcome == FXL_LINE_OUTSIDE;
-    counters->refused += outcome == FXL_LINE_REFUSED;
-    counters->drawn += outcome >= FXL_LINE_DRAWN;
-    counters->clipped += outcome == FXL_LINE_CLIPPED;
+    for (uint32_t i = 0; i <= FXL_LINE_CLIPPED; i++) {
+        counters->in += outcomes[i];
+    }
+    counters->backfacing += outcomes[FXL_LINE_BACKFACING];
+    counters->outside += outcomes[FXL_LINE_OUTSIDE];
+    counters->refused += outcomes[FXL_LINE_REFUSED];
+    counters->drawn += outcomes[FXL_LINE_DRAWN] + outcomes[FXL_LINE_CLIPPED];
+    counters->clipped += outcomes[FXL_LINE_CLIPPED];
 }
 
 /* The lines of a renderer that has some; they may be counted. */
@@ -200,19 +225,19 @@ static bool draw_lines(const fxl_traversal *traversal, uint32_t number, fxl_line
         return true;
     }
     FXL_ALIGN_8 fxl_turned_view view;
-    fxl_line_counters sums = *counters;
+    uint32_t outcomes[FXL_LINE_CLIPPED + 1] = {0};
     fxl_line_instance of;
     const uint32_t used = renderer->frame.display_list.used;
     bool fits = true;
     fxl_begin_line_instance(traversal, number, &view, &of);
     for (uint32_t i = map[0]; i < map[1]; i++) {
-        count_line(&sums, draw_line(&of, &set->lines[i], &fits));
+        outcomes[draw_line(&of, &set->lines[i], &fits)]++;
         if (!fits) {
             traversal->display_list->used = used;
             return false;
         }
     }
-    *counters = sums;
+    add_outcomes(counters, outcomes);
     return true;
 }
 
@@ -271,7 +296,7 @@ static void draw_record(fxl_workspace *workspace, const fxl_screen_polygon *reco
                                       .width = record->shade,
                                       .is_point = record->points[2].x != 0,
                                       .plane_count = 0};
-    const fxl_line_canvas canvas = {band, NULL, 0, false};
+    fxl_line_canvas canvas = {band, NULL, 0, false, 0, 0, 0};
     (void)workspace;
     fxl_paint_wide_line(&canvas, &painted);
 }

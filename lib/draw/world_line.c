@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* A line in the view, and one of the world over a band that was drawn. */
+/* A line in the view, of the vertices of a model or of the world, and one of the world over a band that
+ * was drawn. */
 #include "line_view.h"
 
+#include "../clip/clip_by_view.h"
 #include "../clip/volume.h"
 #include "../math/arith.h"
 #include "../view/model_view.h"
+#include "../view/outcode.h"
 #include "../view/project.h"
 #include "../view/view.h"
 #include "renderer.h"
@@ -25,13 +28,15 @@ static bool place_end(const fxl_view *view, const fxl_view_point *point, fxl_pai
                 : fxl_project_visible(&view->projection, point, &painted->ends[number])) == FXL_OK;
 }
 
-/* lines 2.1 */
-fxl_line_outcome fxl_place_line(const fxl_view *view, const fxl_volume *volume, fxl_clip_line *line,
-                                fxl_painted_line *painted)
+/* Any line, by a volume. */
+static FXL_COLD fxl_line_outcome place_by_volume(const fxl_view *view, fxl_clip_line *line,
+                                                 fxl_painted_line *painted)
 {
     uint32_t intersections = 0;
+    fxl_volume volume;
     line->carried = 0;
-    if (!fxl_line_by_codes(line, volume, &intersections)) {
+    fxl_volume_from_sides(&view->view_frustum, fxl_view_drawn_focal(view), FXL_PLANES_ALL, &volume);
+    if (!fxl_line_by_codes(line, &volume, &intersections)) {
         return FXL_LINE_OUTSIDE;
     }
     if (!place_end(view, &line->from.position, painted, 0) ||
@@ -41,18 +46,85 @@ fxl_line_outcome fxl_place_line(const fxl_view *view, const fxl_volume *volume, 
     return intersections > 0 ? FXL_LINE_CLIPPED : FXL_LINE_DRAWN;
 }
 
-void fxl_find_line_volume(const fxl_view *view, fxl_volume *volume)
+/* Most lines lie inside all planes, or outside one: their outcodes decide it as the volume would. */
+/* lines 2.1 */
+fxl_line_outcome fxl_place_line(const fxl_view *view, fxl_clip_line *line,
+                                fxl_painted_line *painted)
 {
-    fxl_volume_from_sides(&view->view_frustum, fxl_view_drawn_focal(view), FXL_PLANES_ALL, volume);
+    if (fxl_orthographic_of(&view->lens) != NULL) {
+        return place_by_volume(view, line, painted);
+    }
+    const fxl_view_frustum *frustum = &view->view_frustum;
+    const fxl_planes from = fxl_outcode(frustum, FXL_PLANES_ALL, &line->from.position);
+    const fxl_planes to = fxl_outcode(frustum, FXL_PLANES_ALL, &line->to.position);
+    if ((from & to) != 0) {
+        return FXL_LINE_OUTSIDE;
+    }
+    if ((from | to) != 0) {
+        return place_by_volume(view, line, painted);
+    }
+    return place_end(view, &line->from.position, painted, 0) &&
+                   place_end(view, &line->to.position, painted, 1)
+               ? FXL_LINE_DRAWN
+               : FXL_LINE_REFUSED;
+}
+
+/* A line by vertices that planes may cut, or that an orthographic lens projects. */
+static FXL_COLD fxl_line_outcome place_any(const fxl_line_instance *of, const fxl_line *line,
+                                           fxl_painted_line *painted)
+{
+    fxl_clip_line clipped;
+    fxl_find_corner(of->model_view, line->from, of->traversal, &clipped.from.position);
+    fxl_find_corner(of->model_view, line->to, of->traversal, &clipped.to.position);
+    return fxl_place_line(&of->traversal->renderer->frame.view, &clipped, painted);
+}
+
+/* An end that is kept in the cache of vertices. Returns the planes that it is outside of; without
+ * any its place is found, or FXL_VERTEX_UNPROJECTED returned. */
+static inline uint32_t place_vertex(const fxl_line_instance *of, uint32_t number,
+                                    fxl_painted_line *painted, uint32_t end)
+{
+    fxl_cached_vertex *vertex = fxl_fetch_vertex(of->model_view, number);
+    uint32_t flags = vertex->clip_flags & FXL_VERTEX_OUTSIDE;
+    if (flags == FXL_VERTEX_UNPROJECTED &&
+        fxl_project_inside(&of->model_view->view->projection, &vertex->position, &vertex->screen) ==
+            FXL_OK) {
+        vertex->clip_flags = fxl_vertex_place_flags(&vertex->screen);
+        flags = 0;
+    }
+    painted->ends[end] = vertex->screen;
+    painted->distances[end] = vertex->position.z;
+    return flags;
+}
+
+/* Most lines lie inside all planes. Then the places of their vertices are those of their ends, the
+ * same that fxl_place_line finds. */
+/* lines 2.1 */
+fxl_line_outcome fxl_place_model_line(const fxl_line_instance *of, const fxl_line *line,
+                                      fxl_painted_line *painted)
+{
+    if (of->flat != NULL) {
+        return place_any(of, line, painted);
+    }
+    const uint32_t from = place_vertex(of, line->from, painted, 0);
+    const uint32_t to = place_vertex(of, line->to, painted, 1);
+    return (from & to & FXL_PLANES_ALL) != 0 ? FXL_LINE_OUTSIDE
+           : (from | to) != 0                ? place_any(of, line, painted)
+                                             : FXL_LINE_DRAWN;
 }
 
 fxl_line_canvas fxl_line_canvas_of(const fxl_renderer *renderer, const fxl_workspace *workspace,
                                    const fxl_band *band)
 {
     const uint8_t bits = renderer->target->depth_bits;
-    const fxl_line_canvas canvas = {
-        band, bits != 0 ? (const fxl_depth_head *)workspace->target_memory : NULL,
-        renderer->frame.view.lens.near_z, bits == 32};
+    const fxl_line_canvas canvas = {band,
+                                    bits != 0 ? (const fxl_depth_head *)workspace->target_memory
+                                              : NULL,
+                                    renderer->frame.view.lens.near_z,
+                                    bits == 32,
+                                    0,
+                                    0,
+                                    0};
     return canvas;
 }
 
@@ -105,18 +177,17 @@ fxl_status fxl_frame_draw_line(fxl_renderer *renderer, fxl_workspace *workspace,
     fxl_band from_0 = *band;
     fxl_painted_line painted;
     fxl_clip_line clipped;
-    fxl_volume volume;
     fxl_band_begin_at_column_0(&from_0);
-    fxl_find_line_volume(view, &volume);
     fxl_transform_point(&view->camera, &line->from, &clipped.from.position);
     fxl_transform_point(&view->camera, &line->to, &clipped.to.position);
-    if (fxl_place_line(view, &volume, &clipped, &painted) >= FXL_LINE_DRAWN) {
-        const fxl_line_canvas canvas = fxl_line_canvas_of(renderer, workspace, &from_0);
-        painted.colour = line->colour;
-        painted.width = line->width;
-        painted.is_point =
-            line->from.x == line->to.x && line->from.y == line->to.y && line->from.z == line->to.z;
-        painted.plane_count = 0;
+    painted.colour = line->colour;
+    painted.width = line->width;
+    painted.is_point =
+        line->from.x == line->to.x && line->from.y == line->to.y && line->from.z == line->to.z;
+    painted.plane_count = 0;
+    if (fxl_place_line(view, &clipped, &painted) >= FXL_LINE_DRAWN &&
+        fxl_line_meets_rows(&painted, band->first_row, band->rows)) {
+        fxl_line_canvas canvas = fxl_line_canvas_of(renderer, workspace, &from_0);
         if (canvas.head != NULL) {
             fxl_depth_clear_rest(workspace, &from_0, renderer->target->depth_bits / 8u);
         }

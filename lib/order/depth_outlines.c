@@ -6,18 +6,15 @@
 
 /* --- edges ---------------------------------------------------------------------------------- */
 
-/* The depth of the face is found once, for the first of its edges that reaches the band. */
 /* wire 3.5 */
-static void draw_face(const fxl_line_instance *of, const fxl_face *face, uint8_t colour)
+static void draw_face(fxl_line_instance *of, const fxl_face *face, uint8_t colour)
 {
     const uint16_t *corners = fxl_face_indices(of->traversal->renderer->scene->indices, face);
     fxl_line line = {.from = corners[face->count - 1u], .colour = colour, .width = 1};
-    fxl_painted_line painted;
     bool fits = true;
-    painted.plane_count = 0;
     for (uint32_t i = 0; i < face->count; i++) {
         line.to = corners[i];
-        (void)fxl_draw_line_on(of, &line, &face, 1, &painted, &fits);
+        (void)fxl_draw_line_on(of, &line, &face, 1, &fits);
         line.from = line.to;
     }
 }

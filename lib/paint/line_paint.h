@@ -10,6 +10,15 @@
 extern "C" {
 #endif
 
+/* The depth of a face on which lines lie, and the octave that was found last. It holds the depths
+ * whose word is one of those from first on, so many: of a plane in words the lower one of 64 bits,
+ * else the upper one. */
+typedef struct {
+    fxl_depth_plane plane;
+    fxl_depth_octave octave;
+    uint32_t first, span; /* span 0: it holds none */
+} fxl_line_plane;
+
 /* A line or a point on the screen. */
 typedef struct {
     fxl_screen_point ends[2];
@@ -17,7 +26,7 @@ typedef struct {
     uint8_t colour, width;   /* 1..16 */
     bool is_point;           /* at the first end */
     uint8_t plane_count;     /* 0..2 */
-    fxl_depth_plane planes[2];
+    fxl_line_plane *planes[2];
 } fxl_painted_line;
 
 /* What it is painted into: pixels from column 0 on, and, unless head is null, the cells behind it,
@@ -27,6 +36,11 @@ typedef struct {
     const fxl_depth_head *head;
     fxl_q16_16 near_z; /* of the lens */
     bool wide;         /* cells of 32 bits */
+    /* The end whose depth was found last, which the next line of a polyline begins at: its distance, or
+     * 0, and near_z / distance = mantissa * 2^-one. */
+    fxl_q18_46 distance;
+    uint32_t mantissa;
+    int32_t one;
 } fxl_line_canvas;
 
 /* Paints the pixels of a line in the band; with a depth those whose code is not below the one that
@@ -35,7 +49,7 @@ typedef struct {
  * A pixel of a line with planes has the largest of their codes at its centre, as a face has it. A
  * line without planes has the same depth at all pixels of a column, or of a row if it is steep: the
  * one between those of its ends, off by less than 2^-25 of itself, and not beyond either. */
-void fxl_paint_wide_line(const fxl_line_canvas *canvas, const fxl_painted_line *line);
+void fxl_paint_wide_line(fxl_line_canvas *canvas, const fxl_painted_line *line);
 
 /* The rows of a screen that the pixels of a line may reach. */
 fxl_rows fxl_rows_of_line(const fxl_painted_line *line, uint16_t height);
