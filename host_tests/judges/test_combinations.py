@@ -115,7 +115,7 @@ OVERLAY = ("--border", BORDER, "--rows", "7")
 def is_refused(order, target, name):
     """docs/extras/combinations.md, section 2, says so by FXL_E_COMBINATION. Of the outlines: the scene's subject moves, and a tree
     would cut it."""
-    return name == "outlines" and (order == "tree" or (order == "orthographic" and TARGETS[target][1] != 0))
+    return name == "outlines" and order == "tree"
 
 
 # Of which the tool makes no image, and what it says.

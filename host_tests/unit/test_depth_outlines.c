@@ -22,6 +22,14 @@ static fxl_outline_style style_of(bool keeps_colours)
     return style;
 }
 
+/* With a lens of 8 pixels a unit, or that of start. */
+static void take_lens(bool is_orthographic)
+{
+    if (is_orthographic) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_orthographic(&renderer, Q16(8)));
+    }
+}
+
 static void attach_outlines(bool keeps_colours)
 {
     const fxl_outline_style style = style_of(keeps_colours);
@@ -49,8 +57,8 @@ static void make_edges_of_faces(fxl_line edges[2 * EDGES * 2], fxl_line_set *of_
     *of_faces = (fxl_line_set){edges, count, line_map};
 }
 
-/* However the frame is drawn, by both depth buffers, of turned instances and still ones. */
-/* wire 3.5a, 3.5b, 3.5g, lines 2.7a */
+/* However the frame is drawn, by both depth buffers and by both kinds of lenses, of turned instances and still ones. */
+/* wire 3.5a, 3.5b, 3.5g, lines 2.7a, orthographic 2.12b-c */
 void test_outlines_are_lines_on_their_faces(void)
 {
     static fxl_line edges[2 * EDGES * 2];
@@ -60,6 +68,7 @@ void test_outlines_are_lines_on_their_faces(void)
     uint32_t seen = 0, hidden = 0;
     for (int round = 0; round < UNIT_REPEAT / 400 + 12; round++) {
         const fxl_target *target = depths[round % 2];
+        const bool is_orthographic = round % 5 > 2;
         const fxl_pose pose = round % 3 ? tiny_pose_about() : tiny_pose_between();
         fxl_workspace other;
         fxl_config config = config_of(target);
@@ -69,12 +78,14 @@ void test_outlines_are_lines_on_their_faces(void)
             placements[0].orientation = unit_orientation();
         }
         start(target, false);
+        take_lens(is_orthographic);
         draw(&pose, again);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lines(&renderer, &attached, &of_faces));
         draw(&pose, expected);
         config.depth_size =
             (uint32_t)FXL_DEPTH_BYTES(WIDTH, unit_between(1, HEIGHT), target->depth_bits);
         start_with(&config, sizeof memory);
+        take_lens(is_orthographic);
         attach_outlines(true);
         draw(&pose, frame);
         TEST_ASSERT_EQUAL_MEMORY(expected, frame, sizeof frame);
@@ -250,7 +261,4 @@ void test_conflicts_of_outlines_by_depth(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &fxl_clipper_world, room,
                                                        fxl_clipper_world.workspace_size));
     expect_conflict("outlines", "a clipper of the study");
-    start(&fxl_palette_depth_16, false);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_orthographic(&renderer, Q16(8)));
-    expect_conflict("an orthographic lens", "outlines");
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "choices.h"
+#include "fixel/lines.h"
 #include "frame_bands.h"
 #include "orthographic_unit.h"
 #include "paint/depth_code.h"
@@ -29,6 +30,7 @@ static uint8_t frames[2][PIXELS];
 static fxl_renderer renderer;
 static fxl_placement placements[TINY_INSTANCES];
 static tiny_scene *tiny;
+static const fxl_line_counters *line_counters;
 
 /* orthographic 1.1a-f, 1.2c */
 void test_a_lens_is_taken_within_its_range(void)
@@ -162,8 +164,29 @@ static int64_t depth_of(uint32_t instance)
            (int64_t)camera->axes.forward.z * (centre->z - camera->position.z);
 }
 
-/* Of a cube that no plane cuts all faces are counted as backfacing or drawn. */
-/* orthographic 2.3a, 2.3b, 2.4a, 2.4b, 2.5a, 2.5c */
+/* A line on each face of the cubes, and on no other. */
+static void attach_a_line_a_face(void)
+{
+    static fxl_line lines[12];
+    static uint32_t map[3];
+    static fxl_lines attached;
+    const fxl_line_set set = {lines, 12, map};
+    uint32_t count = 0;
+    for (uint32_t m = 0; m < 2; m++) {
+        const fxl_model *model = &tiny->models[m];
+        map[m] = count;
+        for (uint32_t i = 0; i < model->face_count; i++) {
+            const uint16_t *corners = fxl_face_indices(tiny->corners, &tiny->faces[model->first_face + i]);
+            lines[count++] = (fxl_line){corners[0], corners[1], {(uint16_t)(i + 1), 0}, 100, 1, 0};
+        }
+    }
+    map[2] = count;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lines(&renderer, &attached, &set));
+    line_counters = &attached.counters;
+}
+
+/* Of a cube that no plane cuts all faces are counted as backfacing or drawn; so are lines that lie on one face. */
+/* orthographic 2.3a, 2.3b, 2.4a, 2.4b, 2.5a, 2.5c, 2.12a */
 void test_faces_and_instances_come_by_forward(void)
 {
     uint32_t fronts = 0;
@@ -171,6 +194,7 @@ void test_faces_and_instances_come_by_forward(void)
         const fxl_pose pose = tiny_pose_before();
         uint32_t backs = 0;
         start((uint32_t)unit_between(0, TINY_INSTANCES), LIST_WORDS);
+        attach_a_line_a_face();
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         const fxl_frame *frame = &renderer.frame;
         for (uint32_t i = 0; i < frame->visible_count; i++) {
@@ -185,9 +209,31 @@ void test_faces_and_instances_come_by_forward(void)
             }
         }
         TEST_ASSERT_EQUAL_UINT32(backs, renderer.workspace.counters.backfacing);
+        TEST_ASSERT_EQUAL_UINT32(backs, line_counters->backfacing);
         fronts += renderer.workspace.counters.drawn;
     }
     TEST_ASSERT_TRUE(fronts > 0);
+}
+
+/* What lines and picks ask of a face, where camera and instances are turned, in sight or not. */
+/* orthographic 2.3a, 2.3b, 2.4a */
+void test_a_face_is_asked_whether_it_is_a_front(void)
+{
+    uint32_t fronts = 0, turned = 0;
+    for (int round = 0; round < UNIT_REPEAT / 20; round++) {
+        const fxl_pose pose = unit_pose();
+        start((uint32_t)unit_between(0, TINY_INSTANCES - 1), 0);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        const fxl_camera *camera = &renderer.frame.view.camera;
+        for (uint32_t number = 0; number < TINY_INSTANCES; number++) {
+            const fxl_face *face = &tiny->faces[unit_between(0, 11)];
+            const bool expected = is_front(number, face, &camera->axes.forward);
+            TEST_ASSERT_EQUAL(expected, fxl_orthographic.orthographic->face_is_front(&renderer, number, face));
+            fronts += expected;
+            turned += expected && number >= tiny->scene.first_turned;
+        }
+    }
+    TEST_ASSERT_TRUE(fronts > turned && turned > 0);
 }
 
 /* A renderer of any target, whole and in bands, shows one picture, and a pick names its faces, which

@@ -90,6 +90,44 @@ fxl_clip_by(const fxl_model_view *model_view, const fxl_face *face, fxl_clipper_
                : FXL_CLIP_INSIDE;
 }
 
+/* Gives the place of a face's corner in the view, and its clip flags. */
+typedef uint32_t fxl_corner_taker(const fxl_model_view *model_view, uint32_t number,
+                                  const fxl_cached_vertex *vertex, fxl_view_point *place);
+
+/* fxl_clip_assembled by what gives corners, and by a projector. */
+static inline __attribute__((always_inline)) fxl_clip_result
+fxl_clip_assembled_by(const fxl_model_view *model_view, const fxl_face *face,
+                      fxl_clipper_work *workspace, fxl_screen_polygon *screen,
+                      fxl_corner_taker *take, fxl_projector *project)
+{
+    fxl_clip_view_work *work = &workspace->by_view;
+    const uint16_t *indices = fxl_face_indices(model_view->indices, face);
+    const fxl_view *view = model_view->view;
+    fxl_view_polygon *assembled = &work->polygons[0];
+    const fxl_view_polygon *clipped;
+    unsigned of_any = 0;
+    for (uint32_t i = 0; i < face->count; i++) {
+        const fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, indices[i]);
+        of_any |= take(model_view, indices[i], vertex, &assembled->vertices[i].position);
+    }
+    assembled->colour = face->material;
+    assembled->count = face->count;
+    fxl_clip_result result = fxl_clip_view_by_planes(
+        assembled, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL), work,
+        (fxl_clip_stats *)model_view->clipper_workspace, &clipped);
+    if (clipped == NULL) {
+        return result;
+    }
+    screen->colour = clipped->colour;
+    screen->count = clipped->count;
+    for (uint32_t i = 0; i < clipped->count; i++) {
+        if (project(view, &clipped->vertices[i].position, &screen->points[i]) != FXL_OK) {
+            return FXL_CLIP_RANGE;
+        }
+    }
+    return result;
+}
+
 #ifdef __cplusplus
 }
 #endif

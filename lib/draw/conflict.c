@@ -64,9 +64,6 @@ static const struct {
     {FXL_HAS_DEEP_OUTLINES, FXL_HAS_WORLD_CLIPPER,
      "outlines and a clipper of the study do not go together: with a depth buffer the clipper must be "
      "&fxl_clipper_view"},
-    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_DEEP_OUTLINES,
-     "an orthographic lens and outlines do not go together: with a depth buffer the outlines must be "
-     "detached, by a null style"},
     {FXL_HAS_OUTLINES, FXL_HAS_BEAMS,
      "outlines and beams do not go together: detach one, by a null style or set"},
     {FXL_HAS_OUTLINES, FXL_HAS_MOVERS,

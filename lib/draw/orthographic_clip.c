@@ -65,40 +65,21 @@ static uint32_t real_flags(const fxl_model_view *model_view, const fxl_cached_ve
                : vertex->clip_flags;
 }
 
+/* fxl_corner_taker */
+static inline uint32_t take(const fxl_model_view *model_view, uint32_t number,
+                            const fxl_cached_vertex *vertex, fxl_view_point *place)
+{
+    fxl_copy_point(&vertex->position, place);
+    if (is_flat(model_view)) {
+        place->z = depth_of(model_view, number);
+    }
+    return real_flags(model_view, vertex);
+}
+
 static fxl_clip_result clip_assembled(const fxl_model_view *model_view, const fxl_face *face,
                                       fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
-    const uint16_t *indices = fxl_face_indices(model_view->indices, face);
-    const fxl_view *view = model_view->view;
-    fxl_view_polygon *assembled = &work->by_view.polygons[0];
-    const fxl_view_polygon *clipped;
-    unsigned of_any = 0;
-    for (uint32_t i = 0; i < face->count; i++) {
-        const fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, indices[i]);
-        fxl_view_point *to = &assembled->vertices[i].position;
-        of_any |= real_flags(model_view, vertex);
-        fxl_copy_point(&vertex->position, to);
-        if (is_flat(model_view)) {
-            to->z = depth_of(model_view, indices[i]);
-        }
-    }
-    assembled->colour = face->material;
-    assembled->count = face->count;
-    const fxl_clip_result result = fxl_clip_view_by_planes(
-        assembled, &view->view_frustum, (fxl_planes)(of_any & FXL_PLANES_ALL), &work->by_view,
-        (fxl_clip_stats *)model_view->clipper_workspace, &clipped);
-    if (clipped == NULL) {
-        return result;
-    }
-    screen->colour = clipped->colour;
-    screen->count = clipped->count;
-    for (uint32_t i = 0; i < clipped->count; i++) {
-        if (fxl_project_orthographic(view, &clipped->vertices[i].position, &screen->points[i]) !=
-            FXL_OK) {
-            return FXL_CLIP_RANGE;
-        }
-    }
-    return result;
+    return fxl_clip_assembled_by(model_view, face, work, screen, take, fxl_project_orthographic);
 }
 
 /* fxl_projector of a point that is inside all planes: so on the screen, or an eighth of a pixel beside

@@ -55,15 +55,9 @@ static uint32_t find_front(const fxl_scene *scene, const fxl_model *model, uint3
         if (!is_front(model_view, face)) {
             continue;
         }
-        fxl_point box;
-        if (known != NULL) {
-            box.x = known[i].box_x;
-            box.y = known[i].box_y;
-            box.z = known[i].box_z;
-        } else {
-            box = fxl_face_box(model_view->vertices, fxl_face_indices(model_view->indices, face),
-                               face->count);
-        }
+        const fxl_point box =
+            fxl_face_box_of(known, i, model_view->vertices,
+                            fxl_face_indices(model_view->indices, face), face->count);
         entries[found++] =
             fxl_draw_entry_of(key_of(fxl_along(forward, box.x, box.y, box.z)), (uint16_t)i, 0);
     }

@@ -82,6 +82,22 @@ FXL_IN_PLACE_LARGE fxl_point fxl_face_box(const fxl_point *vertices, const uint1
 }
 #endif
 
+/* The same of face `number` of a model: from the model's bounds, where they are known. */
+static inline fxl_point fxl_face_box_of(const fxl_face_bounds *known, uint32_t number,
+                                        const fxl_point *vertices, const uint16_t *indices,
+                                        uint32_t count)
+{
+    fxl_point box;
+    if (known != NULL) {
+        box.x = known[number].box_x;
+        box.y = known[number].box_y;
+        box.z = known[number].box_z;
+    } else {
+        box = fxl_face_box(vertices, indices, count);
+    }
+    return box;
+}
+
 /* The distance of the face's plane from the model's origin, along the normal, in units of 2^-46.
  * Each coordinate is below 2^30: see fxl_dot. */
 /* formats 1.6 */

@@ -253,14 +253,8 @@ uint32_t fxl_list_turned_faces(const fxl_turned_view *turned, const fxl_scene *s
         const int side = fxl_estimated_side((height >> turned->eye_shift) -
                                             fxl_dot(&face->normal, eye.x, eye.y, eye.z));
         if (side < 0 || (side == 0 && fxl_turned_view_is_front(turned, face))) {
-            fxl_point box;
-            if (known != NULL) {
-                box.x = known[i].box_x;
-                box.y = known[i].box_y;
-                box.z = known[i].box_z;
-            } else {
-                box = fxl_face_box(model_view->vertices, indices, face->count);
-            }
+            const fxl_point box =
+                fxl_face_box_of(known, i, model_view->vertices, indices, face->count);
             *entries++ =
                 fxl_draw_entry_of(box_distance(&box, &eye, turned->eye_shift), (uint16_t)i, 0);
         }
