@@ -118,6 +118,13 @@ def test_what_is_refused_is_a_sentence_and_what_was_drawn_stays(chromium, addres
         shows(page, "#banner", "“nowhere”, which this site does not have")
 
 
+def test_beside_a_program_of_ones_own_there_are_the_scenes_of_the_tree(chromium):
+    with make_view("PROGRAM=examples/horizon") as address, opened(chromium, f"{address}draw.html") as page:
+        assert page.input_value("#scene") == "plaza" and page.locator("#scene option").count() > 20
+        drop(page, "mine.glb", (CHECKOUT / "examples" / "model" / "model.glb").read_bytes())
+        shows(page, "#scene-name", "^mine.glb, a file of yours$")
+
+
 def test_without_a_compiler_for_it_the_page_says_what_to_install(chromium, tmp_path):
     folder = tmp_path / "bin"
     folder.mkdir()
@@ -151,6 +158,7 @@ def test_who_has_not_the_token_or_comes_from_another_page_gets_nothing(address):
         assert asked(f"{root}/x/{path}", cube)[0] == asked(f"{address}{path}", cube, Origin="http://example.org")[0] == 403
     assert asked(f"{address}compile?name=cube.obj", cube)[1].startswith("FXLS")
     assert asked(f"{address}predict?board=/etc", cube) == (200, "no such board")
+    assert asked(f"{address}compile?name=../../broken.glb", b"glTF")[1].startswith("_.._broken.glb:")
     for path in ("scenes/..%2F..%2FMakefile.fxls", "scenes/none.fxls", "Makefile.wasm", "..%2Fhost%2Flive.wasm"):
         assert asked(f"{address}{path}")[0] == 404, path
 
