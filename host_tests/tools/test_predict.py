@@ -45,7 +45,7 @@ BEAM = """
 direction = [0.6, -0.64, 0.48]
 window = [[-4, 1, -2], [-4, 4, -2], [-4, 4, 2], [-4, 1, 2]]
 """
-PUT = {"depth": ("[view]\n", "[view]\nvisibility = \"depth\"\n"), "ferns": ("\n[path]", FERNS + "\n[path]"),
+PUT = {"scale": ("fov = 70\n", "scale = 12\n"), "depth": ("[view]\n", "[view]\nvisibility = \"depth\"\n"), "ferns": ("\n[path]", FERNS + "\n[path]"),
        "texels": ('name = "bricks"\n', 'name = "bricks"\nbits = 16\n'), "beam": ("\n[[objects]]", BEAM + "\n[[objects]]"), "rgb565": ("[view]\n", "[view]\npixels = \"rgb565\"\n")}
 # A scene of the repository, and what is put into it.
 KINDS = {
@@ -54,7 +54,9 @@ KINDS = {
                    "scenes/beam.toml", "scenes/knot-moving.toml beam", "scenes/grove.toml beam",
                    "scenes/beam.toml depth ferns", "scenes/grove.toml depth beam",
                    "scenes/gallery.toml rgb565", "scenes/room.toml rgb565", "scenes/room.toml rgb565 texels", "scenes/lit.toml rgb565", "scenes/grove.toml depth rgb565",
-                   "scenes/knot.toml", "scenes/knot.toml rgb565"),
+                   "scenes/knot.toml", "scenes/knot.toml rgb565",
+                   "scenes/spin.toml scale", "scenes/grove.toml scale", "scenes/lit.toml scale", "scenes/spin.toml scale depth",
+                   "scenes/lit.toml scale depth rgb565"),
     "microbit": ("scenes/car.toml", "scenes/knot-moving.toml depth", "scenes/grove.toml", "scenes/knot-moving.toml ferns",
                  "scenes/beam.toml", "scenes/knot-moving.toml beam", "scenes/grove.toml depth beam",
                  "scenes/room.toml rgb565", "scenes/room.toml rgb565 texels", "scenes/grove.toml rgb565", "scenes/car.toml rgb565")}
@@ -260,20 +262,6 @@ def test_for_people(tmp_path):
     assert f"a face takes {found['flash']['scene'] / 33:.0f}" in done.stdout
 
 
-def test_costs_of_perspective_are_called_so(tmp_path):
-    """There are none of an orthographic lens."""
-    words = [word for pair in options_of("mps2-an385").items() for word in pair]
-    view, text = '{ fov = 75, near = 0.25, far = 40, inset = "4/65536" }', (ROOT / "scenes/tiny.toml").read_text(encoding="utf-8")
-    for made, has_eye in ((view, True), ("{ scale = 12, near = 0.25, far = 40 }", False)):
-        assert view in text
-        (tmp_path / "scene.toml").write_text(text.replace(view, made), encoding="utf-8")
-        out = tmp_path / "prediction.json"
-        done = run_cli("predict", "--board", "mps2-an385", "--scene", tmp_path / "scene.toml", *words, "--frames", 1, "--json", out)
-        assert done.returncode == 0, done.stderr
-        assert json.loads(out.read_text(encoding="utf-8"))["orthographic"] is not has_eye
-        assert ("costs of lenses with an eye" not in done.stdout) is has_eye and ("make run" not in done.stdout) is has_eye
-
-
 def test_boards_and_scenes_without_costs():
     words = [word for pair in options_of("mps2-an505").items() for word in pair]
     done = run_cli("predict", "--board", "mps2-an505", "--scene", ROOT / "scenes/tiny.toml", *words)
@@ -304,12 +292,13 @@ def test_every_count_counts(tmp_path):
     total = 0
     plain = ("bench/costs.toml", "scenes/spin.toml", "scenes/w3.toml", "scenes/c500.toml", "bench/costs_surfaces.toml",
              "bench/costs_lights.toml", "bench/costs_turned_lit.toml", "bench/costs_billboards.toml", "bench/costs_glass.toml",
-             "bench/costs_all.toml", "bench/costs_tree.toml", "bench/costs_depth_textures.toml", "scenes/horizon.toml")
+             "bench/costs_all.toml", "bench/costs_tree.toml", "bench/costs_depth_textures.toml", "scenes/horizon.toml",
+             "bench/costs_parallel.toml", "bench/costs_parallel_textures.toml")
     wide = ("bench/costs_lights.toml", "bench/costs_glass.toml", "bench/costs_billboards.toml", "bench/costs_texels.toml",
             "bench/costs_colours.toml")
     for number, (source, pixels) in enumerate([*((source, "palette") for source in plain), *((source, "rgb565") for source in wide)]):
         image = tmp_path / f"{number}.fxls"
-        making.build(str(ROOT / source), image, 12 if number < 2 else None, asked=target.Target(pixels))
+        making.build(str(ROOT / source), image, 12 if number < 2 else None, asked=target.Target(pixels, depth="16" if "parallel_textures" in source else None))
         words = 4096 if number in (0, 2, 3) else 12288
         names, counts = frame_costs.count(made("build/host/predict").parents[1], image, 2560, 0, words, 8)
         total = total + counts.sum(axis=0)

@@ -28,6 +28,13 @@
     X(projections) \
     X(assembled) \
     X(cut_edges) \
+    X(parallel_instances) \
+    X(parallel_sorted) \
+    X(parallel_vertices) \
+    X(parallel_clipped) \
+    X(parallel_corners) \
+    X(parallel_flat) \
+    X(parallel_depths) \
     X(list_polygons) \
     X(list_words) \
     X(list_reads) \
@@ -187,6 +194,9 @@ bool is_listed(const fxl_depth_plane *plane);
 /* place pixel-format: what is counted */
 /* The frame is of RGB565: its pixels are wide. */
 extern bool is_wide;
+
+/* The lens is orthographic. */
+extern bool is_parallel;
 
 /* The order by tree, which counts what it visits. */
 extern const fxl_order counting_tree;

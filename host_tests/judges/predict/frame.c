@@ -5,9 +5,10 @@
 
 #include "predict/counts.h"
 #include "predict/shares.h"
+#include "scene/lens.h"
 
 const char *predict_no_room(const fxl_scene_image *image, const uint32_t settings[PREDICT_SETTINGS],
-                               uint32_t taken)
+                            uint32_t taken)
 {
     if (settings[PREDICT_BAND] < image->lens.width * (image->pixel_bits / 8u)) {
         return "a band holds no row of the screen";
@@ -16,7 +17,8 @@ const char *predict_no_room(const fxl_scene_image *image, const uint32_t setting
         return "the order has too few entries";
     }
     const uint32_t left = taken < settings[PREDICT_LIST] ? settings[PREDICT_LIST] - taken : 0;
-    return taken > settings[PREDICT_LIST] || depth_bytes(image, left) + tree_bytes(image, left) > left
+    return taken > settings[PREDICT_LIST] ||
+                   depth_bytes(image, left) + tree_bytes(image, left) > left
                ? "the display list's memory is too small for what the scene has beside its faces"
                : NULL;
 }
@@ -56,7 +58,9 @@ const char *predict_set_up(session *run, const uint32_t settings[PREDICT_SETTING
     const uint32_t depth = depth_bytes(&run->image, settings[PREDICT_LIST] - taken);
     const uint32_t tree = tree_bytes(&run->image, settings[PREDICT_LIST] - taken);
     uint32_t list = settings[PREDICT_LIST] - taken - depth - tree;
-    list = settings[PREDICT_LIST_MOST] > 0 && list > settings[PREDICT_LIST_MOST] ? settings[PREDICT_LIST_MOST] : list;
+    list = settings[PREDICT_LIST_MOST] > 0 && list > settings[PREDICT_LIST_MOST]
+               ? settings[PREDICT_LIST_MOST]
+               : list;
     session_settings methods = {.clipper = &fxl_clipper_view,
                                 .display_list_words = list / 4,
                                 .cache_entries = settings[PREDICT_CACHE],
@@ -86,10 +90,12 @@ fxl_status predict_frame(session *run, const fxl_pose *pose, uint32_t number,
     session_play(run, number);
     memset(&counted, 0, sizeof counted);
     is_wide = run->image.pixel_bits == 16;
+    is_parallel = fxl_orthographic_of(lens) != NULL;
     const fxl_status status = session_draw(run, pose, rows, run->image.background, pixels);
     counted.frames = 1;
     counted.bands += is_wide ? (lens->height + rows - 1) / rows : 0;
     counted.instances = run->image.scene.instance_count;
     counted.instances_seen = run->renderer.frame.visible_count;
+    counted.parallel_instances = is_parallel ? counted.instances_seen : 0;
     return status;
 }

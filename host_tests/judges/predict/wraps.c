@@ -5,6 +5,7 @@
 #include "clip/clip_view.h"
 #include "clip/intersection.h"
 #include "draw/display_list.h"
+#include "draw/orthographic.h"
 #include "draw/submit.h"
 #include "predict/counts.h"
 #include "raster/draw_outline.h"
@@ -22,7 +23,7 @@
 /* Counts of what every scene may have: instances, faces and polygons. */
 
 predict_counts counted;
-bool is_wide;
+bool is_wide, is_parallel;
 
 /* Under way is a band that looks at those faces alone of which it knows that they reach it. */
 static bool passes_over;
@@ -62,7 +63,8 @@ WRAPPED_COUNT(uint32_t, fxl_list_front_faces,
 
 WRAPPED_COUNT_VOID(void, fxl_sort_faces,
                    (fxl_draw_entry * entries, uint32_t count, fxl_sort_work *work),
-                   (entries, count, work), counted.faces_sorted += count)
+                   (entries, count, work), counted.faces_sorted += count,
+                   counted.parallel_sorted += is_parallel ? count : 0)
 
 WRAPPED(bool, fxl_extents_submit, (const fxl_traversal *traversal))
 {
@@ -89,9 +91,40 @@ static fxl_clip_result clip_by_view(const fxl_model_view *model_view, const fxl_
 
 WRAPPED_RECORD(fxl_clipper, fxl_clipper_view) = {.clip = clip_by_view, .by_clip_flags = true};
 
+/* Those of an orthographic lens, whose vertices are projected in C. */
+extern const fxl_clipper __real_fxl_orthographic_clipper, __real_fxl_orthographic_deep_clipper;
+
+static fxl_clip_result clip_parallel(const fxl_model_view *model_view, const fxl_face *face,
+                                     fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    counted.parallel_clipped += 1;
+    counted.parallel_corners += face->count;
+    return __real_fxl_orthographic_clipper.clip(model_view, face, work, screen);
+}
+
+WRAPPED_RECORD(fxl_clipper, fxl_orthographic_clipper) = {.clip = clip_parallel,
+                                                         .by_clip_flags = true};
+
+static fxl_clip_result clip_deep(const fxl_model_view *model_view, const fxl_face *face,
+                                 fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    counted.parallel_clipped += 1;
+    counted.parallel_corners += face->count;
+    return __real_fxl_orthographic_deep_clipper.clip(model_view, face, work, screen);
+}
+
+WRAPPED_RECORD(fxl_clipper, fxl_orthographic_deep_clipper) = {.clip = clip_deep};
+
+WRAPPED_COUNT_VOID(void, fxl_find_orthographic_depth,
+                   (const fxl_model_view *model_view, const fxl_face *face, fxl_depth_plane *plane),
+                   (model_view, face, plane), counted.parallel_depths += 1)
+
 WRAPPED_COUNT_VOID(void, fxl_transform_vertex,
                    (const fxl_model_view *model_view, uint32_t number, fxl_cached_vertex *entry),
-                   (model_view, number, entry), counted.vertices += 1)
+                   (model_view, number, entry), counted.vertices += 1,
+                   counted.parallel_vertices += is_parallel,
+                   counted.parallel_flat +=
+                   is_parallel && (model_view->planes & FXL_MODEL_VIEW_SCALED) != 0)
 
 WRAPPED_COUNT(fxl_status, fxl_project_inside,
               (const fxl_projection *projection, const fxl_view_point *view,

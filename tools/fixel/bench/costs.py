@@ -29,16 +29,16 @@ making = late("fixel.scene", "making")
 np = late("numpy")
 
 OWN = ("", "_sphere", "_surfaces", "_rooms", "_lights", "_lamps", "_turned", "_turned_lit", "_depth", "_depth_textures", "_smooth",
-       "_glass", "_pane", "_billboards", "_wood", "_beams", "_tree", "_texels", "_colours", "_colours_wall", "_all")
+       "_glass", "_pane", "_billboards", "_wood", "_beams", "_tree", "_parallel", "_parallel_textures", "_texels", "_colours", "_colours_wall", "_all")
 TEXTURED = ("bench/scenes/tqa.toml", "bench/scenes/tqp.toml", "bench/scenes/crates.toml")
-MORE = (*(f"bench/costs{name}.toml" for name in OWN), *TEXTURED, "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml",
+MORE = (*(f"bench/costs{name}.toml" for name in OWN), *TEXTURED, "bench/scenes/boxes.toml", "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml",
         "scenes/landscape.toml", "scenes/horizon.toml")
 # place pixel-format: what is counted (wide_...), and what it costs
 # Scenes of these drawn as something else: RGB565, with a depth buffer, and by a tree of all their layers.
 WIDE = tuple(f"bench/costs{name}.toml" for name in ("", "_surfaces", "_rooms", "_lights", "_depth", "_smooth", "_glass", "_pane", "_billboards",
                                                     "_wood", "_texels", "_all")) + \
     (*TEXTURED, "scenes/w1.toml", "scenes/w2.toml", "scenes/tiny.toml", "scenes/cube.toml", "scenes/horizon.toml")
-DEEP = tuple(f"bench/costs{name}.toml" for name in ("_sphere", "_surfaces", "_rooms", "_turned_lit", "_wood", "_beams")) + TEXTURED[1:]
+DEEP = tuple(f"bench/costs{name}.toml" for name in ("_sphere", "_parallel", "_parallel_textures", "_surfaces", "_rooms", "_turned_lit", "_wood", "_beams")) + TEXTURED[1:]
 TREES = (*(f"bench/costs{name}.toml" for name in ("", "_surfaces", "_rooms", "_lights")), "scenes/plaza.toml", "scenes/landscape.toml",
          "scenes/w1.toml")
 # Models of the showcase by themselves: large smooth faces, large textures in RGB565, many parts.

@@ -187,7 +187,7 @@ def predict(options, file):
     board, core = board_of(options, known)
     scene, size = image.load(file), pathlib.Path(file).stat().st_size
     result = {"board": options.board, "core": core, "scene": options.scene, "frames": scene.frames,
-              "faces": sum(len(model.faces) for model in scene.models), "lines_not_counted": lines_of(scene), "orthographic": bool(scene.scale),
+              "faces": sum(len(model.faces) for model in scene.models), "lines_not_counted": lines_of(scene),
               "why_not": None, **frame_costs.memory(board, size, has_looks(scene)), "instructions_per_frame": None, "stages": None, "cycles": None,
               "ram_of_your_program": memory_needed.of_program(scene), "your_memory": [], "parts": [],
               **sent_bytes.told("", scene.width, scene.height, None)}
@@ -231,9 +231,6 @@ def print_prediction(result):
             ["stack", f"{stack['seen']:,} of {stack['reserved']:,} bytes"]]
     if taken:
         rows.append(["instructions a frame", f"{taken['min']:,} to {taken['max']:,}, mean {taken['mean']:,}"])
-        if result["orthographic"]:
-            rows.append(["", "by the costs of lenses with an eye; those of an orthographic one are not known: make run counts "
-                             "what its frames take"])
     rows += cycle_rows(result["cycles"])
     if taken and result["lines_not_counted"]:
         rows.append(["not counted", f"{count_of(result['lines_not_counted'], 'line')}, edges and points among them: their instructions come on top"])
