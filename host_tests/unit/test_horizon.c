@@ -167,6 +167,56 @@ void test_rectangles_are_parts_of_the_frame(void)
     }
 }
 
+/* Of large frames the excess is followed from row to row; of bands of one row it is not. */
+/* horizon 1.4a */
+void test_rows_together_are_those_drawn_one_by_one(void)
+{
+    enum {
+        COLUMNS = 200,
+        ROWS = 120
+    };
+    static uint8_t whole[ROWS * COLUMNS], rows[ROWS * COLUMNS];
+    for (int i = 0; i < UNIT_REPEAT / 1000; i++) {
+        fxl_lens lens;
+        fxl_camera camera;
+        fxl_pose pose = any_pose();
+        const fxl_angle fov = (fxl_angle)DEGREES(unit_between(11, 149));
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_lens_from_fov(COLUMNS, ROWS, fov, Q16(0.25), Q16(500), 0, &lens));
+        any_horizon(1 + unit_random() % 9);
+        if (i % 2) { /* near the horizon, hardly rolled */
+            pose.pitch = unit_random() >> 5;
+            pose.roll = unit_random() >> (2 + unit_random() % 16);
+        }
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &camera));
+        const fxl_axes *axes = &camera.axes;
+        for (uint32_t k = 0; k < horizon.count && i % 3; k++) { /* the sine of a pixel, or nearly */
+            const int64_t x = unit_between(0, COLUMNS - 1) * 65536 + 32768 - lens.centre_x;
+            const int64_t y = lens.centre_y - unit_between(0, ROWS - 1) * 65536 - 32768;
+            const double length = sqrt((double)(x * x + y * y) + (double)lens.focal * lens.focal);
+            const int64_t e =
+                axes->right.y * x + axes->up.y * y + (int64_t)axes->forward.y * lens.focal;
+            sines[k] = (fxl_q2_30)((double)e / length) / 2 * 2;
+            for (uint32_t at = k; at > 0 && sines[at - 1] > sines[at]; at--) {
+                const fxl_q2_30 other = sines[at];
+                sines[at] = sines[at - 1];
+                sines[at - 1] = other;
+            }
+        }
+        start(&lens);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &pose, whole, COLUMNS));
+        for (uint16_t row = 0; row < ROWS; row++) {
+            const fxl_band band = {.pixels = rows + row * COLUMNS,
+                                   .width = COLUMNS,
+                                   .stride = COLUMNS,
+                                   .first_row = row,
+                                   .rows = 1};
+            fxl_frame_fill(&renderer, &band, 77);
+        }
+        TEST_ASSERT_EQUAL_MEMORY(rows, whole, sizeof whole);
+    }
+}
+
 /* The colour of each entry, in RGB565, through the renderer's palette; and with a depth buffer. */
 /* horizon 1.2b, 1.4a */
 void test_frames_of_rgb565_have_the_palettes_colours(void)
@@ -237,13 +287,15 @@ void test_the_pump_draws_it_and_fill_band_does_not(void)
 void test_faces_are_drawn_over_it_and_nothing_is_picked_in_it(void)
 {
     static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(9)];
-    const fxl_light_settings settings = {.point_count = 1,
-                                         .ramp = ramp,
-                                         .levels = 9,
-                                         .fog_near = Q16(1),
-                                         .fog_far = Q16(9),
-                                         .points = {{{Q16(-2), Q16(1), Q16(4)}, Q16(7), FXL_Q2_30_ONE}}};
-    fxl_band band = {.pixels = (uint8_t *)walls.again, .width = WIDTH, .stride = WIDTH, .rows = HEIGHT};
+    const fxl_light_settings settings = {
+        .point_count = 1,
+        .ramp = ramp,
+        .levels = 9,
+        .fog_near = Q16(1),
+        .fog_far = Q16(9),
+        .points = {{{Q16(-2), Q16(1), Q16(4)}, Q16(7), FXL_Q2_30_ONE}}};
+    fxl_band band = {
+        .pixels = (uint8_t *)walls.again, .width = WIDTH, .stride = WIDTH, .rows = HEIGHT};
     uint32_t seen = 0, mixed = 0;
     walls_make();
     walls.surface[0].flags = FXL_SURFACE_BLEND;
@@ -328,7 +380,8 @@ void test_an_orthographic_lens_is_refused(void)
     TEST_ASSERT_TRUE(fxl_renderer_conflict(&renderer, names));
     TEST_ASSERT_EQUAL_STRING("an orthographic lens", names[0]);
     TEST_ASSERT_EQUAL_STRING("a horizon", names[1]);
-    TEST_ASSERT_NOT_NULL(strstr(fxl_render_explain(&renderer, &pose, frame, WIDTH, NULL), names[1]));
+    TEST_ASSERT_NOT_NULL(
+        strstr(fxl_render_explain(&renderer, &pose, frame, WIDTH, NULL), names[1]));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_horizon(&renderer, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &pose, frame, WIDTH));
 }

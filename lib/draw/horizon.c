@@ -1,221 +1,189 @@
 /* SPDX-License-Identifier: MIT */
 /* A sky and a ground in the place of the background (docs/extras/horizon.md).
  *
- * The ray through a pixel's centre is d = right X + up Y + forward f, where X and Y say how far the
- * centre lies from the middle, to the right and upward, and f is the focal length, all in 16.16. The
- * sine of its elevation is E / |d| with E = d . (0, 1, 0), which is linear along a row, and |d|^2 =
- * X^2 + Y^2 + f^2. Along a row the sine has the derivative (B c - A X) / |d|^3, where E = A + B X
- * and c = Y^2 + f^2: it changes its sign once at most. So a row has two pieces at most in which the
- * level rises or falls throughout, and where it changes there is found by halving. */
+ * A row is a copy of the row above in which those pixels are filled that lie between the column
+ * where its level changes and that of the row above. Rows of one colour are filled together. */
 #include "../math/arith.h"
+#include "../math/memory.h"
 #include "../math/plane.h"
 #include "../raster/columns.h"
 #include "../raster/fill.h"
 #include "../view/view.h"
 #include "fixel/horizon.h"
+#include "horizon_rows.h"
 #include "renderer.h"
 #include "submit.h"
 
-/* A row of a band, in which all |d| are below 2^scale. */
-typedef struct {
-    const fxl_horizon *horizon;
-    fxl_q2_30 right;         /* B */
-    int64_t straight;        /* A, in units of 2^(scale - 78), as E is: below 2^62 */
-    int64_t elevation, step; /* E of the first column, and what the next one's is more */
-    uint64_t square;         /* c, in units of 2^(2 scale - 94): below 2^62 */
-    uint32_t x, x_step;      /* X of the first column, in units of 2^(scale - 47), as 32 bits */
-} horizon_row;
+#define COLUMNS (6 * FXL_HORIZON_MAX) /* that are found at once: of 2 rows of two pieces at least */
+#define NARROW  8                     /* pixels: so few are stored one by one */
 
-static int32_t x_of(const horizon_row *row, uint32_t column)
-{
-    return fxl_signed_32(row->x + column * row->x_step);
-}
-
-/* A sine, and its square. */
-typedef struct {
-    fxl_q2_30 sine;
-    uint32_t high, low;
-} threshold;
-
-static threshold threshold_of(const horizon_row *row, uint32_t number)
-{
-    const fxl_q2_30 sine = row->horizon->sines[number];
-    const uint64_t square = (uint64_t)fxl_multiply_s32(sine, sine);
-    const threshold made = {sine, (uint32_t)(square >> 32), fxl_low_32(square)};
-    return made;
-}
-
-/* Whether the sine of the elevation of a column is at least another one. Where both have one sign,
- * E^2 is compared with t^2 |d|^2, both in units of 2^(2 scale - 92). E is cut to 30 bits, the square
- * of |d| too, and the product with t^2, of 60 bits, by 30: each costs 2^-26 of |d| at most, as |d| is
- * 2^(scale - 3) at least. */
-/* horizon 1.3 */
-static inline bool is_above(const horizon_row *row, uint32_t column, const threshold *at)
-{
-    const int64_t e = row->elevation + (int64_t)column * row->step;
-    if (at->sine == 0 || (e < 0) != (at->sine < 0)) {
-        return e >= 0;
-    }
-    const int32_t x = x_of(row, column), part = (int32_t)(e >> 32);
-    const uint32_t length = (uint32_t)((row->square + (uint64_t)fxl_multiply_s32(x, x)) >> 32);
-    const uint64_t wanted = (fxl_multiply_u32(at->high, length) << 2) +
-                            (fxl_multiply_u32(at->low, length) >> 30);
-    const uint64_t got = (uint64_t)fxl_multiply_s32(part, part);
-    return at->sine > 0 ? got >= wanted : got <= wanted;
-}
-
-/* How many of the sines are at most that of a column's elevation. near: a number near it. */
-/* horizon 1.2 */
-static uint32_t level_at(const horizon_row *row, uint32_t column, uint32_t near)
-{
-    const uint32_t count = row->horizon->count;
-    uint32_t level = near;
-    for (bool is_known = false; level < count && !is_known;) {
-        const threshold next = threshold_of(row, level);
-        is_known = !is_above(row, column, &next);
-        level += !is_known;
-    }
-    for (bool is_known = level > near; level > 0 && !is_known;) {
-        const threshold last = threshold_of(row, level - 1);
-        is_known = is_above(row, column, &last);
-        level -= !is_known;
-    }
-    return level;
-}
-
-/* The first column of low..high that is above a sine, or, where the level falls, that is not. At
- * high that is so. near: a column near it, from which steps are doubled until it lies between two. */
-static uint32_t change_at(const horizon_row *row, uint32_t low, uint32_t high, const threshold *at,
-                          bool rises, uint32_t near)
-{
-    uint32_t step = 1;
-    if (near < high && near >= low && is_above(row, near, at) != rises) {
-        low = near + 1;
-        while (high - low >= step && is_above(row, low + step - 1, at) != rises) {
-            low += step;
-            step *= 2;
-        }
-        high = high - low >= step ? low + step - 1 : high;
-    } else if (near < high && near >= low) {
-        high = near;
-        while (high - low >= step && is_above(row, high - step, at) == rises) {
-            high -= step;
-            step *= 2;
-        }
-        low = high - low >= step ? high - step + 1 : low;
-    }
-    while (low < high) {
-        const uint32_t middle = (low + high) / 2;
-        if (is_above(row, middle, at) == rises) {
-            high = middle;
-        } else {
-            low = middle + 1;
-        }
-    }
-    return low;
-}
-
-/* Whether the elevation rises from a column to the right: B c > A X, in units of 2^(2 scale - 93). */
-static bool is_rising(const horizon_row *row, uint32_t column)
-{
-    const int64_t turning = fxl_multiply_s32(row->right, (int32_t)(row->square >> 32));
-    return 2 * turning > fxl_multiply_s32((int32_t)(row->straight >> 32), x_of(row, column));
-}
-
-/* Whole rows that have one colour and are not filled yet; and where the first pixel of a row is. */
+/* What is filled. */
 typedef struct {
     const fxl_renderer *renderer;
     const fxl_band *band;
-    uint32_t row, rows, level;
-    uint8_t *pixels; /* of the row that is looked at */
+    uint8_t *pixels; /* of a row */
     uint32_t columns;
     fxl_pixel_kind kind;
-} horizon_run;
+    uint32_t first, rows; /* rows of one colour that are not filled yet */
+    uint8_t colour;
+} horizon_canvas;
 
 /* horizon 1.2 */
-static void fill_run(horizon_run *run)
+static void fill_rows(horizon_canvas *canvas)
 {
-    const fxl_renderer *renderer = run->renderer;
-    fxl_band part = *run->band;
-    if (run->rows != 0) {
-        part.pixels += fxl_pixel_bytes(run->kind, (size_t)run->row * part.stride);
-        part.first_row = (uint16_t)(part.first_row + run->row);
-        part.rows = (uint16_t)run->rows;
-        run->rows = 0;
-        renderer->target->fill(renderer, &part, renderer->horizon->colours[run->level]);
+    const fxl_renderer *renderer = canvas->renderer;
+    fxl_band part = *canvas->band;
+    if (canvas->rows != 0) {
+        part.pixels += fxl_pixel_bytes(canvas->kind, (size_t)canvas->first * part.stride);
+        part.first_row = (uint16_t)(part.first_row + canvas->first);
+        part.rows = (uint16_t)canvas->rows;
+        canvas->rows = 0;
+        renderer->target->fill(renderer, &part, canvas->colour);
     }
 }
 
-/* Columns of a row have a level: they are filled, or go on a run of whole rows, or begin one. */
-static inline void emit(horizon_run *run, uint32_t row, uint32_t from, uint32_t end, uint32_t level)
+static void fill_columns(const horizon_canvas *canvas, uint32_t from, uint32_t end, uint8_t colour)
 {
-    if (end - from == run->columns) {
-        if (run->level != level || run->row + run->rows != row) {
-            fill_run(run);
-            run->row = row;
-            run->level = level;
-        }
-        run->rows++;
-        return;
-    }
-    const uint8_t colour = run->renderer->horizon->colours[level];
-    if (!run->kind.is_colour) {
-        fxl_fill_row(run->pixels + from, run->pixels + end, colour * 0x01010101u);
+    if (canvas->kind.is_colour) {
+        uint16_t *pixels = (uint16_t *)(void *)canvas->pixels;
+        fxl_fill_row_rgb565(pixels + from, pixels + end, canvas->band->palette[colour]);
     } else {
-        uint16_t *pixels = (uint16_t *)(void *)run->pixels;
-        fxl_fill_row_rgb565(pixels + from, pixels + end, run->band->palette[colour]);
+        fxl_fill_row(canvas->pixels + from, canvas->pixels + end, colour * 0x01010101u);
     }
 }
 
-/* A piece of a row in which the level rises or falls throughout, of one column at least; what stays
- * of it for the row below. */
+typedef struct __attribute__((may_alias)) {
+    uint32_t words[16];
+} horizon_words;
+
+/* Copies the row above. */
+static void copy_row(const horizon_canvas *canvas)
+{
+    const size_t stride = fxl_pixel_bytes(canvas->kind, canvas->band->stride);
+    size_t left = fxl_pixel_bytes(canvas->kind, canvas->columns);
+    uint8_t *to = canvas->pixels;
+    const uint8_t *above = to - stride;
+    if (fxl_is_aligned(to, sizeof(uint32_t)) && fxl_is_aligned(above, sizeof(uint32_t))) {
+        for (; left >= sizeof(horizon_words); left -= sizeof(horizon_words)) {
+            *(horizon_words *)(void *)to = *(const horizon_words *)(const void *)above;
+            to += sizeof(horizon_words);
+            above += sizeof(horizon_words);
+        }
+    }
+    if (left > 0) {
+        memcpy(to, above, left);
+    }
+}
+
+/* The sines of a piece in the order in which it passes them from left to right, and the colours
+ * before them. */
 typedef struct {
-    uint32_t first, last; /* levels at its ends */
-    struct {
-        int16_t column, step; /* where the level changes, and how far that is from the row above */
-    } changes[FXL_HORIZON_MAX];
+    const fxl_q2_30 *sines;
+    const uint8_t *colours;
+    int32_t step; /* 1, or -1 if the level falls */
+} horizon_order;
+
+static inline fxl_q2_30 sine_of(const horizon_order *order, uint32_t number)
+{
+    return order->sines[(int32_t)number * order->step];
+}
+
+static inline uint8_t colour_of(const horizon_order *order, uint32_t number)
+{
+    return order->colours[(int32_t)number * order->step];
+}
+
+/* A piece of rows in which the level rises or falls throughout. A sine that it passes before its
+ * first column is passed there, and one that it does not pass, at its end. */
+typedef struct {
+    uint32_t from, end;    /* its columns in the row above, */
+    uint32_t begin, count; /* how many sines the first of these has passed, and the last; */
+    fxl_horizon_change changes[FXL_HORIZON_MAX]; /* and where it passes those between */
+    uint32_t first, last;                        /* the sines for which columns are found */
 } horizon_piece;
 
-static void fill_piece(horizon_run *run, const horizon_row *row, horizon_piece *piece,
-                       uint32_t number, uint32_t from, uint32_t end)
+static void set_piece(horizon_piece *piece, uint32_t from, uint32_t end, uint32_t count)
 {
-    uint32_t level = level_at(row, from, piece->first);
-    const uint32_t last = level_at(row, end - 1, piece->last);
-    const bool rises = last > level;
-    piece->first = level;
-    piece->last = last;
-    while (level != last) {
-        const uint32_t k = rises ? level : level - 1;
-        const int32_t before = piece->changes[k].column, step = piece->changes[k].step;
-        const threshold at = threshold_of(row, k);
-        const uint32_t next =
-            change_at(row, from, end - 1, &at, rises, (uint32_t)(before + step));
-        piece->changes[k].column = (int16_t)next;
-        piece->changes[k].step = (int16_t)((int32_t)next - before);
-        emit(run, number, from, next, level);
-        from = next;
-        level = rises ? level + 1 : level - 1;
-    }
-    emit(run, number, from, end, level);
+    piece->from = from;
+    piece->end = end;
+    piece->begin = count;
+    piece->count = count;
 }
 
-/* The first column from which the elevation goes the other way than at the first; else all. */
-static uint32_t turn_of(const horizon_row *row, uint32_t columns)
+/* Finds the columns of a piece of rows. For each sine, columns has that of the row above and those
+ * of the rows. Returns where the next piece's begin. */
+static uint16_t *find_piece(const fxl_horizon_rows *rows, const horizon_order *order,
+                            uint32_t sines, horizon_piece *piece, uint16_t *columns)
 {
-    const bool rises = is_rising(row, 0);
-    uint32_t low = 0, high = columns;
-    if (is_rising(row, columns - 1) == rises) {
-        return columns;
+    const uint32_t last = rows->count - 1, from = fxl_horizon_from(rows, last),
+                   end = fxl_horizon_end(rows, last);
+    uint32_t first = piece->begin, i;
+    for (; first > 0 && !fxl_horizon_are_alike(rows, sine_of(order, first - 1), false); first--) {
+        piece->changes[first - 1].column = (int16_t)piece->from;
+        piece->changes[first - 1].step = 0;
     }
-    while (low < high) {
-        const uint32_t middle = (low + high) / 2;
-        if (is_rising(row, middle) == rises) {
-            low = middle + 1;
+    for (i = first; i < sines; i++) {
+        fxl_horizon_change *change = &piece->changes[i];
+        if (i >= piece->count) {
+            if (fxl_horizon_are_alike(rows, sine_of(order, i), true)) {
+                break;
+            }
+            change->column = (int16_t)piece->end;
+            change->step = 0;
+        }
+        *columns++ = (uint16_t)change->column;
+        fxl_horizon_find(rows, sine_of(order, i), change, columns);
+        columns += rows->count;
+    }
+    piece->first = first;
+    piece->last = i;
+    set_piece(piece, from, end, i);
+    for (; first < i && piece->changes[first].column == (int32_t)from; first++) {
+    }
+    piece->begin = first;
+    for (; piece->count > first && piece->changes[piece->count - 1].column == (int32_t)end;) {
+        piece->count--;
+    }
+    return columns;
+}
+
+/* Fills what the piece of a row has otherwise than the row above. columns: that of the row above and
+ * that of the row, for the first sine; those of the next are `size` farther. Returns the last of the
+ * row. */
+static uint32_t fill_piece(const horizon_canvas *canvas, const horizon_order *order,
+                           const horizon_piece *piece, const uint16_t *columns, uint32_t size,
+                           uint32_t from)
+{
+    const uint8_t *colour = order->colours + (int32_t)piece->first * order->step;
+    const int32_t step = order->step;
+    uint8_t *const pixels = canvas->pixels;
+    const uint32_t most = canvas->kind.is_colour ? 0 : NARROW;
+    for (uint32_t left = piece->last - piece->first; left > 0; left--) {
+        const uint32_t was = columns[0], is = columns[1];
+        uint32_t low = was > from ? was : from, high = is;
+        uint8_t entry = *colour;
+        colour += step;
+        columns += size;
+        if (is < was) {
+            low = is;
+            high = was;
+            entry = *colour;
+        }
+        from = is;
+        if (low >= high) {
+            continue;
+        }
+        if (high - low > most) {
+            fill_columns(canvas, low, high, entry);
         } else {
-            high = middle;
+            uint8_t *pixel = pixels + low;
+            const uint8_t *const end = pixels + high;
+            do {
+                *pixel++ = entry;
+            } while (pixel != end);
         }
     }
-    return low;
+    return from;
 }
 
 /* --- a band ---------------------------------------------------------------------------------- */
@@ -229,18 +197,119 @@ static fxl_q2_30 before_shear(fxl_q2_30 sheared, fxl_q2_30 forward, int32_t offs
     return fxl_divide_round(drawn - fxl_multiply_s32(offset, forward), (uint32_t)view->lens.focal);
 }
 
-static uint64_t square_of(int32_t length)
+/* What a band is drawn with. */
+typedef struct {
+    horizon_canvas canvas;
+    fxl_horizon_rows rows;
+    horizon_order orders[2];
+    horizon_piece pieces[2];
+    uint16_t columns[COLUMNS];
+    uint32_t sines, turn; /* turn: of the row above */
+} horizon_drawing;
+
+/* The first row, or one from which the pieces rise and fall the other way: what lies above says
+ * nothing of it. As if the row above had the colour of this row's first column. */
+static void begin_rows(horizon_drawing *drawing, const horizon_order *order)
 {
-    return (uint64_t)fxl_multiply_s32(length, length);
+    const uint32_t columns = drawing->rows.columns;
+    uint32_t passed = 0;
+    while (passed < drawing->sines &&
+           fxl_horizon_has_passed(&drawing->rows, 0, 0, sine_of(order, passed))) {
+        passed++;
+    }
+    fill_rows(&drawing->canvas);
+    set_piece(&drawing->pieces[0], 0, columns, passed);
+    set_piece(&drawing->pieces[1], columns, columns, 0);
+    drawing->turn = columns;
 }
 
-/* The square of the longest |d| of a band, and of the focal length. */
-static uint64_t most_of(int32_t x, int32_t y, const fxl_band *band, uint64_t ahead)
+/* How many sines a piece of a row has passed before a column, of which columns are found. */
+static uint32_t passed_before(const horizon_piece *piece, const uint16_t *columns, uint32_t size,
+                              uint32_t column)
 {
-    const uint64_t left = square_of(x), top = square_of(y);
-    const uint64_t right = square_of(x + (int32_t)(fxl_band_columns(band) - 1) * 65536);
-    const uint64_t bottom = square_of(y - (band->rows - 1) * 65536);
-    return (left > right ? left : right) + (top > bottom ? top : bottom) + ahead;
+    uint32_t passed = piece->first;
+    for (; passed < piece->last && columns[1] < column; passed++) {
+        columns += size;
+    }
+    return passed;
+}
+
+/* One row, as the row above but for what the columns of its pieces say. Where it turns elsewhere,
+ * what lies between has the level of the first piece's end, or that of the second one's beginning. */
+static void fill_row(horizon_drawing *drawing, const uint16_t *second, uint32_t number)
+{
+    const fxl_horizon_rows *rows = &drawing->rows;
+    const horizon_canvas *canvas = &drawing->canvas;
+    const horizon_piece *pieces = drawing->pieces;
+    const horizon_order *order = &drawing->orders[!rows->rises],
+                        *other = &drawing->orders[rows->rises];
+    const uint32_t size = rows->count + 1, turn = rows->turn[number], was = drawing->turn;
+    const uint16_t *columns = drawing->columns + number;
+    uint32_t low = fill_piece(canvas, order, &pieces[0], columns, size, 0);
+    second += number;
+    if (turn > was) {
+        low = low > was ? low : was;
+        fill_columns(canvas, low, turn,
+                     colour_of(order, passed_before(&pieces[0], columns, size, turn)));
+    } else if (turn < was) {
+        fill_columns(canvas, turn, was,
+                     colour_of(other, passed_before(&pieces[1], second, size, turn + 1)));
+    }
+    drawing->turn = turn;
+    if (turn < rows->columns) {
+        fill_piece(canvas, other, &pieces[1], second, size, turn);
+    }
+}
+
+static void draw_rows(horizon_drawing *drawing, uint32_t first, bool is_fresh)
+{
+    fxl_horizon_rows *rows = &drawing->rows;
+    horizon_canvas *canvas = &drawing->canvas;
+    horizon_piece *pieces = drawing->pieces;
+    const horizon_order *order = &drawing->orders[!rows->rises];
+    const size_t stride = fxl_pixel_bytes(canvas->kind, canvas->band->stride);
+    const uint32_t sines = drawing->sines;
+    fxl_horizon_choose(rows, false);
+    if (is_fresh) {
+        begin_rows(drawing, order);
+    }
+    const uint32_t before = pieces[0].count;
+    const uint8_t colour = colour_of(order, before);
+    uint16_t *const second = find_piece(rows, order, sines, &pieces[0], drawing->columns);
+    bool is_plain = pieces[0].first == pieces[0].last;
+    if (rows->turns) {
+        if (pieces[1].from == rows->columns) {
+            set_piece(&pieces[1], rows->columns, rows->columns, sines - before);
+        }
+        fxl_horizon_choose(rows, true);
+        find_piece(rows, &drawing->orders[rows->rises], sines, &pieces[1], second);
+        is_plain = is_plain && pieces[1].first == pieces[1].last &&
+                   pieces[0].count + pieces[1].begin == sines;
+    } else if (pieces[1].from != rows->columns) {
+        is_plain = is_plain && pieces[1].begin == pieces[1].count &&
+                   pieces[0].count + pieces[1].begin == sines;
+        set_piece(&pieces[1], rows->columns, rows->columns, 0);
+    }
+    if (is_plain) {
+        if (canvas->rows == 0) {
+            canvas->first = first;
+            canvas->colour = colour;
+        }
+        canvas->rows += rows->count;
+        canvas->pixels += rows->count * stride;
+        drawing->turn = rows->turn[rows->count - 1];
+        return;
+    }
+    fill_rows(canvas);
+    for (uint32_t i = 0; i < rows->count; i++) {
+        if (is_fresh && i == 0) {
+            fill_columns(canvas, 0, rows->columns, colour);
+        } else {
+            copy_row(canvas);
+        }
+        fill_row(drawing, second, i);
+        canvas->pixels += stride;
+    }
 }
 
 /* horizon 1.1, 1.4, 1.5 */
@@ -249,43 +318,49 @@ static void fill_horizon(const fxl_renderer *renderer, const fxl_band *band, uin
     const fxl_view *view = &renderer->frame.view;
     const fxl_lens *lens = &view->lens;
     const fxl_axes *axes = &view->camera.axes;
-    const uint32_t columns = fxl_band_columns(band);
-    const uint64_t ahead = square_of(lens->focal);
-    /* place fill-rule: the ray through the centre of a pixel */
-    const int32_t x = band->first_column * 65536 + 32768 - lens->centre_x;
-    int32_t y = lens->centre_y - band->first_row * 65536 - 32768;
-    const unsigned scale = (fxl_bit_length(most_of(x, y, band, ahead)) + 1) / 2;
-    const int64_t unit = (int64_t)1 << (32 - scale);
-    horizon_piece pieces[2] = {{0}};
-    horizon_run run = {.renderer = renderer,
-                       .band = band,
-                       .pixels = band->pixels,
-                       .columns = columns,
-                       .kind = fxl_kind_of_band(band)};
-    horizon_row row = {.horizon = renderer->horizon, .right = axes->right.y};
-    fxl_q2_30 up = axes->up.y;
+    const fxl_horizon *horizon = renderer->horizon;
+    const uint32_t sines = horizon->count, most = COLUMNS / sines - 1;
+    const horizon_canvas canvas = {.renderer = renderer,
+                                   .band = band,
+                                   .pixels = band->pixels,
+                                   .columns = fxl_band_columns(band),
+                                   .kind = fxl_kind_of_band(band)};
+    const horizon_order rising = {horizon->sines, horizon->colours, 1};
+    const horizon_order falling = {horizon->sines + sines - 1, horizon->colours + sines, -1};
+    horizon_drawing drawing;
+    fxl_horizon_rows *rows = &drawing.rows;
     (void)colour;
+    drawing.canvas = canvas;
+    drawing.orders[0] = rising;
+    drawing.orders[1] = falling;
+    drawing.sines = sines;
+    rows->lens = lens;
+    rows->right = axes->right.y;
+    rows->up = axes->up.y;
+    rows->forward = axes->forward.y;
+    rows->columns = canvas.columns;
+    rows->rises = false;
     if (lens->off_centre != NULL) {
-        const fxl_q2_30 forward = axes->forward.y;
-        row.right = before_shear(row.right, forward, lens->centre_x - lens->width * 32768, view);
-        up = before_shear(up, forward, lens->height * 32768 - lens->centre_y, view);
+        rows->right =
+            before_shear(rows->right, rows->forward, lens->centre_x - lens->width * 32768, view);
+        rows->up =
+            before_shear(rows->up, rows->forward, lens->height * 32768 - lens->centre_y, view);
     }
-    row.x = (uint32_t)x << (31 - scale);
-    row.x_step = 65536u << (31 - scale);
-    row.step = fxl_multiply_s64((int64_t)row.right * 65536, unit);
-    for (uint32_t number = 0; number < band->rows; number++, y -= 65536) {
-        row.straight =
-            (fxl_multiply_s32(up, y) + fxl_multiply_s32(axes->forward.y, lens->focal)) * unit;
-        row.elevation = row.straight + fxl_multiply_s32(row.right, x) * unit;
-        row.square = (square_of(y) + ahead) << (62 - 2 * scale);
-        const uint32_t turn = turn_of(&row, columns);
-        fill_piece(&run, &row, &pieces[0], number, 0, turn);
-        if (turn < columns) {
-            fill_piece(&run, &row, &pieces[1], number, turn, columns);
+    /* place fill-rule: the ray through the centre of a pixel */
+    rows->first_x = band->first_column * 65536 + 32768 - lens->centre_x;
+    const int32_t y = lens->centre_y - band->first_row * 65536 - 32768;
+    for (uint32_t number = 0; number < band->rows; number += rows->count) {
+        const uint32_t left = band->rows - number;
+        uint32_t count = most < FXL_HORIZON_ROWS ? most : FXL_HORIZON_ROWS;
+        const bool rose = rows->rises;
+        count = count < left ? count : left;
+        fxl_horizon_take(rows, y - (int32_t)number * 65536, count);
+        if (rows->turns && rows->count > COLUMNS / (2 * sines) - 1) {
+            rows->count = COLUMNS / (2 * sines) - 1;
         }
-        run.pixels += fxl_pixel_bytes(run.kind, band->stride);
+        draw_rows(&drawing, number, number == 0 || rows->rises != rose);
     }
-    fill_run(&run);
+    fill_rows(&drawing.canvas);
 }
 
 /* --- attaching ------------------------------------------------------------------------------- */

@@ -1,25 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "draw/horizon.c"
-#include "products.h"
+#include "proof.h"
 
 static fxl_horizon horizon;
-
-/* [[row]]
- * function = "is_above"
- * property = "the first column of any row, and a sine of 0 or of the other sign: nothing overflows, and the side is that of the elevation exactly; of other columns the elevation is a sum"
- * checks = 67
- * clause = "horizon 1.3a"
- * stands_in = { fxl_multiply_s32 = "any_signed" }
- * unreached = { any_signed = "of two of one sign", fxl_multiply_u32 = "of two of one sign", x_of = "of two of one sign" }
- */
-void prove_is_above(void)
-{
-    horizon_row row;
-    threshold at;
-    ASSUME(WITHIN(at.sine, FXL_Q2_30_ONE) && (at.sine == 0 || (row.elevation < 0) != (at.sine < 0)));
-    ASSERT("by the sign", is_above(&row, 0, &at) == (row.elevation >= 0));
-    PROOF_ENDS();
-}
 
 /* [[row]]
  * function = "fxl_horizon_check"
@@ -76,5 +59,26 @@ void prove_attach_horizon(void)
     const fxl_status status = fxl_attach_horizon(nondet_bool() ? NULL : &renderer, given);
     ASSERT("attached, or untouched", renderer.horizon == (status == FXL_OK ? given : before));
     ASSERT("what clears", status != FXL_OK || renderer.fill == (given != NULL ? fill_horizon : target.fill));
+    PROOF_ENDS();
+}
+
+#include "draw/horizon_rows.c"
+
+/* [[row]]
+ * function = "excess_of"
+ * property = "any row and column, any elevation of 29 bits, and the square of any sine: nothing overflows, and the excess is below 2^60; with a sine of 0 the sign is that of the elevation"
+ * checks = 19
+ * clause = "horizon 1.3a"
+ */
+void prove_excess_of(void)
+{
+    horizon_row row;
+    int32_t x, elevation;
+    int64_t square;
+    ASSUME(WITHIN(elevation, (1 << 29) - 1) && WITHIN(square, (int64_t)1 << 60));
+    ASSUME(row.square >> 62 == 0 && row.square + (uint64_t)((int64_t)x * x) < (uint64_t)1 << 62);
+    const int64_t excess = excess_of(&row, x, elevation, square);
+    ASSERT("below 2^60", WITHIN(excess, (int64_t)1 << 60));
+    ASSERT("by the sign", square != 0 || (excess >= 0) == (elevation >= 0));
     PROOF_ENDS();
 }
