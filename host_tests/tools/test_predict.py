@@ -50,7 +50,7 @@ PUT = {"scale": ("fov = 70\n", "scale = 12\n"), "depth": ("[view]\n", "[view]\nv
 # A scene of the repository, and what is put into it.
 KINDS = {
     "mps2-an385": ("scenes/gallery.toml", "scenes/car.toml", "scenes/knot-moving.toml depth", "scenes/room.toml depth",
-                   "scenes/grove.toml", "scenes/room.toml ferns", "scenes/spin.toml ferns",
+                   "scenes/grove.toml", "scenes/room.toml ferns", "scenes/spin.toml ferns", "scenes/lines.toml", "scenes/lines.toml rgb565",
                    "scenes/beam.toml", "scenes/knot-moving.toml beam", "scenes/grove.toml beam",
                    "scenes/beam.toml depth ferns", "scenes/grove.toml depth beam",
                    "scenes/gallery.toml rgb565", "scenes/room.toml rgb565", "scenes/room.toml rgb565 texels", "scenes/lit.toml rgb565", "scenes/grove.toml depth rgb565",
@@ -213,16 +213,6 @@ def test_a_board_without_room(tmp_path):
     assert "no room to draw edges, lines and points" in predicted("microbit", ROOT / "scenes/lines.toml")["why_not"]
 
 
-def test_lines_are_not_counted_and_it_says_so(capsys):
-    result = predicted("mps2-an385", ROOT / "scenes/lines.toml")
-    assert result["instructions_per_frame"]["mean"] > 0 and result["lines_not_counted"] == 168
-    predict.print_prediction(result)
-    said = capsys.readouterr().out
-    assert "not counted" in said and "168 lines" in said
-    predict.print_prediction({**result, "lines_not_counted": 0})
-    assert "not counted" not in capsys.readouterr().out
-
-
 def test_a_board_whose_list_has_no_room(tmp_path):
     """The walk on it says so too."""
     scene = file_of("scenes/beam.toml depth ferns", tmp_path)
@@ -293,12 +283,13 @@ def test_every_count_counts(tmp_path):
     plain = ("bench/costs.toml", "scenes/spin.toml", "scenes/w3.toml", "scenes/c500.toml", "bench/costs_surfaces.toml",
              "bench/costs_lights.toml", "bench/costs_turned_lit.toml", "bench/costs_billboards.toml", "bench/costs_glass.toml",
              "bench/costs_all.toml", "bench/costs_tree.toml", "bench/costs_depth_textures.toml", "scenes/horizon.toml",
-             "bench/costs_parallel.toml", "bench/costs_parallel_textures.toml")
+             "bench/costs_parallel.toml", "bench/costs_parallel_textures.toml DEPTH=16", "bench/costs_lines.toml", "bench/costs_lines.toml DEPTH=0")
     wide = ("bench/costs_lights.toml", "bench/costs_glass.toml", "bench/costs_billboards.toml", "bench/costs_texels.toml",
             "bench/costs_colours.toml")
     for number, (source, pixels) in enumerate([*((source, "palette") for source in plain), *((source, "rgb565") for source in wide)]):
         image = tmp_path / f"{number}.fxls"
-        making.build(str(ROOT / source), image, 12 if number < 2 else None, asked=target.Target(pixels, depth="16" if "parallel_textures" in source else None))
+        scene, _, depth = source.partition(" DEPTH=")
+        making.build(str(ROOT / scene), image, 12 if number < 2 else None, asked=target.Target(pixels, depth=depth or None))
         words = 4096 if number in (0, 2, 3) else 12288
         names, counts = frame_costs.count(made("build/host/predict").parents[1], image, 2560, 0, words, 8)
         total = total + counts.sum(axis=0)

@@ -4,6 +4,7 @@
 #define PREDICT_COUNTS_H
 
 #include "fixel/order.h"
+#include "fixel/render.h"
 #include "paint/depth_code.h"
 #include "fixel/types.h"
 
@@ -52,6 +53,16 @@
     X(horizon_searched) \
     X(horizon_rows) \
     X(horizon_changes) \
+    X(lines) \
+    X(lines_placed) \
+    X(lines_cut) \
+    X(lines_painted) \
+    X(lines_with_depth) \
+    X(line_faces) \
+    X(line_places) \
+    X(line_pixels) \
+    X(line_depth_pixels) \
+    X(line_face_pixels) \
     X(brightnesses) \
     X(lamps) \
     X(lamps_behind) \
@@ -184,6 +195,12 @@ extern bool has_depth_buffer, paints_surface, keeps_less, draws_depth_outline;
 
 /* A smooth polygon in words, near to far, is about to be scanned; it is drawn. */
 extern bool begins_smooth, draws_smooth, compares_each;
+
+/* Lines are drawn: a model view is made for them, not for faces. */
+extern bool draws_lines;
+
+/* Of a renderer that is set up: counts its lines where they are drawn in the turn of their instances. */
+void count_lines_in_order(fxl_renderer *renderer);
 
 /* So of a surface whose runs a core with that kernel lists: depth_rows.h. */
 extern bool begins_listed, draws_listed;

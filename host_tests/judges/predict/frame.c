@@ -79,6 +79,9 @@ const char *predict_set_up(session *run, const uint32_t settings[PREDICT_SETTING
         fill_horizon = run->renderer.fill;
         run->renderer.fill = count_horizon;
     }
+    if (status == FXL_OK) {
+        count_lines_in_order(&run->renderer);
+    }
     return status == FXL_OK ? NULL : fxl_status_text(status);
 }
 

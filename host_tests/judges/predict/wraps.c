@@ -33,7 +33,7 @@ static bool passes_over;
 /* Faces of an instance of which is asked whether they face the eye. */
 static uint32_t faces_to_test(const fxl_model *model)
 {
-    return model->kind == FXL_MODEL_CONVEX && !passes_over ? model->face_count : 0;
+    return model->kind == FXL_MODEL_CONVEX && !passes_over && !draws_lines ? model->face_count : 0;
 }
 
 WRAPPED_COUNT_VOID(void, fxl_model_view_of_instance,

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Counts of what a scene may ask for: a depth buffer, billboards, beams of light; and of turned
  * faces that are placed in the world for those and for light. */
+#include <math.h>
+
 #include "clip/split.h"
 #include "draw/depth_plane.h"
+#include "draw/line_view.h"
 #include "draw/surface_polygon.h"
 #include "draw/submit.h"
 #include "math/plane.h"
@@ -230,3 +233,106 @@ WRAPPED_COUNT_VOID(void, fxl_placement_direction,
                    (const fxl_placement *placement, const fxl_direction *direction,
                     fxl_direction *turned),
                    (placement, direction, turned), counted.turned_normals += 1)
+
+/* --- lines and points ------------------------------------------------------------------------ */
+
+bool draws_lines;
+
+static const fxl_lines *attached;
+
+/* Lines of the instances in sight from a place of their order on: each of them is looked at. */
+static double lines_in_sight(const fxl_renderer *renderer, uint32_t first)
+{
+    double lines = 0;
+    for (uint32_t i = first; i < renderer->frame.visible_count; i++) {
+        const uint32_t number = renderer->frame.draw_list[i].index;
+        const uint32_t *map = &attached->set.line_map[renderer->scene->instances[number].model];
+        lines += map[1] - map[0];
+    }
+    return lines;
+}
+
+WRAPPED_COUNT(fxl_line_outcome, fxl_place_model_line,
+              (const fxl_line_instance *of, const fxl_line *line, fxl_painted_line *painted),
+              (of, line, painted), counted.lines_placed += 1)
+
+WRAPPED_COUNT(bool, fxl_line_by_codes,
+              (fxl_clip_line * line, const fxl_volume *volume, uint32_t *intersections),
+              (line, volume, intersections), counted.lines_cut += 1)
+
+/* The places along a line, on the average: its length along its longer side. in_band: those in the
+ * rows of the band. */
+static double places_of(const fxl_painted_line *line, const fxl_band *band, bool in_band)
+{
+    const double top = band->first_row, bottom = top + band->rows, half = line->width / 2.0;
+    const double ay = line->ends[0].y / 65536.0;
+    const double by = line->is_point ? ay : line->ends[1].y / 65536.0;
+    const double width = fabs((line->ends[1].x - line->ends[0].x) / 65536.0), height = fabs(by - ay);
+    const double rows = fmin(fmax(ay, by) + half, bottom) - fmax(fmin(ay, by) - half, top);
+    const double share = rows <= 0 ? 0 : fmin(1, rows / (height + line->width));
+    const double length = line->is_point ? line->width : fmax(width, height);
+    return length * (in_band || line->is_point || height > width ? share : 1);
+}
+
+WRAPPED(void, fxl_paint_wide_line, (fxl_line_canvas * canvas, const fxl_painted_line *line))
+{
+    const double pixels = line->width * places_of(line, canvas->band, true);
+    counted.lines_painted += 1;
+    counted.lines_with_depth += canvas->head != NULL && line->plane_count == 0;
+    counted.line_faces += line->plane_count;
+    counted.line_places +=
+        places_of(line, canvas->band, false) * (canvas->head != NULL ? line->width : 1);
+    if (canvas->head == NULL) {
+        counted.line_pixels += pixels;
+    } else if (line->plane_count == 0) {
+        counted.line_depth_pixels += pixels;
+    } else {
+        counted.line_face_pixels += pixels * line->plane_count;
+    }
+    __real_fxl_paint_wide_line(canvas, line);
+}
+
+/* What draws over the faces of a band. */
+static void (*draw_lines_over)(const fxl_renderer *renderer, fxl_workspace *workspace,
+                               const fxl_band *band);
+
+static void draw_over(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
+{
+    counted.lines += lines_in_sight(renderer, 0);
+    draws_lines = true;
+    draw_lines_over(renderer, workspace, band);
+    draws_lines = false;
+}
+
+WRAPPED(fxl_status, fxl_attach_lines,
+        (fxl_renderer * renderer, fxl_lines *lines, const fxl_line_set *set))
+{
+    const fxl_status status = __real_fxl_attach_lines(renderer, lines, set);
+    if (status == FXL_OK && set != NULL) {
+        attached = lines;
+        draw_lines_over = lines->overdraw.draw_over;
+        lines->overdraw.draw_over = draw_over;
+    }
+    return status;
+}
+
+/* Without a depth buffer lines come with the faces of their instances, and once more in a band that
+ * looks at instances beside the list. */
+static const fxl_order *order_of_lines;
+
+static bool submit_with_lines(const fxl_traversal *traversal)
+{
+    counted.lines += lines_in_sight(traversal->renderer, traversal->resume->instances);
+    return order_of_lines->submit(traversal);
+}
+
+void count_lines_in_order(fxl_renderer *renderer)
+{
+    static fxl_order counting;
+    if (attached != NULL && renderer->target->depth_bits == 0) {
+        order_of_lines = renderer->order;
+        counting = *order_of_lines;
+        counting.submit = submit_with_lines;
+        renderer->order = &counting;
+    }
+}

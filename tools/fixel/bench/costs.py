@@ -30,14 +30,15 @@ np = late("numpy")
 
 OWN = ("", "_sphere", "_surfaces", "_rooms", "_lights", "_lamps", "_turned", "_turned_lit", "_depth", "_depth_textures", "_smooth",
        "_glass", "_pane", "_billboards", "_wood", "_beams", "_tree", "_parallel", "_parallel_textures", "_texels", "_colours", "_colours_wall", "_all")
+LINES = ("bench/costs_lines.toml", "bench/scenes/lines.toml")
 TEXTURED = ("bench/scenes/tqa.toml", "bench/scenes/tqp.toml", "bench/scenes/crates.toml")
 MORE = (*(f"bench/costs{name}.toml" for name in OWN), *TEXTURED, "bench/scenes/boxes.toml", "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml",
-        "scenes/landscape.toml", "scenes/horizon.toml")
+        "scenes/landscape.toml", "scenes/horizon.toml", *LINES)
 # place pixel-format: what is counted (wide_...), and what it costs
 # Scenes of these drawn as something else: RGB565, with a depth buffer, and by a tree of all their layers.
 WIDE = tuple(f"bench/costs{name}.toml" for name in ("", "_surfaces", "_rooms", "_lights", "_depth", "_smooth", "_glass", "_pane", "_billboards",
                                                     "_wood", "_texels", "_all")) + \
-    (*TEXTURED, "scenes/w1.toml", "scenes/w2.toml", "scenes/tiny.toml", "scenes/cube.toml", "scenes/horizon.toml")
+    (*TEXTURED, *LINES, "scenes/w1.toml", "scenes/w2.toml", "scenes/tiny.toml", "scenes/cube.toml", "scenes/horizon.toml")
 DEEP = tuple(f"bench/costs{name}.toml" for name in ("_sphere", "_parallel", "_parallel_textures", "_surfaces", "_rooms", "_turned_lit", "_wood", "_beams")) + TEXTURED[1:]
 TREES = (*(f"bench/costs{name}.toml" for name in ("", "_surfaces", "_rooms", "_lights")), "scenes/plaza.toml", "scenes/landscape.toml",
          "scenes/w1.toml")
@@ -112,6 +113,7 @@ def sources_of(plan):
     """The scenes, and some of them drawn as something else."""
     return [*(Source(scene) for scene in dict.fromkeys(scenes_of(plan))), *(Source(scene, target.Target(pixels="rgb565")) for scene in WIDE),
             *(Source(scene, target.Target(depth="16")) for scene in DEEP), *(Source(scene, target.Target("rgb565", depth="16")) for scene in DEEP),
+            *(Source(scene, target.Target(depth="0")) for scene in LINES),
             *(Source(scene, target.Target(order="tree", depth="0"), "all") for scene in TREES),
             *(Source(name, look=look) for name in BARE for look in (looks.Look(), looks.Look(pixels="palette")))]
 

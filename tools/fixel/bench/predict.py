@@ -187,7 +187,7 @@ def predict(options, file):
     board, core = board_of(options, known)
     scene, size = image.load(file), pathlib.Path(file).stat().st_size
     result = {"board": options.board, "core": core, "scene": options.scene, "frames": scene.frames,
-              "faces": sum(len(model.faces) for model in scene.models), "lines_not_counted": lines_of(scene),
+              "faces": sum(len(model.faces) for model in scene.models),
               "why_not": None, **frame_costs.memory(board, size, has_looks(scene)), "instructions_per_frame": None, "stages": None, "cycles": None,
               "ram_of_your_program": memory_needed.of_program(scene), "your_memory": [], "parts": [],
               **sent_bytes.told("", scene.width, scene.height, None)}
@@ -232,8 +232,6 @@ def print_prediction(result):
     if taken:
         rows.append(["instructions a frame", f"{taken['min']:,} to {taken['max']:,}, mean {taken['mean']:,}"])
     rows += cycle_rows(result["cycles"])
-    if taken and result["lines_not_counted"]:
-        rows.append(["not counted", f"{count_of(result['lines_not_counted'], 'line')}, edges and points among them: their instructions come on top"])
     rows.append(sent_bytes.row(result))
     print(table(rows))
     if result["stages"]:
