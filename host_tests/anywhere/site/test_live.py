@@ -3,6 +3,7 @@
 
 import contextlib
 import pathlib
+import re
 import signal
 import subprocess
 import urllib.error
@@ -107,13 +108,17 @@ def test_a_file_is_opened_by_the_keyboard_alone(chromium, address):
 def test_what_is_refused_is_a_sentence_and_what_was_drawn_stays(chromium, address, tmp_path):
     making.build(str(CHECKOUT / "scenes" / "cube.toml"), str(tmp_path / "cube.fxls"))
     image = (tmp_path / "cube.fxls").read_bytes()
+    sly = re.sub(r'"[^"]+[.]obj"', f'"{CHECKOUT}/examples/cube/cube.obj"', (CHECKOUT / "scenes" / "w3.toml").read_text(encoding="utf-8"))
     with opened(chromium, f"{address}draw.html#scene=spin&frame=5") as page:
-        for name, data, words in (("broken.glb", b"glTF", "^broken.glb"), ("sly.toml", b'[[objects]]\nmodel = "/etc/passwd.obj"\n', "^sly.toml"),
+        for name, data, words in (("broken.glb", b"glTF", "^broken.glb"), ("sly.toml", sly.encode(), "is outside the folder of sly.toml, and what lies below it; make view SCENE= draws"),
                                   (f"{HOSTILE}.fxls", image[:-5] + bytes(5), "scene refused"), (f"{HOSTILE}.txt", b"words", "no model and no scene file")):
             drop(page, name, data)
             shows(page, "#banner", words)
             assert "fixel-" not in page.inner_text("#banner") and not page.query_selector("#banner *")
             assert page.input_value("#scene") == "spin"
+            said, number = page.inner_text("#banner"), page.inner_text("#number")
+            page.click("#step")
+            assert (page.inner_text("#banner"), page.inner_text("#number") != number) == (said, True)
         page.evaluate("location.hash = '#scene=nowhere'")
         shows(page, "#banner", "“nowhere”, which this site does not have")
 

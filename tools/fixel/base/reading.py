@@ -47,6 +47,9 @@ def confine(named):
     _confined = named, identity(named), folder, os.path.realpath(folder)
 
 
+ALLOW = "put the file there, or allow files outside with --allow-outside"     # what a command can do; the live window says something else
+
+
 def _refuse_outside(path, found):
     """Refuses an open file outside the folder; found: its os.stat_result, as the name may have changed in between."""
     named, itself, folder, real = _confined
@@ -56,8 +59,7 @@ def _refuse_outside(path, found):
     target = os.path.realpath(path)
     if os.path.commonpath([real, target]) == real and identity(target) == opened_now:
         return
-    raise OutsideError(f"{path}: is outside {folder}, the folder of {named}, and what lies below it; put the file there, or allow "
-                    "files outside with --allow-outside")
+    raise OutsideError(f"{path}: is outside {folder}, the folder of {named}, and what lies below it; {ALLOW}")
 
 
 def open_file(path):

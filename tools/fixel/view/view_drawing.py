@@ -14,7 +14,7 @@ import threading
 
 from aiohttp import web
 
-from fixel.base import bounded, interpreter, scratch
+from fixel.base import bounded, interpreter, reading, scratch
 from fixel.base.errors import ToolError
 from fixel.commands import late
 from fixel.model import suffixes
@@ -26,6 +26,7 @@ costs, site = late("fixel.site", "costs site")
 SCENES = view_own.ROOT / "scenes"       # a wheel has none
 MOST = 64 << 20         # bytes of a file; SECURITY.md says so
 COMPILED = (".toml", *suffixes.READ)
+ALONE = "make view SCENE= draws a file that needs others"
 MODULES = ("walk", "judge", "counter")  # firmware/web/web.mk
 WASI = pathlib.Path("/usr/include/wasm32-wasi/stdlib.h")
 INSTALL = "sudo apt-get install clang lld wasi-libc libclang-rt-dev-wasm32"
@@ -101,7 +102,7 @@ class Drawing:
             try:
                 making.build(str(file), str(image), limits=bounded.Limits())
             except ToolError as error:
-                raise ToolError(str(error).replace(f"{file.parent}/", "")) from error
+                raise ToolError(str(error).replace(f"{file.parent}/", "").replace(f"{file.parent}, ", "").replace(reading.ALLOW, ALONE)) from error
             return "application/octet-stream", image.read_bytes()
 
     def _predict(self, words, data):
