@@ -50,7 +50,7 @@ bool fxl_submit_instance(const fxl_traversal *traversal, const fxl_draw_entry *e
         return fxl_submit_sorted_once(traversal, &model_view, model, fxl_list_model);
     }
 #if FXL_WALKS_FACES
-    if (fxl_walks_faces(&model_view, model)) {
+    if (fxl_walks_faces(traversal, &model_view, model)) {
         return fxl_walk_instance(traversal, &model_view, model, NULL);
     }
 #endif

@@ -68,12 +68,19 @@ static inline bool fxl_submit_convex(const fxl_traversal *traversal,
 #if FXL_WALKS_FACES
 
 /* Whether the faces of an instance that has no list of them are walked: those of a sorted model, of
- * which many may be turned away or lie outside, and those that the shader takes at once. The target
- * has a depth buffer then. */
-static inline bool fxl_walks_faces(const fxl_model_view *model_view, const fxl_model *model)
+ * which many may be turned away or lie outside, and those that the shader takes at once, which are
+ * triangles but where it is the last shader: the middle one stands for all. The target has a depth
+ * buffer then. */
+static inline bool fxl_walks_faces(const fxl_traversal *traversal, const fxl_model_view *model_view,
+                                   const fxl_model *model)
 {
     const fxl_shader *shader = model_view->shader;
-    return shader != NULL && (model->kind == FXL_MODEL_SORTED || shader->code->faces != NULL);
+    return shader != NULL &&
+           (model->kind == FXL_MODEL_SORTED ||
+            (shader->code->faces != NULL && model->face_count != 0 &&
+             (shader->code->walk != NULL ||
+              traversal->renderer->scene->faces[model->first_face + model->face_count / 2].count ==
+                  3)));
 }
 
 /* fxl_submit_walk, which a flat program does not link. */

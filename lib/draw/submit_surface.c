@@ -327,15 +327,6 @@ const fxl_model_view *fxl_surfaces_view(const fxl_traversal *traversal,
     return model_view;
 }
 
-static bool has_plain_surface(const fxl_surface_set *set)
-{
-    uint32_t number = 0;
-    while (number < set->surface_count && set->surfaces[number].texture != 0) {
-        number++;
-    }
-    return number < set->surface_count;
-}
-
 /* combinations 1.1, 1.3, surfaces 6.4 */
 fxl_status fxl_attach_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
                                const fxl_surface_set *set, const fxl_painter *painter)
@@ -363,8 +354,7 @@ fxl_status fxl_attach_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
     surfaces->light = NULL;
     surfaces->light_code = NULL;
     surfaces->beams = NULL;
-    surfaces->shader.code =
-        FXL_WALKS_FACES && has_plain_surface(set) ? painter->smooth : painter->code;
+    surfaces->shader.code = painter->code;
     renderer->draw_display_list = fxl_mixed_draw_list;
     fxl_renderer_attach(renderer, FXL_SHADER_SURFACES, &surfaces->shader);
     return FXL_OK;

@@ -307,7 +307,7 @@ static bool submit_turned(const fxl_traversal *traversal, const fxl_draw_entry *
         return fxl_submit_sorted_once(traversal, &view.model_view, model, order_faces);
     }
 #if FXL_WALKS_FACES
-    if (fxl_walks_faces(&view.model_view, model)) {
+    if (fxl_walks_faces(traversal, &view.model_view, model)) {
         return fxl_walk_instance(traversal, &view.model_view, model,
                                  view.eye_shift == 0 ? next_face_to_near : next_face_to_any);
     }

@@ -125,9 +125,6 @@ struct fxl_painter {
     const fxl_target *target;
     /* Takes the faces of a renderer. Those without a surface go to the next shader. */
     const fxl_shader_code *code;
-    /* The same where a set has surfaces without a texture, which may be drawn in a walk. Where none
-     * has, a walk takes longer. */
-    const fxl_shader_code *smooth;
     /* Draws a record of the kind FXL_POLYGON_SURFACE into a band. */
     void (*draw)(const fxl_surfaces *surfaces, fxl_workspace *workspace,
                  const fxl_screen_polygon *record, const fxl_band *band);

@@ -156,107 +156,7 @@ draw_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
 
 #endif
 
-#if FXL_PIXEL_IS_MIXED
-
-/* Whether what the clipper leaves of a small mapped triangle with a texture of one level is drawn at
- * once, as one polygon, if its texels are in words. */
-static inline bool may_be_texels(const fxl_surfaces *surfaces, const fxl_surface *surface,
-                                 const fxl_face *face, const fxl_traversal *traversal)
-{
-    const fxl_workspace *workspace = traversal->workspace;
-    if (surface->texture == 0 || face->count != 3 || !traversal->draws_one ||
-        ((const fxl_depth_head *)workspace->target_memory)->pass == FXL_DEPTH_BLENDED) {
-        return false;
-    }
-    const fxl_texture *texture = &surfaces->set->textures[surface->texture - 1];
-    return texture->levels == 1 && fxl_may_have_words(surfaces, surface, texture);
-}
-
-/* The values of the corners, and whether light is the same at all of them. Returns how many
- * attributes they are. */
-static inline uint32_t find_texel_values(const fxl_surfaces *surfaces, const fxl_surface *surface,
-                                         const fxl_corner *const of[3],
-                                         const fxl_instance *instance,
-                                         const fxl_renderer *renderer, int32_t (*values)[3],
-                                         fxl_paint *paint)
-{
-    for (uint32_t i = 0; i < 3; i++) {
-        values[FXL_ATTRIBUTE_U][i] = of[i]->texel.u;
-        values[FXL_ATTRIBUTE_V][i] = of[i]->texel.v;
-    }
-    paint->is_evenly_lit = false;
-    if (!fxl_surface_is_lit(surfaces, surface)) {
-        return FXL_SEGMENT_LIGHT;
-    }
-    int32_t *light = values[FXL_SEGMENT_LIGHT];
-    surfaces->light_code->light_corners(surfaces, renderer, instance, of, light);
-    paint->is_evenly_lit = light[0] == light[1] && light[0] == light[2];
-    paint->light = (uint16_t)(light[0] >> 8);
-    return paint->is_evenly_lit ? FXL_SEGMENT_LIGHT : FXL_SEGMENT_LIGHT + 1u;
-}
-
-/* Such a face, from its corners to its pixels. False if its planes are no words: then nothing is
- * drawn or counted. */
-static __attribute__((noinline)) bool draw_texel_face(const fxl_surfaces *surfaces,
-                                                      const fxl_surface *surface,
-                                                      const fxl_corner *const of[3],
-                                                      const fxl_model_view *model_view,
-                                                      const fxl_face *face,
-                                                      const fxl_traversal *traversal)
-{
-    fxl_workspace *workspace = traversal->workspace;
-    const fxl_renderer *renderer = traversal->renderer;
-    const fxl_screen_polygon *screen = &workspace->screen;
-    const fxl_band *band = traversal->band;
-    const fxl_lens *lens = &model_view->view->lens;
-    const fxl_texture *texture = &surfaces->set->textures[surface->texture - 1];
-    const fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
-    fxl_screen_corners corners;
-    fxl_texel_outline outline;
-    fxl_paint paint;
-    int32_t values[FXL_ATTRIBUTES][3];
-    if (cut > FXL_CLIP_CUT) {
-        return fxl_count_outcome(traversal, (fxl_outcome)1 << cut, 0);
-    }
-    if (!fxl_find_screen_corners(model_view, face, of, traversal, &corners)) {
-        return false;
-    }
-    const uint32_t count = find_texel_values(surfaces, surface, of, model_view->instance, renderer,
-                                             values, &paint);
-    const int32_t one = fxl_find_texel_planes(
-        &corners, lens, values, &outline.planes, count,
-        surface->division == FXL_AFFINE && fxl_corners_are_on_screen(&corners, lens));
-    if (one == 0) {
-        return false;
-    }
-    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
-    fxl_texture_level_set(texture, texture->texels, texture->log_width, texture->log_height,
-                          &paint.level);
-    paint_texels_of(surfaces, surface, band, &paint);
-    fxl_texel_planes_scale(&outline.planes, 0, 8u - paint.level.log_width);
-    fxl_texel_outline_set((const fxl_depth_head *)workspace->target_memory, &paint, one, &outline);
-    fxl_count_drawn(traversal->counters, cut,
-                    fxl_draw_texel_words(&outline, workspace->target_memory, screen->points,
-                                         screen->count, band, &workspace->work.scan) ||
-                        fxl_outline_has_rows(screen, renderer->frame.view.lens.height));
-    return true;
-}
-
-/* A face that needs no record of a polygon. False: nothing is drawn or counted. */
-static inline bool draw_at_once(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
-                                const fxl_model_view *model_view, const fxl_face *face,
-                                const fxl_traversal *traversal)
-{
-    const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
-    const fxl_corner *corners[3];
-    if (!may_be_texels(surfaces, surface, face, traversal)) {
-        return false;
-    }
-    fxl_find_mapped_corners(surfaces->set, surface, mapped, corners);
-    return draw_texel_face(surfaces, surface, corners, model_view, face, traversal);
-}
-
-#endif
+#include "surface_texels_text.h"
 
 /* What became of a triangle of a walk. */
 typedef enum {
@@ -277,6 +177,9 @@ typedef struct {
     union {
         fxl_smooth_outline smooth;
         fxl_colour_outline colours;
+#if FXL_PIXEL_IS_MIXED
+        texel_run texels;
+#endif
     } outline;
 } smooth_run;
 
@@ -299,6 +202,13 @@ static __attribute__((noinline)) void begin_run(const fxl_surfaces *surfaces, ui
     run->surface = surface;
     run->corners = NULL;
     run->colour = -1;
+#if FXL_PIXEL_IS_MIXED
+    if (may_be_texels(surfaces, surface, traversal)) {
+        run->corners = surfaces->set->corners + surface->first_corner;
+        begin_texels(surfaces, surface, traversal, &run->outline.texels);
+        return;
+    }
+#endif
     if (!may_be_smooth(surfaces, surface, traversal)) {
         return;
     }
@@ -367,7 +277,10 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
     }
     fxl_depth_drawn drawn;
 #if FXL_PIXEL_IS_MIXED
-    if (run->surface->flags & FXL_SURFACE_COLOURS) {
+    if (run->surface->texture != 0) {
+        drawn = draw_texel_corners(surfaces, run->surface, of, &corners, model_view, traversal,
+                                   &run->outline.texels);
+    } else if (run->surface->flags & FXL_SURFACE_COLOURS) {
         drawn = draw_colour_face(surfaces, run->surface, of, &corners, model_view, corners.points,
                                  3, traversal, &run->outline.colours);
     } else

@@ -193,11 +193,6 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face,
     }
     if (number != 0) {
         mapped = &set->faces[number - 1];
-#if FXL_DRAWS_SMOOTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16 && FXL_PIXEL_IS_MIXED
-        if (draw_at_once(surfaces, mapped, model_view, face, traversal)) {
-            return true;
-        }
-#endif
     } else {
         bool fitted;
         mapped = fxl_surfaces_take(surfaces, model_view, face, traversal, &fitted);
@@ -261,7 +256,7 @@ static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *
         return false;
     }
     const uint32_t first = set->face_map[walk->face - scene->faces];
-    if (first == 0) {
+    if (first == 0 || walk->face->count != 3) {
         return false;
     }
     run.drawn = run.without_rows = 0;
@@ -299,22 +294,12 @@ static const fxl_shader_code code = {
     .face = submit,
     .split = fxl_surfaces_split,
     .takes = fxl_surfaces_map,
-};
-
 #if FXL_DRAWS_SMOOTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
-static const fxl_shader_code smooth_code = {
-    .reaches = fxl_surfaces_reach,
-    .face = submit,
-    .split = fxl_surfaces_split,
-    .takes = fxl_surfaces_map,
     .faces = submit_faces,
-};
-#define SMOOTH_CODE &smooth_code
-#else
-#define SMOOTH_CODE &code
 #endif
+};
 
-const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET,  &code,      SMOOTH_CODE, draw,
+const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET,  &code,      draw,
                                          submit_piece, find_whole, FIND_COLOURS};
 
 #endif

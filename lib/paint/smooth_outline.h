@@ -346,40 +346,14 @@ static inline void fxl_texel_planes_scale(fxl_texel_planes *of, uint32_t u_drop,
     of->along.v = fxl_bits_32(fxl_signed_32(of->along.v) >> v_drop);
 }
 
-/* All but the planes, and their light where it is the same everywhere. paint: as of fxl_draw_texels, but
- * for the gradients. one: of the depth plane. */
-static inline void fxl_texel_outline_set(const fxl_depth_head *head, const fxl_paint *paint,
-                                         int32_t one, fxl_texel_outline *of)
-{
-    const fxl_texture_level *level = &paint->level;
-    const fxl_paint_565 *colours = &paint->of_565;
-    of->cells = (uint16_t *)(uintptr_t)(head + 1);
-    of->texels = level->texels;
-    of->palette = colours->palette;
-    of->columns_mask = level->columns_less_1;
-    of->rows_mask = level->rows_less_1 << level->log_width;
-    of->border = fxl_depth_border_of(head->scale, one);
-    of->or_equal = head->or_equal;
-    of->part_of_level = colours->part_of_level;
-    of->kind = ((level->flags & FXL_LEVEL_565) != 0 ? FXL_TEXELS_WIDE : 0u) |
-               (of->part_of_level != 0 ? FXL_TEXELS_LIT : 0u) |
-               (of->border != 0 ? FXL_TEXELS_BENT : 0u);
-#if FXL_DRAWS_SMOOTH_OUTLINES
-    if ((of->kind & ~FXL_TEXELS_WIDE) == FXL_TEXELS_LIT && colours->dark == 0) {
-        of->kind |= FXL_TEXELS_BLACK;
-    }
-#endif
-    of->mixture.red_dark = of->mixture.red_step = 0;
-    of->mixture.green_dark = of->mixture.green_step = 0;
-    if (paint->is_evenly_lit || of->part_of_level == 0) {
-        of->planes.at.light = paint->is_evenly_lit ? (uint32_t)paint->light << 16 : 0;
-        of->planes.down.light = of->planes.along.light = 0;
-    }
-    if (of->part_of_level != 0) {
-        of->mixture = fxl_mixture_of_565(0, colours->dark);
-        of->planes.at.light += fxl_half_part_565(paint->levels_less_1) - (1u << 23);
-    }
-}
+/* What all triangles of a surface share: all but the planes, and what depends on them. paint: as of
+ * fxl_draw_texels, but for the gradients and the light of the face. */
+void fxl_texel_outline_of_surface(const fxl_depth_head *head, const fxl_paint *paint,
+                                  fxl_texel_outline *of);
+
+/* The rest, of a triangle: the kind of its pixels, and its light. one: of the depth plane. */
+void fxl_texel_outline_of_face(const fxl_depth_head *head, const fxl_paint *paint, int32_t one,
+                               fxl_texel_outline *of);
 
 #if FXL_DRAWS_SMOOTH_OUTLINES
 

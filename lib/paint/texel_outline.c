@@ -181,6 +181,50 @@ bool fxl_draw_texel_words(fxl_texel_outline *of, const void *memory,
     return true;
 }
 
+/* --- what an outline is drawn by -------------------------------------------------------------- */
+
+void fxl_texel_outline_of_surface(const fxl_depth_head *head, const fxl_paint *paint,
+                                  fxl_texel_outline *of)
+{
+    const fxl_texture_level *level = &paint->level;
+    const fxl_paint_565 *colours = &paint->of_565;
+    of->cells = (uint16_t *)(uintptr_t)(head + 1);
+    of->texels = level->texels;
+    of->palette = colours->palette;
+    of->columns_mask = level->columns_less_1;
+    of->rows_mask = level->rows_less_1 << level->log_width;
+    of->or_equal = head->or_equal;
+    of->part_of_level = colours->part_of_level;
+    of->kind = ((level->flags & FXL_LEVEL_565) != 0 ? FXL_TEXELS_WIDE : 0u) |
+               (of->part_of_level != 0 ? FXL_TEXELS_LIT : 0u);
+    of->mixture.red_dark = of->mixture.red_step = 0;
+    of->mixture.green_dark = of->mixture.green_step = 0;
+    if (of->part_of_level != 0) {
+        of->mixture = fxl_mixture_of_565(0, colours->dark);
+    }
+}
+
+void fxl_texel_outline_of_face(const fxl_depth_head *head, const fxl_paint *paint, int32_t one,
+                               fxl_texel_outline *of)
+{
+    const bool is_lit = of->part_of_level != 0;
+    of->border = fxl_depth_border_of(head->scale, one);
+    of->kind = (of->kind & (FXL_TEXELS_WIDE | FXL_TEXELS_LIT)) |
+               (of->border != 0 ? FXL_TEXELS_BENT : 0u);
+#if FXL_DRAWS_SMOOTH_OUTLINES
+    if (is_lit && of->border == 0 && paint->of_565.dark == 0) {
+        of->kind |= FXL_TEXELS_BLACK;
+    }
+#endif
+    if (paint->is_evenly_lit || !is_lit) {
+        of->planes.at.light = paint->is_evenly_lit ? (uint32_t)paint->light << 16 : 0;
+        of->planes.down.light = of->planes.along.light = 0;
+    }
+    if (is_lit) {
+        of->planes.at.light += fxl_half_part_565(paint->levels_less_1) - (1u << 23);
+    }
+}
+
 bool fxl_draw_texels(const fxl_paint *paint, const fxl_depth_plane *depth, const void *memory,
                      const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                      fxl_scan *scan)
@@ -192,6 +236,7 @@ bool fxl_draw_texels(const fxl_paint *paint, const fxl_depth_plane *depth, const
     fxl_texel_outline of;
     fxl_texel_words_of(paint->gradients, depth, &of.planes);
     fxl_texel_planes_scale(&of.planes, u_drop, v_drop);
-    fxl_texel_outline_set((const fxl_depth_head *)memory, paint, depth->one, &of);
+    fxl_texel_outline_of_surface((const fxl_depth_head *)memory, paint, &of);
+    fxl_texel_outline_of_face((const fxl_depth_head *)memory, paint, depth->one, &of);
     return fxl_draw_texel_words(&of, memory, points, count, band, scan);
 }

@@ -170,7 +170,14 @@ fxl_status fxl_lens_from_window(uint16_t width, fxl_q16_16 left, fxl_q16_16 righ
         return FXL_E_RANGE;
     }
     const uint32_t across = (uint32_t)(in.right - in.left);
-    const int64_t rows = ((in.top - in.bottom) * width + (across >> 1)) / across;
+    /* Below 2^41; more than a row too many has a quotient that may not fit. */
+    const int64_t height = (in.top - in.bottom) * width;
+    if (height > (int64_t)(FXL_SCREEN_MAX + 1) * across) {
+        return FXL_E_RANGE;
+    }
+    uint32_t residue;
+    const uint32_t rows =
+        fxl_divide_u64((uint64_t)height + (across >> 1), across, &residue);
     if (rows > FXL_SCREEN_MAX) {
         return FXL_E_RANGE;
     }

@@ -318,11 +318,11 @@ void prove_texel_words(void)
 }
 
 /* [[row]]
- * function = "lib/paint/smooth_outline.h:fxl_texel_outline_set"
- * property = "any paint of a level with sides of up to 256 texels: its masks, what pixels there are, and even light"
- * checks = 242
+ * function = "fxl_texel_outline_of_surface"
+ * property = "any paint of a level with sides of up to 256 texels: its masks, and whether pixels are lit and of 16 bits"
+ * checks = 160
  */
-void prove_texel_outline_set(void)
+void prove_texel_outline_of_surface(void)
 {
     struct {
         fxl_depth_head head;
@@ -331,15 +331,37 @@ void prove_texel_outline_set(void)
     fxl_paint paint;
     fxl_texel_outline of;
     const uint32_t rows = nondet_u32();
-    const int32_t one = nondet_s32();
-    ASSUME(rows <= 8 && paint.level.log_width <= 8 && paint.level.rows_less_1 == (1u << rows) - 1u && paint.levels_less_1 < 64);
-    ASSUME(memory.head.scale.octaves >= 1 && memory.head.scale.octaves <= 24 && memory.head.scale.mantissa >= 11 && memory.head.scale.mantissa <= 15);
-    ASSUME(one == FXL_DEPTH_IS_LINEAR || (one >= FXL_DEPTH_IS_BENT && one < FXL_DEPTH_IS_BENT + memory.head.scale.octaves));
-    fxl_texel_outline_set(&memory.head, &paint, one, &of);
+    ASSUME(rows <= 8 && paint.level.log_width <= 8 && paint.level.rows_less_1 == (1u << rows) - 1u);
+    fxl_texel_outline_of_surface(&memory.head, &paint, &of);
     ASSERT("the cells", of.cells == memory.cells);
     ASSERT("rows", of.rows_mask == ((1u << rows) - 1u) << paint.level.log_width);
     ASSERT("lit", ((of.kind & FXL_TEXELS_LIT) != 0) == (paint.of_565.part_of_level != 0));
     ASSERT("wide", ((of.kind & FXL_TEXELS_WIDE) != 0) == ((paint.level.flags & FXL_LEVEL_565) != 0));
+    PROOF_ENDS();
+}
+
+/* [[row]]
+ * function = "fxl_texel_outline_of_face"
+ * property = "any triangle, whatever the one before was: what pixels there are, and even light"
+ * checks = 90
+ */
+void prove_texel_outline_of_face(void)
+{
+    struct {
+        fxl_depth_head head;
+        uint16_t cells[4];
+    } memory;
+    fxl_paint paint;
+    fxl_texel_outline of;
+    const int32_t one = nondet_s32();
+    const uint32_t kind = of.kind & FXL_TEXELS_WIDE;
+    ASSUME(paint.levels_less_1 < 64 && of.kind < 16);
+    ASSUME(((of.kind & FXL_TEXELS_LIT) != 0) == (of.part_of_level != 0));
+    ASSUME(memory.head.scale.octaves >= 1 && memory.head.scale.octaves <= 24 && memory.head.scale.mantissa >= 11 && memory.head.scale.mantissa <= 15);
+    ASSUME(one == FXL_DEPTH_IS_LINEAR || (one >= FXL_DEPTH_IS_BENT && one < FXL_DEPTH_IS_BENT + memory.head.scale.octaves));
+    fxl_texel_outline_of_face(&memory.head, &paint, one, &of);
+    ASSERT("lit", ((of.kind & FXL_TEXELS_LIT) != 0) == (of.part_of_level != 0));
+    ASSERT("wide", (of.kind & FXL_TEXELS_WIDE) == kind);
     ASSERT("bent", ((of.kind & FXL_TEXELS_BENT) != 0) == (one != FXL_DEPTH_IS_LINEAR));
     ASSERT("even light", !paint.is_evenly_lit || of.planes.along.light == 0);
     PROOF_ENDS();

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT */
+/* Small triangles with a texture whose texels are in words, from their corners to their pixels. A part
+ * of surface_smooth_text.h. Internal. */
+#ifndef FXL_SURFACE_TEXELS_TEXT_H
+#define FXL_SURFACE_TEXELS_TEXT_H
+
+#if FXL_PIXEL_IS_MIXED
+
+/* Whether small mapped triangles of a surface with a texture of one level are drawn at once if their
+ * texels are in words. */
+static inline bool may_be_texels(const fxl_surfaces *surfaces, const fxl_surface *surface,
+                                 const fxl_traversal *traversal)
+{
+    const fxl_workspace *workspace = traversal->workspace;
+    if (surface->texture == 0 || !traversal->draws_one ||
+        ((const fxl_depth_head *)workspace->target_memory)->pass == FXL_DEPTH_BLENDED) {
+        return false;
+    }
+    const fxl_texture *texture = &surfaces->set->textures[surface->texture - 1];
+    return texture->levels == 1 && fxl_may_have_words(surfaces, surface, texture);
+}
+
+/* What such triangles of a surface share. */
+typedef struct {
+    fxl_paint paint;
+    fxl_texel_outline outline;
+} texel_run;
+
+/* Once a run. */
+static inline void begin_texels(const fxl_surfaces *surfaces, const fxl_surface *surface,
+                                const fxl_traversal *traversal, texel_run *run)
+{
+    const fxl_texture *texture = &surfaces->set->textures[surface->texture - 1];
+    fxl_texture_level_set(texture, texture->texels, texture->log_width, texture->log_height,
+                          &run->paint.level);
+    paint_texels_of(surfaces, surface, traversal->band, &run->paint);
+    fxl_texel_outline_of_surface((const fxl_depth_head *)traversal->workspace->target_memory,
+                                 &run->paint, &run->outline);
+}
+
+/* The values of the corners, and whether light is the same at all of them. Returns how many
+ * attributes they are. */
+static inline uint32_t find_texel_values(const fxl_surfaces *surfaces, const fxl_surface *surface,
+                                         const fxl_corner *const of[3],
+                                         const fxl_instance *instance,
+                                         const fxl_renderer *renderer, int32_t (*values)[3],
+                                         fxl_paint *paint)
+{
+    for (uint32_t i = 0; i < 3; i++) {
+        values[FXL_ATTRIBUTE_U][i] = of[i]->texel.u;
+        values[FXL_ATTRIBUTE_V][i] = of[i]->texel.v;
+    }
+    paint->is_evenly_lit = false;
+    if (!fxl_surface_is_lit(surfaces, surface)) {
+        return FXL_SEGMENT_LIGHT;
+    }
+    int32_t *light = values[FXL_SEGMENT_LIGHT];
+    surfaces->light_code->light_corners(surfaces, renderer, instance, of, light);
+    paint->is_evenly_lit = light[0] == light[1] && light[0] == light[2];
+    paint->light = (uint16_t)(light[0] >> 8);
+    return paint->is_evenly_lit ? FXL_SEGMENT_LIGHT : FXL_SEGMENT_LIGHT + 1u;
+}
+
+/* Such a triangle, inside all planes. FXL_DEPTH_NOT_DRAWN if its planes are no words: then nothing is
+ * drawn. */
+static inline __attribute__((always_inline)) fxl_depth_drawn
+draw_texel_corners(const fxl_surfaces *surfaces, const fxl_surface *surface,
+                   const fxl_corner *const of[3], const fxl_screen_corners *corners,
+                   const fxl_model_view *model_view, const fxl_traversal *traversal, texel_run *run)
+{
+    fxl_workspace *workspace = traversal->workspace;
+    const fxl_lens *lens = &model_view->view->lens;
+    const fxl_band *band = traversal->band;
+    int32_t values[FXL_ATTRIBUTES][3];
+    const uint32_t attributes =
+        find_texel_values(surfaces, surface, of, model_view->instance, traversal->renderer, values,
+                          &run->paint);
+    const int32_t one = fxl_find_texel_planes(
+        corners, lens, values, &run->outline.planes, attributes,
+        surface->division == FXL_AFFINE && fxl_corners_are_on_screen(corners, lens));
+    if (one == 0) {
+        return FXL_DEPTH_NOT_DRAWN;
+    }
+    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+    fxl_texel_planes_scale(&run->outline.planes, 0, 8u - run->paint.level.log_width);
+    fxl_texel_outline_of_face((const fxl_depth_head *)workspace->target_memory, &run->paint, one,
+                              &run->outline);
+    return fxl_draw_texel_words(&run->outline, workspace->target_memory, corners->points, 3, band,
+                                &workspace->work.scan)
+               ? FXL_DEPTH_DRAWN
+               : FXL_DEPTH_NO_ROW;
+}
+
+#endif
+
+#endif
