@@ -386,11 +386,11 @@ SITE_PICO := $(addprefix $(BUILD)/boards/pico/,walk-on-st7789-alone.elf game-on-
 SITE_GAME := $(BUILD)/boards/host/game
 site: ## write the site: a page that draws, and all documents, into build/site [OUT=]
 	@$(SET_UP) site
-	@$(MAKE) $(WEB_MODULE) $(WEB_JUDGE) $(WEB_COUNTER) $(BUILD)/host/predict $(BUILD)/host/frames
+	@$(MAKE) $(WEB_MODULE) $(WEB_JUDGE) $(WEB_COUNTER) $(WEB_OWN) $(BUILD)/host/predict $(BUILD)/host/frames
 	@$(MAKE) $(firstword $(SITE_PICO)) BOARD=pico DRIVER=st7789
 	@$(MAKE) $(lastword $(SITE_PICO)) BOARD=pico DRIVER=st7789 PROGRAM=game
 	@$(MAKE) $(SITE_GAME) BOARD=host PROGRAM=game
-	@$(TOOL) site --module $(WEB_MODULE) --judge $(WEB_JUDGE) --counter $(WEB_COUNTER) --pico $(firstword $(SITE_PICO)) --game $(lastword $(SITE_PICO)) \
+	@$(TOOL) site --module $(WEB_MODULE) --judge $(WEB_JUDGE) --counter $(WEB_COUNTER) --own $(dir $(WEB_OWN)) --pico $(firstword $(SITE_PICO)) --game $(lastword $(SITE_PICO)) \
 	    --game-here $(SITE_GAME) --build $(BUILD)
 
 docs: ## write all documents, and the reference of all public functions and types, as pages into build/docs [OUT=]

@@ -324,7 +324,7 @@ $(call WALK_OF,$(1)): $(call OWN_OBJECT_OF,$(1),$(2))
 endef
 
 define OWN_PROGRAM_RULES
-$(FIRMWARE_OUT)/$(1)/libown.a: $(foreach each,show_rows keys_held no_wires,$(FIRMWARE_OUT)/$(1)/firmware/own/$(each).o)
+$(FIRMWARE_OUT)/$(1)/libown.a: $(foreach each,show show_rows keys_held no_wires,$(FIRMWARE_OUT)/$(1)/firmware/own/$(each).o)
 	@rm -f $$@
 	@$(if $(BOARD_HOSTED.$(1)),ar,$(call CROSS_OF,$(1))ar) rcs $$@ $$^
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# QEMU's virt machine with a RISC-V core of 32 bits, as of an ESP32-C3: multiplier, compressed instructions, no FPU.
+# QEMU's virt machine: a RISC-V core of 32 bits, as of an ESP32-C3, with a multiplier and compressed instructions, without FPU.
 
 BOARD_CPU := rv32imc
 BOARD_CORE := -march=rv32imc -mabi=ilp32 -mcmodel=medany -msmall-data-limit=0

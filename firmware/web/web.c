@@ -3,22 +3,17 @@
  * the module's memory, opens it, and draws a frame by a call, for as long as it likes. */
 #include <stddef.h>
 
-#include "contract/clock.h"
 #include "contract/display.h"
 #include "contract/input.h"
 #include "contract/journal.h"
 #include "contract/store.h"
 #include "contract/system.h"
 #include "fixel/crc.h"
+#include "page.h"
 #include "walk.h"
 
-#define EXPORTED(name) __attribute__((export_name(name)))
-#define PAGE_BYTES     65536u
 #define MEMORY_BYTES   0x80000000u
-#define TEXT_BYTES     1024u
 #define FRAME_BYTES    (2u * FXL_SCREEN_MAX * FXL_SCREEN_MAX)
-
-extern uint8_t __heap_base; /* the linker's: behind data and stack */
 
 static const uint8_t *scene;
 static size_t scene_bytes;
@@ -38,24 +33,13 @@ static struct {
     fxl_counters counters;  /* of the last frame */
 } shown = {.pixels = pixels, .pose = &path.viewer.pose};
 
-static struct {
-    char text[TEXT_BYTES];
-    uint32_t bytes;
-} said;
-
 /* Before open: where the host writes the scene image. A scene before it is gone. Null: the memory has no room for so many bytes. */
 EXPORTED("scene") uint8_t *scene_room(size_t size)
 {
-    uint8_t *const first = &__heap_base + (-(uintptr_t)&__heap_base & 7u);
-    const size_t held = __builtin_wasm_memory_size(0);
-    size_t pages;
+    uint8_t *const first = page_heap();
 
     scene = NULL;
-    if (size > MEMORY_BYTES - (size_t)first) {
-        return NULL;
-    }
-    pages = ((size_t)first + size + PAGE_BYTES - 1u) / PAGE_BYTES;
-    if (pages > held && __builtin_wasm_memory_grow(0, pages - held) == SIZE_MAX) {
+    if (size > MEMORY_BYTES - (size_t)first || !page_reach(first + size)) {
         return NULL;
     }
     scene = first;
@@ -68,7 +52,7 @@ EXPORTED("open") int open_scene(void)
 {
     int code;
 
-    said.bytes = 0;
+    page_says_nothing();
     code = walk_open(&path);
     if (code != SYSTEM_EXIT_DONE) {
         return code;
@@ -81,7 +65,7 @@ EXPORTED("open") int open_scene(void)
  * move the eye in the place of the path, and what moves is where it is in that frame. Returns a code of system.h. */
 EXPORTED("draw") int draw(uint32_t number, bool by_keys, uint32_t held)
 {
-    said.bytes = 0;
+    page_says_nothing();
     path.live = by_keys;
     keys_held = held;
     return walk_frame(&path, number);
@@ -98,24 +82,7 @@ EXPORTED("shown") const void *what_is_shown(void)
     return &shown;
 }
 
-/* What was said since the last call began: its bytes, and how many. */
-EXPORTED("said") const char *what_was_said(void)
-{
-    return said.text;
-}
-
-EXPORTED("said_bytes") uint32_t how_much_was_said(void)
-{
-    return said.bytes;
-}
-
 /* --- the board ---------------------------------------------------------------------------------- */
-
-void system_start(int argc, char **argv)
-{
-    (void)argc;
-    (void)argv;
-}
 
 uint32_t system_frames(void)
 {
@@ -127,33 +94,10 @@ bool system_live(void)
     return path.live;
 }
 
-void system_alive(void)
-{
-}
-
-void system_text(const char *text)
-{
-    while (*text != '\0' && said.bytes < TEXT_BYTES) {
-        said.text[said.bytes++] = *text++;
-    }
-}
-
-/* Of an assertion that failed: the host sees a trap. */
-void system_exit(int status)
-{
-    (void)status;
-    __builtin_trap();
-}
-
 const void *store_scene(size_t *size)
 {
     *size = scene != NULL ? scene_bytes : 0;
     return scene;
-}
-
-uint64_t clock_instructions(void)
-{
-    return 0;
 }
 
 uint32_t input_keys(void)

@@ -6,13 +6,15 @@
 #   $(WEB_JUDGE)   the module
 # And what make predict counts.
 #   $(WEB_COUNTER) the module
+# And what a program of examples/ links beside its own object: tools/fixel/site/programs.py compiles and links each.
+#   $(WEB_OWN)     the objects, in a list; beside it a header of the functions that own.c stands before
 
 WEB_OUT := $(BUILD)/web
 WEB_MODULE := $(WEB_OUT)/walk.wasm
 WEB_CC := clang --target=wasm32 -O2 -std=c11 -ffreestanding -fno-builtin -Wall -Wextra -Werror
 # The room of a board: two bands of a frame of 1024 x 1024 pixels of two bytes, with a depth buffer of 32 bits.
 WEB_ROOM := WALK_IN_PARTS WALK_BAND_BYTES=1048576 WALK_ORDER_ENTRIES=131072 WALK_LIST_BYTES=12582912 WALK_CACHE_ENTRIES=1024
-WEB_SOURCES := $(filter-out %/main.c,$(PROGRAM_SOURCES.walk)) firmware/web/web.c boards/parts/memory_functions.c
+WEB_SOURCES := $(filter-out %/main.c,$(PROGRAM_SOURCES.walk)) firmware/web/web.c firmware/web/page.c boards/parts/memory_functions.c
 WEB_OBJECTS = $(patsubst %.c,$(WEB_OUT)/%.o,$(WEB_SOURCES) $(filter $(LIB_SOURCES),$(patsubst %,lib/%.c,$(call LIB_NEEDED,$(WEB_SOURCES)))))
 
 $(WEB_OUT)/%.o: %.c firmware/web/web.mk
@@ -49,14 +51,32 @@ WEB_COUNTER_OBJECTS = $(patsubst %.c,$(WEB_OUT)/counted/%.o,$(WEB_COUNTER_SOURCE
     $(filter $(LIB_SOURCES),$(patsubst %,lib/%.c,$(call LIB_NEEDED,$(WEB_COUNTER_SOURCES)))))
 WEB_DEFINED = sed -n -e 's/^define [^@]*@\([a-z0-9_]*\)(.*/\1/p' -e 's/^@\([a-z0-9_]*\) = [^e].*/\1/p'
 
+# $(1): a compiler, $(2): what is wrapped.
+define WEB_WRAPPED
+$(MAKE_FOLDER)
+$(SAY)
+$(FIRMWARE_QUIET)set -e; names=; defined=" $$($(1) -Xclang -disable-llvm-passes -S -emit-llvm $< -o - | $(WEB_DEFINED) | tr '\n' ' ') "; \
+for name in $(2); do \
+    case "$$defined" in *" $$name "*) names="$$names -D$$name=__real_$$name" ;; *" __wrap_$$name "*) ;; *) names="$$names -D$$name=__wrap_$$name" ;; esac; done; \
+$(1) -MMD -MP $$names -c $< -o $@
+endef
+
 $(WEB_OUT)/counted/%.o: %.c firmware/web/web.mk
-	$(MAKE_FOLDER)
-	$(SAY)
-	$(FIRMWARE_QUIET)set -e; names=; defined=" $$($(WEB_JUDGE_CC) -Xclang -disable-llvm-passes $(JUDGES_SEE) -S -emit-llvm $< -o - | $(WEB_DEFINED) | tr '\n' ' ') "; \
-	for name in $(PREDICT_WRAPPED); do \
-	    case "$$defined" in *" $$name "*) names="$$names -D$$name=__real_$$name" ;; *" __wrap_$$name "*) ;; *) names="$$names -D$$name=__wrap_$$name" ;; esac; done; \
-	$(WEB_JUDGE_CC) -MMD -MP $(JUDGES_SEE) $$names -c $< -o $@
+	$(call WEB_WRAPPED,$(WEB_JUDGE_CC) $(JUDGES_SEE),$(PREDICT_WRAPPED))
 
 $(WEB_COUNTER): $(WEB_COUNTER_OBJECTS)
 	$(SAY)
 	$(FIRMWARE_QUIET)$(WEB_JUDGE_CC) $(WEB_JUDGE_LINK) $^ -o $@
+
+WEB_OWN := $(WEB_OUT)/own/objects.txt
+WEB_OWN_WRAPPED := $(filter-out main,$(OWN_WRAPPED))
+WEB_OWN_SOURCES := $(addprefix firmware/web/,page.c frames.c) $(filter-out %/watched.c,$(wildcard firmware/own/*.c)) boards/parts/memory_functions.c
+# An exported header names more than a program of examples/ does.
+WEB_OWN_OBJECTS := $(patsubst %.c,$(WEB_OUT)/own/%.o,$(WEB_OWN_SOURCES) $(filter-out lib/study/% lib/draw/offsets.c %.S,$(LIB_SOURCES)))
+
+$(WEB_OUT)/own/%.o: %.c firmware/web/web.mk
+	$(call WEB_WRAPPED,$(WEB_CC) -Os -Ilib/include -Ilib -Iboards,$(WEB_OWN_WRAPPED))
+
+$(WEB_OWN): $(WEB_OWN_OBJECTS)
+	@printf '#define %s\n' $(foreach name,$(WEB_OWN_WRAPPED),'$(name) __wrap_$(name)') >$(@D)/wrapped.h
+	@printf '%s\n' $^ >$@

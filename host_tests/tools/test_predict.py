@@ -343,15 +343,16 @@ def test_cycles_and_a_rate_of_drawing_alone(tmp_path, capsys, board, is_timed):
     if is_timed:
         assert result["cycles"]["core"] == "cortex-m3" and result["cycles"]["frames_per_second"] == round(1e8 / result["cycles"]["mean"], 2)
         assert "by a model of a cortex-m3" in said and "of drawing alone, by the model, code in RAM" in said
-        assert "frames a second on mps2-an385 at 100 MHz, drawing alone, by model" in picture
+        assert "frames a second on Arm MPS2 with image AN385 at 100 MHz, drawing alone, by model" in picture
     else:
-        assert result["cycles"] is None and "second" not in said and "instructions a frame on microbit, by model" in picture
+        assert result["cycles"] is None and "second" not in said and "instructions a frame on BBC micro:bit, by model" in picture
 
 
 def test_what_a_badge_says():
     assert badge.words("pico", 125, 1_600_000, 1) == "78 frames a second on pico at 125 MHz, drawing alone, by model"
     assert badge.words("pico", 10, 1_600_000, 1).startswith("6.2 frames a second")
     assert badge.words("pico", None, 1_600_000, 1_200_000) == "1,200,000 instructions a frame on pico, by model"
+    assert badge.name_of("pico") == "Raspberry Pi Pico" and badge.name_of("none") == "none"
     assert badge.words("pico", 125, None, None) == "no room on pico, by model"
     assert "<b>" not in badge.picture("<b>&") and "&lt;b&gt;&amp;" in badge.picture("<b>&")
 

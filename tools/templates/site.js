@@ -6,7 +6,7 @@ import { Held, press } from "./view_keys.js";
 import { saveFile, savePicture, takeFiles } from "./view_files.js";
 import { Picture, paletteWords, rgb565Words } from "./view_picture.js";
 import { Views } from "./site_views.js";
-import { Refused, Walk } from "./walk.mjs";
+import { Refused, Walk, crcWords } from "./walk.mjs";
 
 const FRAME_TIME = 1000 / 30;   // milliseconds of a frame of a path
 const SLOW = 6;                 // times as long
@@ -151,7 +151,7 @@ function show(frame) {
     state.picture = new Picture(at("screen"), frame.width, frame.height);
   }
   state.picture.put(frame.pixels, colours(frame));
-  at("crc").textContent = frame.crc.toString(16).padStart(8, "0");
+  at("crc").textContent = crcWords(frame.crc);
   if (state.paused) {
     lookClosely();
   } else {
@@ -205,7 +205,7 @@ function tellCost() {
 
 function saveBadge() {
   if (cost()?.mean || cost()?.why_not) {
-    const words = badgeWords(card.board, card.clock, cost());
+    const words = badgeWords(data.boards[card.board].name, card.clock, cost());
     saveFile(new Blob([badgePicture(data.badge, words)], { type: "image/svg+xml" }), `${state.name}-${card.board}.svg`);
   }
 }

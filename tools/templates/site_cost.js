@@ -9,7 +9,7 @@ export function rateWords(clock, cycles) {
   return `${rate.toFixed(rate >= 10 ? 0 : 1)} frames a second`;
 }
 
-/** What a badge says of a path's mean frame: words of tools/fixel/bench/badge.py. */
+/** What a badge says of a path's mean frame: words of tools/fixel/bench/badge.py. board: what people call it. */
 export function badgeWords(board, clock, cost) {
   if (cost.why_not) {
     return `no room on ${board}, by model`;

@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: MIT
 // The walk of firmware/web/web.c: a scene image opened and drawn frame by frame, in a page or in Node.
 
-const DONE = 93;                    // boards/contract/system.h
+export const DONE = 93;             // boards/contract/system.h
 const COUNTERS = ["in", "backfacing", "outside", "degenerate", "refused", "drawn", "clipped"];  // fxl_counters
 const POSE_WORDS = 6;               // fxl_pose: x, y, z, yaw, pitch, roll
 
 /** What the module says of an image or a frame that it refuses. */
 export class Refused extends Error {}
+
+/** What a module said. */
+export function told(exports) {
+  return new TextDecoder().decode(new Uint8Array(exports.memory.buffer, exports.said(), exports.said_bytes())).trim();
+}
+
+/** A CRC as it is written. */
+export function crcWords(crc) {
+  return crc.toString(16).padStart(8, "0");
+}
 
 export class Walk {
   /** module: a WebAssembly.Module of build/web/walk.wasm. */
@@ -64,7 +74,7 @@ export class Walk {
   }
 
   said() {
-    return new TextDecoder().decode(new Uint8Array(this.memory, this.exports.said(), this.exports.said_bytes())).trim();
+    return told(this.exports);
   }
 
   get memory() {

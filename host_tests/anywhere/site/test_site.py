@@ -12,6 +12,7 @@ import json
 import pathlib
 import queue
 import re
+import shutil
 import threading
 import urllib.parse
 import zlib
@@ -20,8 +21,10 @@ import pytest
 
 from conftest import CHECKOUT
 from fixel.board import dump, programs
-from fixel.bench import frame_costs
-from fixel.site import costs
+from fixel.bench import frame_costs, predict
+from fixel.report import showcase_models
+from fixel.scene import scene_options
+from fixel.site import costs, programs as programs_of
 from fixel.view import view_reference
 from outside import need, run
 from pages import DESKTOP, NARROW, PATIENCE, assert_accessible, crc, drop, fixture_chromium, opened, paused, shows     # one is a fixture
@@ -91,9 +94,17 @@ def test_it_fits_and_draws(chromium, address, size, tmp_path):
             assert bottom <= size[1], "it fits a laptop's screen"
 
 
-def scenes_of(site):
+MODEL = "model-"
+
+
+def all_scenes_of(site):
     text = (site / "index.html").read_text(encoding="utf-8")
     return json.loads(re.search(r'id="data">(.*?)</script>', text)[1])["scenes"]
+
+
+def scenes_of(site):
+    """Those of scenes/."""
+    return [each for each in all_scenes_of(site) if not each["name"].startswith(MODEL)]
 
 
 def crcs_of_host(image, folder):
@@ -104,13 +115,13 @@ def crcs_of_host(image, folder):
 
 
 def test_every_frame_of_every_scene_is_that_of_a_board(chromium, address, site, tmp_path, record_property):
-    count = 0
-    for scene in scenes_of(site):
+    count, scenes = 0, all_scenes_of(site)
+    for scene in scenes:
         expected = crcs_of_host(site / "scenes" / f"{scene['name']}.fxls", tmp_path)
         with opened(chromium, f"{address}#scene={scene['name']}&frame=0") as page:
             assert page.evaluate(STEPS, len(expected)) == expected, scene["name"]
             count += len(expected)
-    record_property("figure", f"{count} frames of {len(scenes_of(site))} scenes")
+    record_property("figure", f"{count} frames of {len(scenes)} scenes and models")
 
 
 def judged_by_host(image, frames):
@@ -373,20 +384,68 @@ def test_in_a_frame_of_another_page_there_is_the_picture_alone(chromium, address
 # --- scenes -------------------------------------------------------------------------
 
 def test_each_scene_has_a_picture_a_page_its_code_and_its_command(chromium, address, site):
-    """The picture is the frame in the middle of its path, by its pixels."""
+    """So has each program of examples/ and each model of make showcase."""
     with opened(chromium, f"{address}gallery.html", waits=False) as page:
-        names = page.locator("article b").all_inner_texts()
-        assert sorted(names) == sorted(each["name"] for each in scenes_of(site)) and len(names) > 20
-    assert names[-1] != "plaza"     # what the bench draws comes last
-    for name in names:
-        text = (site / "scenes" / f"{name}.html").read_text(encoding="utf-8")
-        assert f"make run BOARD=" in text and f" SCENE=scenes/{name}.toml<" in text and f'href="../index.html#scene={name}"' in text
-        assert html.escape((CHECKOUT / "scenes" / f"{name}.toml").read_text(encoding="utf-8")) in text
-        assert (site / "scenes" / f"{name}.png").read_bytes().startswith(b"\x89PNG")
+        groups = [section.locator("article b").all_inner_texts() for section in page.locator("main section").all()]
+        links = [link.get_attribute("href") for link in page.locator("article a").all()]
+    names = [each["name"] for each in scenes_of(site)]
+    folders = {file.parent.name for file in (CHECKOUT / "examples").glob("*/*.c")}
+    assert [sorted(group) for group in groups] == [sorted(names), sorted(folders), sorted(each.name for each in showcase_models.MODELS)]
+    assert len(names) > 20 and groups[0][-1] != "plaza"     # what the bench draws comes last
+    for link in links:
+        page, name = (site / link).read_text(encoding="utf-8"), pathlib.Path(link).stem
+        assert re.search(r"(^|&amp;&amp; |>)make run BOARD=\w", page) and (site / link).with_suffix(".png").read_bytes().startswith(b"\x89PNG"), link
+        if link.startswith("scenes/"):
+            assert f'href="../index.html#scene={name}"' in page and name in {each["name"] for each in all_scenes_of(site)}
+        source = pathlib.Path("examples") / name / ("game.c" if name == "game" else "main.c") if link.startswith("examples/") else pathlib.Path("scenes") / f"{name}.toml"
+        if not name.startswith(MODEL):
+            assert html.escape((CHECKOUT / source).read_text(encoding="utf-8")) in page and f"{source.parent if name != 'game' else 'PROGRAM=game'}" in page, link
     with opened(chromium, f"{address}scenes/plaza.html", waits=False) as page:
         page.click("text=Draw it")
         page.wait_for_selector("#unserved", state="hidden")
         assert page.input_value("#scene") == "plaza"
+
+
+def test_the_command_of_a_model_draws_its_scene(site, tmp_path):
+    """What make run has of the model that make showcase makes, on the board of the command."""
+    model = next(each for each in showcase_models.MODELS if each.name == "vase")
+    page = html.unescape((site / "scenes" / f"{MODEL}{model.name}.html").read_text(encoding="utf-8"))
+    words = re.search(r"<code>(make showcase ONLY=vase && make run BOARD=pico SCENE=build/showcase/vase.obj)</code>", page)
+    file = showcase_models.write(model, tmp_path)
+    options = predict.parser().parse_args(["--board", "pico", "--scene", str(file), "--build", str(CHECKOUT / "build")])
+    scene_options.check(options)
+    predict.complete(options)
+    assert words and predict.image_of(options, tmp_path).read_bytes() == (site / "scenes" / f"{MODEL}{model.name}.fxls").read_bytes()
+
+
+# --- programs -----------------------------------------------------------------------
+
+PROGRAMS = [each for each in programs_of.of_the_tree() if (CHECKOUT / "examples" / each.name / programs_of.MAIN).exists()]
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=[each.name for each in PROGRAMS])
+def test_a_program_draws_in_the_page_what_make_run_draws(chromium, address, program, tmp_path):
+    own = tmp_path / program.name
+    shutil.copytree(CHECKOUT / "examples" / program.name, own)
+    programs_of.write_headers(program, own)
+    run("make", "run", "BOARD=host", f"PROGRAM={own}", f"OUT={tmp_path}/out", folder=CHECKOUT)
+    expected = json.loads((tmp_path / "out" / "summary.json").read_text(encoding="utf-8"))["frame_crc"]
+    with opened(chromium, f"{address}examples/{program.name}.html") as page:
+        paused(page)
+        while not page.inner_text("#number").startswith("0 of "):
+            page.click("#step")
+        assert page.evaluate(STEPS, len(expected)) == expected and page.inner_text("#number") == f"0 of {len(expected)}"
+
+
+def test_a_program_that_cannot_run_in_a_page_is_named_with_the_reason(chromium, address, tmp_path, monkeypatch):
+    assert {each.name for each in programs_of.of_the_tree()} - {each.name for each in PROGRAMS} == {"game"}
+    with opened(chromium, f"{address}examples/game.html", waits=False) as page:
+        assert "It does not run in a page: it has no main.c" in page.inner_text("main") and not any(url.endswith(".wasm") for url in page.asked)
+    monkeypatch.setattr(programs_of, "EXAMPLES", tmp_path)
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "main.c").write_text("int read_sensor(void);\nint main(void)\n{\n    return read_sensor();\n}\n", encoding="utf-8")
+    mine = programs_of.Program("mine", "reads", tmp_path / "no.png")
+    assert programs_of.compiled(mine, CHECKOUT / "build" / "web" / "own", tmp_path / "mine.wasm").why_not == "it needs read_sensor, which you write"
 
 
 def test_the_list_for_models_leads_to_every_document(site):
@@ -406,7 +465,7 @@ def test_the_documents_and_their_search_work_as_files(chromium, site):
         assert "crc" in " ".join(page.locator("#search-results li").all_inner_texts()).lower()
 
 
-@pytest.mark.parametrize("document", ["pico", "gallery", "scenes/plaza", "scenes/beam", *(f"documents/{name}" for name in (
+@pytest.mark.parametrize("document", ["pico", "gallery", "scenes/plaza", "scenes/beam", "scenes/model-scan", "examples/turn", "examples/game", *(f"documents/{name}" for name in (
     "index", "README", "SPEC", "docs/scenes", "docs/performance", "reference/fixel-scene", "docs/safety/rules"))])
 def test_no_document_scrolls_sideways(chromium, address, document):
     with opened(chromium, f"{address}{document}.html", NARROW, waits=False) as page:
@@ -414,10 +473,10 @@ def test_no_document_scrolls_sideways(chromium, address, document):
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("page", ["index", "gallery", "scenes/plaza", "pico", "documents/index", "documents/README", "documents/SPEC", "documents/docs/performance",
+@pytest.mark.parametrize("page", ["index", "gallery", "scenes/plaza", "examples/turn", "pico", "documents/index", "documents/README", "documents/SPEC", "documents/docs/performance",
                                   "documents/reference/fixel-render"])
 def test_nothing_serious_keeps_anybody_out(chromium, address, page, scheme):
-    assert_accessible(chromium, f"{address}{page}.html", scheme, waits=page == "index")
+    assert_accessible(chromium, f"{address}{page}.html", scheme, waits=page in ("index", "examples/turn"))
 
 
 class Links(html.parser.HTMLParser):

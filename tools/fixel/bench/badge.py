@@ -3,14 +3,24 @@
 
 import html
 import pathlib
+import re
 
-TEMPLATE = pathlib.Path(__file__).resolve().parents[2] / "templates" / "badge.svg"
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+TEMPLATE = ROOT / "tools" / "templates" / "badge.svg"
+NAME = re.compile(r"^# (?!SPDX)(.+?): ", re.MULTILINE)      # of a board's first sentence
 LETTER = 6.2        # pixels of a letter: the text is drawn as long as this makes it, in whatever font there is
 BESIDE = 58         # pixels beside the words
 
 
+def name_of(board):
+    """What people call a board, by what its board.mk says of it first; without that, its name for make."""
+    file = ROOT / "boards" / board / "board.mk"
+    found = NAME.search(file.read_text(encoding="utf-8")) if file.is_file() else None
+    return found[1] if found else board
+
+
 def words(board, clock, cycles, instructions):
-    """What a badge says. cycles: of a mean frame; None: not known, or no clock. None, None: the board has no room."""
+    """What a badge says. board: what people call it. cycles: of a mean frame; None: not known, or no clock. None, None: the board has no room."""
     if cycles and clock:
         rate = clock * 1e6 / cycles
         return f"{rate:.0f} frames a second on {board} at {clock} MHz, drawing alone, by model" if rate >= 10 else \
@@ -30,4 +40,4 @@ def picture(said):
 def of_prediction(result):
     """The picture of what fixel predict found."""
     cycles, taken = result["cycles"] or {}, result["instructions_per_frame"] or {}
-    return picture(words(result["board"], cycles.get("clock"), cycles.get("mean"), taken.get("mean")))
+    return picture(words(name_of(result["board"]), cycles.get("clock"), cycles.get("mean"), taken.get("mean")))

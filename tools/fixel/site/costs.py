@@ -5,7 +5,7 @@ import functools
 import pathlib
 import re
 
-from fixel.bench import frame_costs, predict, stage_costs
+from fixel.bench import badge, frame_costs, predict, stage_costs
 from fixel.image import image
 
 CORE = re.compile(r"-m(?:cpu|arch)=([\w-]+)")
@@ -13,13 +13,13 @@ FIRST = "pico"      # the board that the first page begins with
 
 
 def boards(build):
-    """{a board of bench/costs.json: its core, its clock in MHz or None, and the cycles of an instruction of each part or None}, the first page's first."""
+    """{a board of bench/costs.json: what people call it, its core, its clock in MHz or None, and the cycles of an instruction of each part or None}, the first page's first."""
     found = {}
     for board in sorted(frame_costs.load()["boards"], key=lambda board: board != FIRST):
         options = settings(board, build)
         model = stage_costs.model_of(options.core)
         entry, code = predict.board_of(options, frame_costs.load())
-        found[board] = {"core": CORE.search(options.core)[1], "clock": options.clock, "paces": model and stage_costs.paces_of(model), "code": code,
+        found[board] = {"name": badge.name_of(board), "core": CORE.search(options.core)[1], "clock": options.clock, "paces": model and stage_costs.paces_of(model), "code": code,
                         "settings": [options.band, options.order, options.list, options.cache, options.list_most], "without": options.without,
                         "memory": frame_costs.memory(entry, 0)}
     return found

@@ -39,6 +39,8 @@ LINK = re.compile(r"(!?\[[^\]]*\]\()([^)\s#:]+)((?:#[^)\s]*)?\))")
 FENCE = re.compile(r"^(?:```.*?^```$|    .*?$)", re.MULTILINE | re.DOTALL)
 PICTURES = (".png", ".gif", ".svg")
 UNNAMED = re.compile(r'<p class="breathe-sectiondef-title[^>]*>Unnamed Group</p>')     # functions that share a comment
+STYLE = re.compile(r"<style>(.*?)</style>", re.DOTALL)       # that of the theme is the same in each page
+TITLE = re.compile(r"(<symbol [^>]*>)\s*<title>[^<]*</title>")   # what is pressed has a label
 SYMBOL = re.compile(r'<symbol id="([\w-]+)".*?</symbol>\s*', re.DOTALL)      # of the theme's pictures a page uses some
 # Of the theme: two pictures for a mode that its words name too, and a class that it gives no look. A line of the list of contents has no class.
 SHORTER = {'"#svg-sun-with-moon"': '"#svg-sun"', '"#svg-moon-with-sun"': '"#svg-moon"', 'class="reference internal"': 'class="reference"',
@@ -46,6 +48,7 @@ SHORTER = {'"#svg-sun-with-moon"': '"#svg-sun"', '"#svg-moon-with-sun"': '"#svg-
 UNCOLOURED = re.compile(r'<span class="[npw]">([^<]*)</span>')      # names, punctuation and blanks of code have the colour of all of it
 LITERAL = re.compile(r'<code class="docutils literal notranslate">((?:<span class="pre">[^<]*</span>\s*)+)</code>')
 WORD = re.compile(r'<span class="pre">([^<]*)</span>')
+LAST_STYLES = "_static/styles/furo-extensions.css"
 # So the theme's rules name what these leave.
 STYLES = {"_static/styles/furo.css": {"code.literal": "code", ".toctree-l1>.reference": "li>a", ".sidebar-tree .reference": ".sidebar-tree li>a",
                                       "current-page>.reference": "current-page>a", "current>.reference": "current>a"},
@@ -226,6 +229,8 @@ def write(out, folder):
         raise ToolError("the documents: Sphinx warns", words=(done.stdout or "") + (done.stderr or ""))
     for file in [*out.rglob("*.map"), out / ".buildinfo", out / "objects.inv"]:
         file.unlink()
+    with open(out / LAST_STYLES, "a", encoding="utf-8") as styles:
+        styles.write(STYLE.search((out / "index.html").read_text(encoding="utf-8"))[1])
     for page in out.rglob("*.html"):
         page.write_text(finished(page.read_text(encoding="utf-8")), encoding="utf-8")
     for name, changes in STYLES.items():
@@ -249,7 +254,7 @@ def literal(found):
 def finished(text):
     """A page without the blanks at the beginning of its lines, but in what is laid out, and without what it needs not; what scrolls is reached
     by keys, and a caption of contents has a level."""
-    text = replaced(UNNAMED.sub("", text), {**FOR_KEYS, **SHORTER})
+    text = replaced(TITLE.sub(r"\1", STYLE.sub("", UNNAMED.sub("", text))), {**FOR_KEYS, **SHORTER})
     text = UNCOLOURED.sub(r"\1", WORD.sub(r"\1", LITERAL.sub(literal, text)))
     text = SYMBOL.sub(lambda found: found[0] if f'"#{found[1]}"' in text else "", text)
     parts = re.split(r"(<pre\b.*?</pre>)", text, flags=re.DOTALL)

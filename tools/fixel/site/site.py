@@ -5,7 +5,11 @@ Exit: 0 written; 2 it could not be.
 """
 
 import argparse
+import contextlib
+import dataclasses
 import html
+import inspect
+import io
 import json
 import pathlib
 import re
@@ -16,11 +20,12 @@ from fixel.base import children, output, progress, scratch, version
 from fixel.base.errors import ToolError
 from fixel.commands import late
 
-badge, stage_costs = late("fixel.bench", "badge stage_costs")
-costs, docs, gallery = late("fixel.site", "costs docs gallery")
+badge, predict, stage_costs = late("fixel.bench", "badge predict stage_costs")
+costs, docs, gallery, pages, serve = late("fixel.site", "costs docs gallery pages")
 image_file = late("fixel.image", "image")
-making = late("fixel.scene", "making")
-dump, emulator, firmware, rp2040 = late("fixel.board", "dump emulator firmware rp2040")
+making, scene_options = late("fixel.scene", "making scene_options")
+showcase, showcase_models = late("fixel.report", "showcase showcase_models")
+dump, emulator, firmware, model_look, rp2040 = late("fixel.board", "dump emulator firmware model_look rp2040")
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 TEMPLATES = ROOT / "tools" / "templates"
@@ -28,7 +33,11 @@ ESBUILD = ROOT / ".node" / "node_modules" / ".bin" / "esbuild"
 PICO = "pico"
 GAME = ROOT / "examples" / "game" / "game.toml"
 FIRST = "plaza"         # the scene of the first page
+MODELS = ROOT / "tools" / "fixel" / "report" / "showcase_models.py"
+SHOWCASE = "build/showcase"     # of make showcase
+MODEL_MOST, SMALL = 48 << 10, "--texture 32"    # bytes of a model's image; a larger one is drawn with small textures
 LEFT_OUT = ("adversarial", "tiny", "knot-moving", "f32p")   # scenes for tests, which no person looks at
+DESCRIPTION = "Fixel draws 3-D on microcontrollers without a floating-point unit, with integers alone, the same picture on every core."
 MOST = 12 << 20         # bytes of the site
 # What stands in the page of the live window alone, and in that of the site alone.
 OF_THE_OTHER = [re.compile(rf" *<!-- {word} alone -->.*?<!-- end -->\n", re.DOTALL) for word in ("live", "site")]
@@ -40,6 +49,7 @@ def parser():
     made.add_argument("--module", type=pathlib.Path, default=pathlib.Path("build/web/walk.wasm"), metavar="FILE", help="the walk as WebAssembly (build/web/walk.wasm)")
     made.add_argument("--judge", type=pathlib.Path, default=pathlib.Path("build/web/judge.wasm"), metavar="FILE", help="the reference renderer as WebAssembly (build/web/judge.wasm)")
     made.add_argument("--counter", type=pathlib.Path, default=pathlib.Path("build/web/counter.wasm"), metavar="FILE", help="what counts a frame, as WebAssembly (build/web/counter.wasm)")
+    made.add_argument("--own", type=pathlib.Path, default=pathlib.Path("build/web/own"), metavar="FOLDER", help="what a program of examples/ links as WebAssembly (build/web/own)")
     made.add_argument("--pico", type=pathlib.Path, default=pathlib.Path("build/boards/pico/walk-on-st7789-alone.elf"), metavar="ELF", help="the program of a Pico that needs no host (build/boards/pico/walk-on-st7789-alone.elf)")
     made.add_argument("--game", type=pathlib.Path, default=pathlib.Path("build/boards/pico/game-on-st7789-alone.elf"), metavar="ELF", help="its game (build/boards/pico/game-on-st7789-alone.elf)")
     made.add_argument("--game-here", type=pathlib.Path, default=pathlib.Path("build/boards/host/game"), metavar="FILE", help="the game as a program of this machine (build/boards/host/game)")
@@ -65,25 +75,64 @@ def scenes_of(folder):
     return sorted((file for file in folder.glob("*.toml") if file.stem not in LEFT_OUT), key=lambda file: (file.stem != FIRST, file.stem))
 
 
+def placed(name, image, folder, build, **more):
+    """A compiled scene of the site: its image in folder/scenes, with what it costs on each board in a file beside it; what gallery.write takes."""
+    file = folder / "scenes" / f"{name}.fxls"
+    if image != file:
+        shutil.copyfile(image, file)
+    cost = {board: costs.of_scene(pathlib.Path(name), file, board, build) for board in costs.boards(build)}
+    for board, each in cost.items():
+        if board != costs.FIRST:
+            each.pop("instructions", None)      # which the page counts
+    file.with_suffix(".json").write_text(json.dumps(cost, separators=(",", ":")), encoding="utf-8")
+    scene = image_file.load(file)
+    return {"name": name, "bytes": file.stat().st_size, "frames": scene.frames, "faces": sum(len(model.faces) for model in scene.models), "cost": cost[costs.FIRST], **more}
+
+
 def write_scenes(folder, build, say):
-    """Compiles each scene into folder/scenes, with what it costs on each board in a file beside it; what gallery.write takes."""
+    """Compiles each scene of scenes/ into folder/scenes."""
     scenes = scenes_of(ROOT / "scenes")
-    place = folder / "scenes"
-    place.mkdir()
     found = []
     for number, file in enumerate(scenes):
         say(number, len(scenes))
-        image = place / f"{file.stem}.fxls"
+        image = folder / "scenes" / f"{file.stem}.fxls"
         making.build(str(file), str(image))
-        cost = {board: costs.of_scene(file, image, board, build) for board in costs.boards(build)}
-        for board, each in cost.items():
-            if board != costs.FIRST:
-                each.pop("instructions", None)      # which the page counts
-        (place / f"{file.stem}.json").write_text(json.dumps(cost, separators=(",", ":")), encoding="utf-8")
-        scene = image_file.load(image)
-        found.append({"name": file.stem, "said": title_of(file), "bytes": image.stat().st_size, "frames": scene.frames,
-                      "faces": sum(len(model.faces) for model in scene.models), "board": costs.FIRST, "cost": cost[costs.FIRST]})
+        name = f"scenes/{file.name}"
+        made = placed(file.stem, image, folder, build, title=file.stem, said=title_of(file), file=name, code=file.read_text(encoding="utf-8"))
+        board = costs.FIRST if "mean" in made["cost"] else gallery.LARGE_BOARD
+        found.append({**made, "command": f"make run BOARD={board} SCENE={name}"})
     return found
+
+
+def write_models(folder, build, work, say):
+    """Makes each model of make showcase, and compiles it into folder/scenes as its first command draws it: on the first page's board, or where that has no room
+    on a larger one. work: a folder."""
+    found = []
+    for number, model in enumerate(showcase_models.MODELS):
+        say(number, len(showcase_models.MODELS))
+        file = showcase_models.write(model, work)
+        board, look, image = image_of(model, file, build, work / model.name)
+        command = showcase.first_command(dataclasses.replace(model, look=look), SHOWCASE).replace("make run", f"make showcase ONLY={model.name} && make run BOARD={board}", 1)
+        found.append(placed(f"model-{model.name}", image, folder, build, title=model.name, said=f"{model.what[0].upper()}{model.what[1:]}.", command=command,
+                            file=f"{MODELS.relative_to(ROOT)}, which makes it", code=inspect.getsource(model.make)))
+    return found
+
+
+def image_of(model, file, build, folder):
+    """(a board, options of look, the scene image that the board draws by these of a model of make showcase). folder: one that is not there yet."""
+    for board in (costs.FIRST, gallery.LARGE_BOARD):
+        for look in (model.look, f"{model.look} {SMALL}".strip()):
+            options = predict.parser().parse_args(["--board", board, "--scene", str(file), *([f"--look={look}"] if look else []), "--build", str(build)])
+            scene_options.check(options)
+            predict.complete(options)
+            if (options.look.simplify or 0) > options.order:
+                break       # more faces than the board orders: to try each look of so large a model takes minutes
+            folder.mkdir(exist_ok=True)
+            with contextlib.suppress(ToolError), contextlib.redirect_stderr(io.StringIO()):
+                image = pathlib.Path(model_look.drawn_for(options, predict.room_of(options), build, folder).image)
+                if image.stat().st_size <= MODEL_MOST or look != model.look:
+                    return board, look, image
+    raise ToolError(f"{model.file}: {board} has no room for it")
 
 
 def bundle(folder, *files):
@@ -94,21 +143,13 @@ def bundle(folder, *files):
         raise ToolError("esbuild: failed", words=(done.stdout or "") + (done.stderr or ""))
 
 
-def filled(template, data, **values):
-    """A page of a template: data as JSON for its scripts, and other values."""
-    values["data"] = json.dumps(data, separators=(",", ":")).replace("<", "\\u003c")
-    text = (TEMPLATES / template).read_text(encoding="utf-8")
-    for name, value in values.items():
-        text = text.replace("{{" + name + "}}", value)
-    return text
-
-
 def page(scenes, boards, is_live=False):
     """The first page. is_live: beside a live window, whose server compiles what is dropped on it, and has no other page of the site."""
     options = "".join(f'<option value="{html.escape(board)}">{html.escape(board)} ({html.escape(each["core"])})</option>' for board, each in boards.items())
-    data = {"first": scenes[0]["name"], "scenes": [{key: each[key] for key in ("name", "said")} for each in scenes], "boards": boards, "compiles": is_live, "parts": stage_costs.PARTS,
+    data = {"first": scenes[0]["name"], "scenes": [{"name": each["name"], "said": each["said"]} for each in scenes], "boards": boards, "compiles": is_live, "parts": stage_costs.PARTS,
             "badge": {"picture": badge.TEMPLATE.read_text(encoding="utf-8"), "letter": badge.LETTER, "beside": badge.BESIDE}}
-    return OF_THE_OTHER[is_live].sub("", filled("site.html", data, version=html.escape(version.version()), boards=options))
+    return OF_THE_OTHER[is_live].sub("", pages.filled("site.html", "Fixel: 3-D for microcontrollers without an FPU", DESCRIPTION, "site.js", data,
+                                                      version=html.escape(version.version()), boards=options))
 
 
 def flash_of(elf, file):
@@ -136,13 +177,13 @@ def write_pico(folder, options, scenes, work):
     making.build(str(GAME), str(game))
     names = sorted((scene["name"] for scene in scenes), key=lambda name: name != FIRST)
     data = {"scenes": names, "game": crcs_of_game(options.game_here, game, work), "sceneAt": scene_at}
-    (folder / "pico.html").write_text(filled("pico.html", data), encoding="utf-8")
+    (folder / "pico.html").write_text(pages.filled("pico.html", "Fixel on an emulated Raspberry Pi Pico", "The program of a Raspberry Pi Pico, run by an emulator in this page.", "pico.js", data),
+                                      encoding="utf-8")
 
 
 def sentence():
     """What the first page says that Fixel is."""
-    text = (TEMPLATES / "site.html").read_text(encoding="utf-8")
-    return html.unescape(re.search(r"<h1>Fixel</h1>\s*<p>(.*?)</p>", text)[1])
+    return html.unescape(re.search(r"<h1>Fixel</h1>\s*<p>(.*?)</p>", pages.template("site.html"))[1])
 
 
 def sizes(folder):
@@ -159,27 +200,32 @@ def main(argv):
         raise ToolError("not run: needs esbuild: run 'tools/setup.sh site'")
     output.make_folder(options.out.parent)
     with scratch.folder("site", options.out.parent) as made:
-        folder = pathlib.Path(made) / "site"
-        folder.mkdir()
+        folder, work = pathlib.Path(made) / "site", pathlib.Path(made) / "models"
+        (folder / "scenes").mkdir(parents=True)
+        work.mkdir()
         with progress.Progress("scenes") as say:
             scenes = write_scenes(folder, options.build, say)
+        with progress.Progress("models") as say:
+            models = write_models(folder, options.build, work, say)
+        with progress.Progress("programs") as say:
+            examples = gallery.write_programs(folder, options.own, say)
         with progress.Progress("pictures") as say:
-            gallery.write(folder, scenes, options.build, say)
+            gallery.write(folder, scenes, models, examples, options.build, say)
         with progress.Progress("documents"):
             count, functions, _ = docs.write(folder / "documents", pathlib.Path(made))
-        bundle(folder, "site.js", "site.css", "judge_worker.js", "pico.js", "pico_worker.js")
+        bundle(folder, "site.js", "site.css", "judge_worker.js", "pico.js", "pico_worker.js", "program.js")
         write_pico(folder, options, scenes, pathlib.Path(made))
         shutil.copyfile(options.module, folder / "walk.wasm")
         shutil.copyfile(options.judge, folder / "judge.wasm")
         shutil.copyfile(options.counter, folder / "counter.wasm")
         (folder / "costs.json").write_text(json.dumps(costs.cores(), separators=(",", ":")), encoding="utf-8")
         shutil.copyfile(ROOT / "docs" / "plaza.png", folder / "plaza.png")
-        (folder / "index.html").write_text(page(scenes, costs.boards(options.build)), encoding="utf-8")
+        (folder / "index.html").write_text(page([*scenes, *models], costs.boards(options.build)), encoding="utf-8")
         (folder / "llms.txt").write_text(docs.for_models(docs.grouped(docs.of_the_tree()), sentence(), "documents/"), encoding="utf-8")
         total, first = sizes(folder)
         if total > MOST:
             raise ToolError(f"the site has {total:,} bytes, of at most {MOST:,}")
         docs.put(folder, options.out)
-    print(f"site: {count} documents, {functions} functions, {len(scenes)} scenes, {total:,} bytes, of which the first page loads {first:,}\n"
+    print(f"site: {count} documents, {functions} functions, {len(scenes)} scenes, {len(models)} models, {len(examples)} programs, {total:,} bytes, of which the first page loads {first:,}\n"
           f"  {options.out / 'index.html'}; to see it draw: python3 -m http.server --directory {options.out} 8066")
     return 0
