@@ -356,7 +356,7 @@ define PICTURE.scenes
 @$(FIXEL) pictures --dumps $(BUILD)/landscape.fxld $(BUILD)/gallery.fxld $(BUILD)/car.fxld --frames 70,6,63 --out docs/scenes.png
 endef
 define PICTURE.window
-@$(FIXEL) record --board $(BOARD_CHOSEN) --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
+@$(FIXEL) record --board $(BOARD_CHOSEN) --scene scenes/plaza.toml --build $(BUILD) --out docs/window.webp
 endef
 PICTURES = $(patsubst PICTURE.%,%,$(filter PICTURE.%,$(.VARIABLES)))
 PICTURES_ASKED := $(strip $(if $(filter pictures,$(MAKECMDGOALS)),$(if $(value ONLY),$(foreach name,$(subst $(,), ,$(ONLY)),\

@@ -24,11 +24,11 @@ $(WEB_OUT)/%.o: %.c firmware/web/web.mk
 
 $(WEB_MODULE): $(WEB_OBJECTS)
 	$(SAY)
-	$(FIRMWARE_QUIET)wasm-ld --no-entry --gc-sections --strip-debug --fatal-warnings --stack-first -z stack-size=65536 $^ -o $@
+	$(FIRMWARE_QUIET)wasm-ld --no-entry --gc-sections --strip-all --fatal-warnings --stack-first -z stack-size=65536 $^ -o $@
 
 WEB_JUDGE := $(WEB_OUT)/judge.wasm
 WEB_JUDGE_CC := clang --target=wasm32-wasi -O2 -std=c11 -ffp-contract=off -Wall -Wextra -Werror
-WEB_JUDGE_LINK := -mexec-model=reactor -nostartfiles -Wl,--no-entry,--gc-sections,--strip-debug,--fatal-warnings,--stack-first,-z,stack-size=1048576
+WEB_JUDGE_LINK := -mexec-model=reactor -nostartfiles -Wl,--no-entry,--gc-sections,--strip-all,--fatal-warnings,--stack-first,-z,stack-size=1048576
 WEB_JUDGE_SOURCES := host_tests/judges/web/judge.c $(wildcard host_tests/judges/reference/*.c) \
     $(addprefix host_tests/judges/,live/answer.c judge/explain.c judge/beneath.c frames/moving_reference.c)
 WEB_JUDGE_OBJECTS = $(patsubst %.c,$(WEB_OUT)/%.o,$(WEB_JUDGE_SOURCES) $(filter $(LIB_SOURCES),$(patsubst %,lib/%.c,$(call LIB_NEEDED,$(WEB_JUDGE_SOURCES)))))

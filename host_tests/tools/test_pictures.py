@@ -139,14 +139,14 @@ sys.path.insert(0, {tools!r})
 from fixel import launcher
 from fixel.base.errors import run_main
 from fixel.view import record
-record.WIDTH, record.HEIGHT, record.FORMATS = 640, 400, [(240, 32)]
+record.WIDTH, record.HEIGHT, record.FORMATS = 640, 400, [(240, 30)]
 run_main(launcher.main)
 """
 
 
 def test_the_recording(scene, build, tmp_path):
     ready("mps2-an385", build)
-    file = tmp_path / "window.gif"
+    file = tmp_path / "window.webp"
     words = ["record", "--board", "mps2-an385", "--scene", scene, "--build", build, "--out", file]
     done = warm_start.run(["fixel", *map(str, words)], ROOT, environment(), SMALL_RECORDING.format(tools=str(TOOLS)))
     assert done.returncode == 0, done.stderr
@@ -161,7 +161,7 @@ def test_the_recording(scene, build, tmp_path):
 
 
 def test_a_recording_of_much_change_is_made_smaller_until_it_fits(monkeypatch):
-    monkeypatch.setattr(record, "FORMATS", [(60, 128), (40, 64), (20, 16)])
+    monkeypatch.setattr(record, "FORMATS", [(60, 90), (40, 60), (20, 1)])
     monkeypatch.setattr(record, "SIZE_MAX", 4000)
     noise = numpy.random.default_rng(1)
 
@@ -178,4 +178,4 @@ def test_a_recording_of_much_change_is_made_smaller_until_it_fits(monkeypatch):
 
     assert width(1, 2) == 60 and width(60, 2) < 60
     with pytest.raises(ToolError, match="the smallest recording takes .* bytes; 4,000 are allowed"):
-        width(60, 40)
+        width(60, 200)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The page of a program of examples/: it runs here, all its frames at once, and they are shown again and again.
 import { press } from "./view_keys.js";
-import { Picture, paletteWords, rgb565Words, savePicture } from "./view_picture.js";
+import { savePicture } from "./view_files.js";
+import { Picture, paletteWords, rgb565Words } from "./view_picture.js";
 import { Program } from "./program.mjs";
 import { Refused, crcWords } from "./walk.mjs";
 

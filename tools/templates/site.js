@@ -186,7 +186,7 @@ function cost() {
   return state.isMine || data.compiles ? state.myCost : state.costs.get(state.name)?.[card.board] ?? null;
 }
 
-/** Instructions of the frame: of a path of the site on the first board they are there; those of others are counted, once what counts is here. */
+/** Instructions of the frame: of the path of the first scene on the first board they are there; others are counted, once what counts is here. */
 function taken() {
   const known = cost(), { frame, image } = state;
   if (!known || known.why_not || (known.instructions && !state.byKeys)) {

@@ -308,22 +308,22 @@ def test_what_a_frame_costs_is_what_predict_says(chromium, address, board, tmp_p
 
 
 def test_a_walk_and_a_file_of_yours_are_counted_in_the_page(chromium, address, site, tmp_path):
-    """The counted frame is one of the path, whose costs the site has on the first board."""
+    """The counted frame is one of the path of the first scene, whose costs the site has on the first board."""
     def told(page):
         shows(page, "#cost-words", f"BOARD={costs.FIRST}")
         shows(page, "#cost", "instructions$")
         return [page.inner_text(f"#{name}") for name in ("cost", "cycles", "parts")]
 
-    with opened(chromium, f"{address}#scene=spin&frame=3") as page:
+    with opened(chromium, f"{address}#scene=plaza&frame=3") as page:
         of_path, words = told(page), page.inner_text("#cost-words")
-        programs.run_program([CHECKOUT / "build" / "host" / "frames", site / "scenes" / "spin.fxls", tmp_path / "frames.fxld"])
+        programs.run_program([CHECKOUT / "build" / "host" / "frames", site / "scenes" / "plaza.fxls", tmp_path / "frames.fxld"])
         frame = dump.read_dump(tmp_path / "frames.fxld").frames[3]
         pose = ",".join(str(number) for number in (*frame.position, *frame.angles))
         assert not any("counter.wasm" in url for url in page.asked)
-        page.evaluate(f"location.hash = '#scene=spin&frame=3&pose={pose}'")
+        page.evaluate(f"location.hash = '#scene=plaza&frame=3&pose={pose}'")
         shows(page, "#number", "of your walk")
         assert told(page) == of_path and page.inner_text("#cost-words") == words
-        drop(page, "mine.fxls", (site / "scenes" / "spin.fxls").read_bytes())
+        drop(page, "mine.fxls", (site / "scenes" / "plaza.fxls").read_bytes())
         for _ in range(3):
             page.click("#step")
         shows(page, "#number", "^3 of")

@@ -37,7 +37,7 @@ REFERENCE, REFERENCE_IN = "reference/index", "Look up"  # the reference's page, 
 NO_DOCUMENTS = (".github/*", "tools/*")     # forms, and what programs are made of
 LINK = re.compile(r"(!?\[[^\]]*\]\()([^)\s#:]+)((?:#[^)\s]*)?\))")
 FENCE = re.compile(r"^(?:```.*?^```$|    .*?$)", re.MULTILINE | re.DOTALL)
-PICTURES = (".png", ".gif", ".svg")
+PICTURES = (".png", ".webp", ".svg")
 UNNAMED = re.compile(r'<p class="breathe-sectiondef-title[^>]*>Unnamed Group</p>')     # functions that share a comment
 STYLE = re.compile(r"<style>(.*?)</style>", re.DOTALL)       # that of the theme is the same in each page
 TITLE = re.compile(r"(<symbol [^>]*>)\s*<title>[^<]*</title>")   # what is pressed has a label
@@ -56,7 +56,7 @@ STYLES = {"_static/styles/furo.css": {"code.literal": "code", ".toctree-l1>.refe
 FOR_KEYS = {'<p class="caption" role="heading">': '<p class="caption" role="heading" aria-level="2">', "<pre>": '<pre tabindex="0">',
             '<div class="table-wrapper': '<div tabindex="0" class="table-wrapper'}
 FILES = "files"     # the folder of the copies of files
-LISTED_MOST = 256 << 10     # bytes of a folder whose list leads to copies of its files; that of a larger one names them
+LISTED_MOST = 96 << 10     # bytes of a folder whose list leads to copies of its files; that of a larger one names them
 SETTINGS = """
 project = "Fixel"
 html_title = "Fixel {version}"

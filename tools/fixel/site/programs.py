@@ -24,7 +24,7 @@ EXPORT = re.compile(r'#include "([\w.]+)" /\* (tools/scene\.py export [^*]+?) -o
 PALETTE = re.compile(r"\b(\w*palette)\[256\]\[3\]")
 UNDEFINED = re.compile(r"undefined symbol: (\w+)")
 COMPILE = ("clang", "--target=wasm32", "-Os", "-std=gnu11", "-ffreestanding", "-fno-builtin", f"-I{ROOT / 'lib' / 'include'}")
-LINK = ("wasm-ld", "--no-entry", "--gc-sections", "--strip-debug", "--stack-first", "-z", "stack-size=65536")
+LINK = ("wasm-ld", "--no-entry", "--gc-sections", "--strip-all", "--stack-first", "-z", "stack-size=65536")
 SHOWS_ROWS = "firmware/own/show_rows.o"     # for a program that hands out rows itself, and for no other
 GLUE = """#define main program_main
 #include "{main}"

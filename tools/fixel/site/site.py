@@ -21,7 +21,7 @@ from fixel.base.errors import ToolError
 from fixel.commands import late
 
 badge, predict, stage_costs = late("fixel.bench", "badge predict stage_costs")
-costs, docs, gallery, pages, serve = late("fixel.site", "costs docs gallery pages")
+costs, docs, gallery, pages = late("fixel.site", "costs docs gallery pages")
 image_file = late("fixel.image", "image")
 making, scene_options = late("fixel.scene", "making scene_options")
 showcase, showcase_models = late("fixel.report", "showcase showcase_models")
@@ -35,7 +35,8 @@ GAME = ROOT / "examples" / "game" / "game.toml"
 FIRST = "plaza"         # the scene of the first page
 MODELS = ROOT / "tools" / "fixel" / "report" / "showcase_models.py"
 SHOWCASE = "build/showcase"     # of make showcase
-MODEL_MOST, SMALL = 48 << 10, "--texture 32"    # bytes of a model's image; a larger one is drawn with small textures
+# Bytes of a model's image; a larger one is drawn with small textures, then with fewer faces too.
+MODEL_MOST, SMALL, FEWER, SIMPLER = 96 << 10, "--texture 32", "--simplify 500", re.compile(r"--simplify \d+ ?")
 LEFT_OUT = ("adversarial", "tiny", "knot-moving", "f32p")   # scenes for tests, which no person looks at
 DESCRIPTION = "Fixel draws 3-D on microcontrollers without a floating-point unit, with integers alone, the same picture on every core."
 MOST = 12 << 20         # bytes of the site
@@ -82,7 +83,7 @@ def placed(name, image, folder, build, **more):
         shutil.copyfile(image, file)
     cost = {board: costs.of_scene(pathlib.Path(name), file, board, build) for board in costs.boards(build)}
     for board, each in cost.items():
-        if board != costs.FIRST:
+        if (name, board) != (FIRST, costs.FIRST):
             each.pop("instructions", None)      # which the page counts
     file.with_suffix(".json").write_text(json.dumps(cost, separators=(",", ":")), encoding="utf-8")
     scene = image_file.load(file)
@@ -105,34 +106,32 @@ def write_scenes(folder, build, say):
 
 
 def write_models(folder, build, work, say):
-    """Makes each model of make showcase, and compiles it into folder/scenes as its first command draws it: on the first page's board, or where that has no room
-    on a larger one. work: a folder."""
+    """Makes each model of make showcase, and compiles it into folder/scenes as the first page's board draws it. work: a folder."""
     found = []
     for number, model in enumerate(showcase_models.MODELS):
         say(number, len(showcase_models.MODELS))
         file = showcase_models.write(model, work)
-        board, look, image = image_of(model, file, build, work / model.name)
-        command = showcase.first_command(dataclasses.replace(model, look=look), SHOWCASE).replace("make run", f"make showcase ONLY={model.name} && make run BOARD={board}", 1)
+        look, image = image_of(model, file, build, work / model.name)
+        command = showcase.first_command(dataclasses.replace(model, look=look), SHOWCASE).replace("make run", f"make showcase ONLY={model.name} && make run BOARD={costs.FIRST}", 1)
         found.append(placed(f"model-{model.name}", image, folder, build, title=model.name, said=f"{model.what[0].upper()}{model.what[1:]}.", command=command,
                             file=f"{MODELS.relative_to(ROOT)}, which makes it", code=inspect.getsource(model.make)))
     return found
 
 
 def image_of(model, file, build, folder):
-    """(a board, options of look, the scene image that the board draws by these of a model of make showcase). folder: one that is not there yet."""
-    for board in (costs.FIRST, gallery.LARGE_BOARD):
-        for look in (model.look, f"{model.look} {SMALL}".strip()):
-            options = predict.parser().parse_args(["--board", board, "--scene", str(file), *([f"--look={look}"] if look else []), "--build", str(build)])
-            scene_options.check(options)
-            predict.complete(options)
-            if (options.look.simplify or 0) > options.order:
-                break       # more faces than the board orders: to try each look of so large a model takes minutes
-            folder.mkdir(exist_ok=True)
-            with contextlib.suppress(ToolError), contextlib.redirect_stderr(io.StringIO()):
-                image = pathlib.Path(model_look.drawn_for(options, predict.room_of(options), build, folder).image)
-                if image.stat().st_size <= MODEL_MOST or look != model.look:
-                    return board, look, image
-    raise ToolError(f"{model.file}: {board} has no room for it")
+    """(options of look, the scene image that the first page's board draws by these of a model of make showcase). folder: one that is not there yet."""
+    folder.mkdir()
+    for look in (model.look, f"{model.look} {SMALL}".strip(), f"{SIMPLER.sub('', model.look)} {FEWER} {SMALL}".strip()):
+        options = predict.parser().parse_args(["--board", costs.FIRST, "--scene", str(file), *([f"--look={look}"] if look else []), "--build", str(build)])
+        scene_options.check(options)
+        predict.complete(options)
+        if (options.look.simplify or 0) > options.order:
+            continue        # more faces than the board orders: to try each way to draw so large a model takes minutes
+        with contextlib.suppress(ToolError), contextlib.redirect_stderr(io.StringIO()):
+            image = pathlib.Path(model_look.drawn_for(options, predict.room_of(options), build, folder).image)
+            if image.stat().st_size <= MODEL_MOST:
+                return look, image
+    raise ToolError(f"{model.file}: no image of at most {MODEL_MOST:,} bytes")
 
 
 def bundle(folder, *files):
@@ -203,6 +202,7 @@ def main(argv):
         folder, work = pathlib.Path(made) / "site", pathlib.Path(made) / "models"
         (folder / "scenes").mkdir(parents=True)
         work.mkdir()
+        bundle(folder, "site.js", "site.css", "judge_worker.js", "pico.js", "pico_worker.js", "program.js")
         with progress.Progress("scenes") as say:
             scenes = write_scenes(folder, options.build, say)
         with progress.Progress("models") as say:
@@ -213,7 +213,6 @@ def main(argv):
             gallery.write(folder, scenes, models, examples, options.build, say)
         with progress.Progress("documents"):
             count, functions, _ = docs.write(folder / "documents", pathlib.Path(made))
-        bundle(folder, "site.js", "site.css", "judge_worker.js", "pico.js", "pico_worker.js", "program.js")
         write_pico(folder, options, scenes, pathlib.Path(made))
         shutil.copyfile(options.module, folder / "walk.wasm")
         shutil.copyfile(options.judge, folder / "judge.wasm")

@@ -16,11 +16,11 @@ from fixel.view import browser
 Image = late("PIL.Image")
 
 WIDTH, HEIGHT = 1280, 800   # of the browser's window
-FORMATS = [(540, 128), (540, 96), (500, 96), (460, 64), (400, 64)]  # pixels across, colours; the first that fits
-REFINED = 3                 # turns of the palette's refinement
+FORMATS = [(540, 60), (540, 45), (460, 45), (400, 30)]      # pixels across, quality; the first that fits
+METHOD = 4                  # of WebP: a better one takes longer
 MILLISECONDS = 120          # between two pictures, and what taking one takes
 LAST = 1.0                  # seconds that the last picture stands
-SIZE_MAX = 700_000          # bytes
+SIZE_MAX = 350_000          # bytes
 # For each picture: what is pressed and what is let go before it ("1".."3" choose what is shown beside).
 SCRIPT = [[], ["+w"], [], [], [], [], ["+d"], [], ["-d", "+a"], [], ["-a"], [], [], ["-w", "1"], [], ["+q"], [],
           ["-q", "+e"], [], ["-e", "3"], [], ["+a"], [], [], ["-a", "+w"], [], [], ["-w", "2"], [], ["+d"], [], [],
@@ -33,7 +33,7 @@ def parser():
     made.add_argument("--board", required=True)
     made.add_argument("--scene", required=True)
     made.add_argument("--build", default="build", help="folder that make builds in")
-    made.add_argument("--out", type=pathlib.Path, required=True, help="the recording, a GIF")
+    made.add_argument("--out", type=pathlib.Path, required=True, help="the recording, a WebP")
     return made
 
 
@@ -65,23 +65,18 @@ def scaled(shot, width):
         return picture.convert("RGB").resize(size, Image.Resampling.LANCZOS)
 
 
-def animation(taken, lasting, colours):
-    """An endless GIF of pictures, with one palette for all."""
-    sheet = Image.new("RGB", (taken[0].width, sum(each.height for each in taken[::6])))
-    for place, each in enumerate(taken[::6]):
-        sheet.paste(each, (0, place * each.height))
-    palette = sheet.quantize(colours, Image.Quantize.MEDIANCUT, kmeans=REFINED)
-    small = [each.quantize(palette=palette, dither=Image.Dither.NONE) for each in taken]
+def animation(taken, lasting, quality):
+    """An endless WebP of pictures."""
     block = io.BytesIO()
-    small[0].save(block, "GIF", save_all=True, append_images=small[1:], loop=0, duration=lasting)
+    taken[0].save(block, "WEBP", save_all=True, append_images=taken[1:], loop=0, duration=lasting, quality=quality, method=METHOD)
     return block.getvalue()
 
 
 def fitting(shots, lasting):
     """The largest animation that SIZE_MAX has room for: how much changes between two pictures is the machine's
     speed, so one format can't fit every recording."""
-    for width, colours in FORMATS:
-        data = animation([scaled(shot, width) for shot in shots], lasting, colours)
+    for width, quality in FORMATS:
+        data = animation([scaled(shot, width) for shot in shots], lasting, quality)
         if len(data) <= SIZE_MAX:
             return data
     raise ToolError(f"the smallest recording takes {len(data):,} bytes; {SIZE_MAX:,} are allowed", exit_code=1)
