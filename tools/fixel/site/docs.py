@@ -40,8 +40,13 @@ FENCE = re.compile(r"^(?:```.*?^```$|    .*?$)", re.MULTILINE | re.DOTALL)
 PICTURES = (".png", ".webp", ".svg")
 UNNAMED = re.compile(r'<p class="breathe-sectiondef-title[^>]*>Unnamed Group</p>')     # functions that share a comment
 STYLE = re.compile(r"<style>(.*?)</style>", re.DOTALL)       # that of the theme is the same in each page
-TITLE = re.compile(r"(<symbol [^>]*>)\s*<title>[^<]*</title>")   # what is pressed has a label
-SYMBOL = re.compile(r'<symbol id="([\w-]+)".*?</symbol>\s*', re.DOTALL)      # of the theme's pictures a page uses some
+# A function or type has the id that Sphinx gives it, and one of Doxygen's, which is long.
+TARGET = re.compile(r'(<dt class="sig sig-object c" id="([^"]+)">)\s*<span class="target" id="([^"]+)"></span>')
+PLACE = re.compile(r'#(\w+)"')
+SYMBOL = re.compile(r'<symbol id="([\w-]+)".*?</symbol>\s*', re.DOTALL)      # of the theme's pictures a page uses some: these, in fewer strokes
+STROKES = {"svg-toc": "M4 6h16M4 12h16M4 18h10", "svg-menu": "M3 6h18M3 12h18M3 18h18", "svg-arrow-right": "M9 18l6-6-6-6", "svg-moon": "M20 14A8 8 0 1 1 10 4a7 7 0 0 0 10 10z",
+           "svg-sun": "M17 12a5 5 0 1 1-10 0 5 5 0 0 1 10 0M12 2v2M12 20v2M2 12h2M20 12h2M5 5l1 1M18 18l1 1M5 19l1-1M18 6l1-1"}
+STROKED = '<symbol id="{}" viewBox="0 0 24 24"><path d="{}" fill="none" stroke="currentColor" stroke-width="1.5"/></symbol>\n'
 # Of the theme: two pictures for a mode that its words name too, and a class that it gives no look. A line of the list of contents has no class.
 SHORTER = {'"#svg-sun-with-moon"': '"#svg-sun"', '"#svg-moon-with-sun"': '"#svg-moon"', 'class="reference internal"': 'class="reference"',
            '<li class="toctree-l1"><a class="reference"': "<li><a"}
@@ -231,8 +236,10 @@ def write(out, folder):
         file.unlink()
     with open(out / LAST_STYLES, "a", encoding="utf-8") as styles:
         styles.write(STYLE.search((out / "index.html").read_text(encoding="utf-8"))[1])
-    for page in out.rglob("*.html"):
-        page.write_text(finished(page.read_text(encoding="utf-8")), encoding="utf-8")
+    texts = {page: page.read_text(encoding="utf-8") for page in out.rglob("*.html")}
+    places = {target: place for text in texts.values() for _, place, target in TARGET.findall(text)}
+    for page, text in texts.items():
+        page.write_text(finished(text, places), encoding="utf-8")
     for name, changes in STYLES.items():
         (out / name).write_text(replaced((out / name).read_text(encoding="utf-8"), changes), encoding="utf-8")
     return counts
@@ -251,12 +258,13 @@ def literal(found):
     return "<code>" + (words[0] if len(words) == 1 else WORD.sub(r"<span>\1</span>", found[1])) + "</code>"
 
 
-def finished(text):
+def finished(text, places):
     """A page without the blanks at the beginning of its lines, but in what is laid out, and without what it needs not; what scrolls is reached
-    by keys, and a caption of contents has a level."""
-    text = replaced(TITLE.sub(r"\1", STYLE.sub("", UNNAMED.sub("", text))), {**FOR_KEYS, **SHORTER})
+    by keys, and a caption of contents has a level. places: {an id of Doxygen's: that which stays}."""
+    text = PLACE.sub(lambda found: f'#{places.get(found[1], found[1])}"', TARGET.sub(r"\1", text))
+    text = replaced(STYLE.sub("", UNNAMED.sub("", text)), {**FOR_KEYS, **SHORTER})
     text = UNCOLOURED.sub(r"\1", WORD.sub(r"\1", LITERAL.sub(literal, text)))
-    text = SYMBOL.sub(lambda found: found[0] if f'"#{found[1]}"' in text else "", text)
+    text = SYMBOL.sub(lambda found: STROKED.format(found[1], STROKES[found[1]]) if f'"#{found[1]}"' in text else "", text)
     parts = re.split(r"(<pre\b.*?</pre>)", text, flags=re.DOTALL)
     return "".join(part if number % 2 else re.sub(r"\n\s+", "\n", part) for number, part in enumerate(parts))
 

@@ -16,7 +16,7 @@ import re
 import shutil
 import zlib
 
-from fixel.base import children, output, progress, scratch, version
+from fixel.base import children, kept, output, progress, scratch, version
 from fixel.base.errors import ToolError
 from fixel.commands import late
 
@@ -36,7 +36,7 @@ FIRST = "plaza"         # the scene of the first page
 MODELS = ROOT / "tools" / "fixel" / "report" / "showcase_models.py"
 SHOWCASE = "build/showcase"     # of make showcase
 # Bytes of a model's image; a larger one is drawn with small textures, then with fewer faces too.
-MODEL_MOST, SMALL, FEWER, SIMPLER = 96 << 10, "--texture 32", "--simplify 500", re.compile(r"--simplify \d+ ?")
+MODEL_MOST, SMALL, FEWER, SIMPLER = 64 << 10, "--texture 32", "--simplify 500", re.compile(r"--simplify \d+ ?")
 LEFT_OUT = ("adversarial", "tiny", "knot-moving", "f32p")   # scenes for tests, which no person looks at
 DESCRIPTION = "Fixel draws 3-D on microcontrollers without a floating-point unit, with integers alone, the same picture on every core."
 MOST = 12 << 20         # bytes of the site
@@ -111,11 +111,25 @@ def write_models(folder, build, work, say):
     for number, model in enumerate(showcase_models.MODELS):
         say(number, len(showcase_models.MODELS))
         file = showcase_models.write(model, work)
-        look, image = image_of(model, file, build, work / model.name)
+        look, image = kept_image_of(model, file, build, work / model.name)
         command = showcase.first_command(dataclasses.replace(model, look=look), SHOWCASE).replace("make run", f"make showcase ONLY={model.name} && make run BOARD={costs.FIRST}", 1)
         found.append(placed(f"model-{model.name}", image, folder, build, title=model.name, said=f"{model.what[0].upper()}{model.what[1:]}.", command=command,
                             file=f"{MODELS.relative_to(ROOT)}, which makes it", code=inspect.getsource(model.make)))
     return found
+
+
+def kept_image_of(model, file, build, folder):
+    """The same as image_of, kept from one site to the next: the models change with the tools alone."""
+    tools = [each for name in ("scene", "model", "image", "report") for each in sorted((ROOT / "tools" / "fixel" / name).glob("*.py"))]
+    image, look = folder.with_suffix(".fxls"), folder.with_suffix(".txt")
+
+    def compute():
+        used, made = image_of(model, file, build, folder)
+        shutil.copyfile(made, image)
+        look.write_text(used, encoding="utf-8")
+    kept.Kept(build).obtain("model of the site", [model.name, *tools, predict.COSTS, pathlib.Path(build) / "host" / "predict", *costs.boards(build)[costs.FIRST]["settings"]],
+                            [image, look], compute)
+    return look.read_text(encoding="utf-8"), image
 
 
 def image_of(model, file, build, folder):
