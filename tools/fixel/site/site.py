@@ -135,7 +135,8 @@ def kept_image_of(model, file, build, folder):
 def image_of(model, file, build, folder):
     """(options of look, the scene image that the first page's board draws by these of a model of make showcase). folder: one that is not there yet."""
     folder.mkdir()
-    for look in (model.look, f"{model.look} {SMALL}".strip(), f"{SIMPLER.sub('', model.look)} {FEWER} {SMALL}".strip()):
+    fewest = f"{SIMPLER.sub('', model.look)} {FEWER} {SMALL}".strip()
+    for look in (model.look, f"{model.look} {SMALL}".strip(), fewest):
         options = predict.parser().parse_args(["--board", costs.FIRST, "--scene", str(file), *([f"--look={look}"] if look else []), "--build", str(build)])
         scene_options.check(options)
         predict.complete(options)
@@ -143,9 +144,9 @@ def image_of(model, file, build, folder):
             continue        # more faces than the board orders: to try each way to draw so large a model takes minutes
         with contextlib.suppress(ToolError), contextlib.redirect_stderr(io.StringIO()):
             image = pathlib.Path(model_look.drawn_for(options, predict.room_of(options), build, folder).image)
-            if image.stat().st_size <= MODEL_MOST:
+            if look == fewest or image.stat().st_size <= MODEL_MOST:
                 return look, image
-    raise ToolError(f"{model.file}: no image of at most {MODEL_MOST:,} bytes")
+    raise ToolError(f"{model.file}: {costs.FIRST} has no room for it")
 
 
 def bundle(folder, *files):
