@@ -124,7 +124,7 @@ def compiled(program, own, out):
         (folder / "glue.c").write_text(_glue(program), encoding="utf-8")
         _run([*COMPILE, "-include", own / "wrapped.h", f"-I{folder}", "-c", folder / "glue.c", "-o", folder / "glue.o"], program.name)
         linked = [name for name in (own / "objects.txt").read_text(encoding="utf-8").split() if not name.endswith(SHOWS_ROWS) or "display_rows" in program.code]
-        done = children.run([*map(str, LINK), str(folder / "glue.o"), *linked, "-o", str(out)], text=True)
+        done = children.run([*map(str, LINK), str(folder / "glue.o"), *linked, "-o", str(pathlib.Path(out).resolve())], cwd=ROOT, text=True)
     missing = sorted(set(UNDEFINED.findall(done.stderr or "")))
     if done.returncode and not missing:
         raise ToolError(f"{program.name}: not linked for a page", words=done.stderr)
