@@ -12,6 +12,8 @@ from fixel.site import costs, pages, programs
 
 LARGE_BOARD = "mps2-an385"      # where the board that the page begins with has no room
 WORKLOAD = "Workload"           # so begins what a scene of the bench says of itself: these come last
+PLAYS = "game"                  # what the page of the emulated board runs
+PLAYED = ' <a href="../pico.html">The emulated Pico</a> plays it.'
 DOCUMENTS = "documents/docs/{}.html"
 DRAWN = f"""<figure><div id="stage"><canvas id="screen" width="320" height="240" role="img" aria-label="What the program draws"></canvas>
 <p id="unserved">Nothing runs here yet. A browser runs this page only when it is served, and with scripts on.</p>
@@ -59,7 +61,7 @@ def of_scene(scene, facts):
 
 def of_program(program):
     """The page of a program of examples/."""
-    shown = f'<figure><img src="{program.name}.png" alt="A frame of {program.name}"><p>It does not run in a page: {html.escape(program.why_not)}.</p></figure>' \
+    shown = f'<figure><img src="{program.name}.png" alt="A frame of {program.name}"><p>It does not run in a page: {html.escape(program.why_not)}.{PLAYED if program.name == PLAYS else ""}</p></figure>' \
         if program.why_not else DRAWN.format(name=program.name)
     texts = "".join(f'<section class="wide"><h2>{html.escape(str(file.relative_to(programs.ROOT)))}</h2>{code(file.read_text(encoding="utf-8"))}</section>'
                     for file in program.files)
