@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Frames of 16 bits a pixel against those of a palette; bands, and what is refused. */
+#include "fixel/lines.h"
 #include "rgb565_scene.h"
 
 enum {
@@ -366,4 +367,40 @@ void test_flat_frames_need_no_surfaces(void)
     for (uint32_t i = 0; i < sizeof walls.indexed; i++) {
         TEST_ASSERT_EQUAL_HEX16(walls.palette[walls.indexed[i]], walls.pixels[i]);
     }
+}
+
+/* --- a line behind a face that is blended ------------------------------------------------- */
+
+/* Where a line is seen, the frame is the one in which the wall on which it lies has the line's colour
+ * everywhere: the wall before it is mixed with the line, and with what the wall is. */
+/* lines 2.6a */
+void test_a_line_comes_before_what_is_blended(void)
+{
+    static const fxl_line line = {0, 2, {1, 0}, 20, 3, 0};
+    static const uint32_t line_map[] = {0, 1, 1, 1};
+    static const fxl_line_set set = {&line, 1, line_map};
+    static fxl_lines lines;
+    static uint16_t coloured[HEIGHT * WIDTH];
+    uint32_t seen = 0, mixed = 0;
+    walls.surface[1].flags = FXL_SURFACE_BLEND;
+    walls.surface[1].opacity = 7;
+    walls.face_map[1] = 2;
+    for (uint32_t way = 0; way < 3; way++) {
+        walls.face_map[0] = way == 1 ? 0 : 1;
+        walls_start(&fxl_rgb565_depth_16);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&walls.renderer, &walls.surfaces, &walls.set,
+                                                      FXL_SURFACES_OF(fxl_rgb565_depth_16)));
+        if (way == 2) {
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lines(&walls.renderer, &lines, &set));
+        }
+        walls_draw(way == 0 ? walls.pixels : way == 1 ? coloured : walls.again);
+    }
+    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        if (walls.again[i] != walls.pixels[i]) {
+            TEST_ASSERT_EQUAL_HEX16(coloured[i], walls.again[i]);
+            seen++;
+            mixed += coloured[i] != walls.palette[20];
+        }
+    }
+    TEST_ASSERT_TRUE(seen > 40 && mixed > 10 && mixed < seen);
 }
