@@ -2,6 +2,7 @@
 """Wireframes of whole paths: both line clippers, bands, and the reference renderer (docs/extras/wire.md)."""
 
 import json
+import pathlib
 
 from conftest import run_make
 from PIL import Image
@@ -24,6 +25,20 @@ def test_wireframes_are_the_twins(scene, least, tmp_path):
     assert summary["intersections_by_codes"] < summary["intersections_by_planes"]
     assert Image.open(out / "frame_0000.png").getcolors()
     assert "pass" in done.stdout
+
+
+@pytest.mark.parametrize("view", ["scale = 9", "scale = 9\ncentre = [40, 200]"])
+def test_wireframes_by_an_orthographic_lens_are_the_twins(view, tmp_path):
+    """orthographic 2.13."""
+    text = (pathlib.Path(__file__).parents[2] / "scenes/spin.toml").read_text(encoding="utf-8")
+    assert "fov = 70\n" in text
+    (tmp_path / "flat.toml").write_text(text.replace("fov = 70\n", f"{view}\n", 1), encoding="utf-8")
+    out = tmp_path / "wire"
+    done = run_make("wire", f"SCENE={tmp_path / 'flat.toml'}", f"OUT={out}", "FRAMES=12")
+    assert done.returncode == 0, done.stdout + done.stderr
+    summary = json.loads((out / "summary.json").read_text())
+    assert summary["lines"] > 1_000 and summary["clipped"] > 100
+    assert summary["pixels_disagreeing"] == summary["pixels_unexplained"] == 0
 
 
 def test_what_moves_moves(tmp_path):

@@ -49,7 +49,7 @@ bool fxl_line_face_is_front(const fxl_line_instance *of, const fxl_face *face)
     const fxl_scene *scene = renderer->scene;
     const fxl_point *eye = &renderer->frame.view.camera.position;
     if (of->flat != NULL) {
-        return of->flat->face_is_front(renderer, of->number, face);
+        return of->flat->face_is_front(&renderer->frame.view, scene, of->number, face);
     }
     return of->turned != NULL ? of->turned->face_is_front(scene, of->number, face, eye)
                               : fxl_face_is_front(scene, of->model_view->instance, face, eye);

@@ -89,7 +89,7 @@ extern const fxl_order fxl_by_depth;
 
 /* The members begin, face_is_front, submit, find_depth and distance_of of fxl_orthographic_code. */
 void fxl_orthographic_begin(const fxl_traversal *traversal);
-bool fxl_orthographic_face_is_front(const fxl_renderer *renderer, uint32_t number,
+bool fxl_orthographic_face_is_front(const fxl_view *view, const fxl_scene *scene, uint32_t number,
                                     const fxl_face *face);
 bool fxl_submit_orthographic(const fxl_traversal *traversal, const fxl_draw_entry *entry);
 void fxl_find_orthographic_depth(const fxl_model_view *model_view, const fxl_face *face,

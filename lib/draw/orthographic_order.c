@@ -19,15 +19,15 @@ static bool is_front(const fxl_model_view *model_view, const fxl_face *face)
 }
 
 /* orthographic 2.3, 2.4 */
-bool fxl_orthographic_face_is_front(const fxl_renderer *renderer, uint32_t number,
+bool fxl_orthographic_face_is_front(const fxl_view *view, const fxl_scene *scene, uint32_t number,
                                     const fxl_face *face)
 {
-    const fxl_axes *axes = &renderer->frame.view.camera.axes;
-    const fxl_placement_code *turned = fxl_placement_code_of(renderer->scene, number);
+    const fxl_axes *axes = &view->camera.axes;
+    const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
     const fxl_direction *normal = &face->normal;
     fxl_axes rows;
     if (turned != NULL) {
-        turned->rows(axes, &fxl_placement_of(renderer->scene, number)->orientation, &rows);
+        turned->rows(axes, &fxl_placement_of(scene, number)->orientation, &rows);
         axes = &rows;
     }
     return fxl_along(&axes->forward, normal->x, normal->y, normal->z) < 0;

@@ -12,8 +12,6 @@ const char fxl_wire_reasons[] =
     ON_ORDER "fxl_wire_init must come before fxl_wire_begin, that before fxl_wire_draw, "
     "fxl_renderer_init before fxl_attach_outlines; placements need a "
     "placement_code\0"
-    ON_RESERVED "a wireframe and an orthographic lens do not go together: lens must be one of "
-    "fxl_lens_from_fov or fxl_lens_from_window\0"
     ON_ALIGNMENT "outlines must be aligned to 8 bytes, pixels of RGB565 to 2\0"
     ON_PLACEMENT "the rows of each placement's orientation must be those of a rotation, to "
     "within 2^-28\0";

@@ -13,6 +13,12 @@
 #include "../view/view.h"
 #include "fixel/wire.h"
 
+static void find_volume(fxl_wire *wire)
+{
+    fxl_volume_from_sides(&wire->view.view_frustum, fxl_view_drawn_focal(&wire->view),
+                          FXL_PLANES_ALL, &wire->volume);
+}
+
 /* wire 1.3 */
 fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens *lens,
                          fxl_wire_clipper clipper)
@@ -23,15 +29,11 @@ fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens 
     if (!fxl_lens_is_valid(lens)) {
         return FXL_E_RANGE;
     }
-    if (fxl_orthographic_of(lens) != NULL) {
-        return FXL_E_RESERVED;
-    }
     memset(wire, 0, sizeof *wire);
     wire->scene = scene;
     wire->clipper = clipper;
     fxl_view_set_lens(&wire->view, lens);
-    fxl_volume_from_sides(&wire->view.view_frustum, fxl_view_drawn_focal(&wire->view),
-                          FXL_PLANES_ALL, &wire->volume);
+    find_volume(wire);
     return FXL_OK;
 }
 
@@ -55,9 +57,21 @@ fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose)
     }
     status = fxl_view_set_pose(&wire->view, pose);
     if (status == FXL_OK) {
+        if (fxl_orthographic_of(&wire->view.lens) != NULL) {
+            find_volume(wire); /* an off-centre one moves near and far with the eye */
+        }
         wire->ready = true;
     }
     return status;
+}
+
+/* Where an end is on the screen. */
+/* orthographic 2.13 */
+static bool place_end(const fxl_view *view, const fxl_view_point *from, fxl_screen_point *end)
+{
+    const fxl_orthographic_code *flat = fxl_orthographic_of(&view->lens);
+    return (flat != NULL ? flat->project(view, from, end)
+                         : fxl_project_visible(&view->projection, from, end)) == FXL_OK;
 }
 
 /* transform -> clip -> project -> pixels. */
@@ -77,8 +91,8 @@ static void draw_edge(fxl_wire *wire, const fxl_point *from, const fxl_point *to
         counters->outside++;
         return;
     }
-    if (fxl_project_visible(&wire->view.projection, &line.from.position, &ends[0]) != FXL_OK ||
-        fxl_project_visible(&wire->view.projection, &line.to.position, &ends[1]) != FXL_OK) {
+    if (!place_end(&wire->view, &line.from.position, &ends[0]) ||
+        !place_end(&wire->view, &line.to.position, &ends[1])) {
         counters->refused++;
         return;
     }
@@ -106,19 +120,28 @@ static void place_face(const fxl_scene *scene, uint32_t number, const fxl_face *
     }
 }
 
+/* wire 1.1, orthographic 2.13 */
+static bool is_front(const fxl_wire *wire, uint32_t number, const fxl_face *face)
+{
+    const fxl_scene *scene = wire->scene;
+    const fxl_point *eye = &wire->view.camera.position;
+    const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
+    const fxl_orthographic_code *flat = fxl_orthographic_of(&wire->view.lens);
+    return flat != NULL     ? flat->face_is_front(&wire->view, scene, number, face)
+           : turned != NULL ? turned->face_is_front(scene, number, face, eye)
+                            : fxl_face_is_front(scene, &scene->instances[number], face, eye);
+}
+
 /* wire 1.1 */
 static void draw_instance(fxl_wire *wire, uint32_t number, const fxl_band *band)
 {
     const fxl_scene *scene = wire->scene;
     const fxl_instance *instance = &scene->instances[number];
     const fxl_model *model = &scene->models[instance->model];
-    const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
-    const fxl_point *eye = &wire->view.camera.position;
     fxl_point points[FXL_FACE_VERTICES_MAX];
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
-        if (!(turned != NULL ? turned->face_is_front(scene, number, face, eye)
-                             : fxl_face_is_front(scene, instance, face, eye))) {
+        if (!is_front(wire, number, face)) {
             continue;
         }
         place_face(scene, number, face, points);

@@ -48,7 +48,7 @@ typedef struct fxl_orthographic_code {
     /* Puts the instances in sight in order, when a frame begins. */
     void (*begin)(const struct fxl_traversal *traversal);
     /* Whether a face of an instance is seen from its front. */
-    bool (*face_is_front)(const struct fxl_renderer *renderer, uint32_t number,
+    bool (*face_is_front)(const fxl_view *view, const fxl_scene *scene, uint32_t number,
                           const fxl_face *face);
     /* fxl_submit_any_instance. */
     bool (*submit)(const struct fxl_traversal *traversal, const struct fxl_draw_entry *entry);

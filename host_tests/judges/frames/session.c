@@ -180,8 +180,7 @@ static fxl_status attach_pictures(session *run, bool without_surfaces)
     return status;
 }
 
-/* The lens of an image with a scale. */
-static fxl_status take_scale(fxl_scene_image *image)
+fxl_status session_take_scale(fxl_scene_image *image)
 {
     const fxl_lens lens = image->lens;
     if (image->scale == 0) {
@@ -200,7 +199,7 @@ fxl_status session_set_up(session *run, const session_settings *settings)
     fxl_memory memory = run->memory;
     memory.display_list_capacity = settings->display_list_words;
     memory.cache_capacity = settings->cache_entries;
-    fxl_status status = take_scale(&run->image);
+    fxl_status status = session_take_scale(&run->image);
     if (status == FXL_OK) {
         status = fxl_renderer_init_with(renderer, scene, &run->image.lens, &memory);
     }

@@ -75,6 +75,9 @@ fxl_status session_light(session *run, const named_light *light);
  * does. What the library answers. */
 fxl_status session_add_core(session *run);
 
+/* Makes the lens of an image with a scale orthographic: once. */
+fxl_status session_take_scale(fxl_scene_image *image);
+
 /* Draws a frame into pixels, uint8_t or uint16_t, as large as the lens says: begins it, fills each band of
  * so many rows (0: the whole frame) with the background, and draws the band. Ends at the first
  * status that is not FXL_OK. */

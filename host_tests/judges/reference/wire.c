@@ -46,16 +46,19 @@ static ref_screen_point end_of(const ref_lens *lens, const ref_volume_vertex *fr
 bool ref_wire_frame(ref_wire *wire, const ref_scene *scene, const ref_lens *lens,
                     const ref_pose *pose)
 {
-    const ref_camera camera = ref_camera_from_pose(pose);
+    ref_camera camera = ref_camera_from_pose(pose);
     ref_half_space planes[REF_PLANE_COUNT];
     ref_volume_from_lens(lens, planes);
+    if (lens->scale != 0) {
+        ref_camera_take_eye(&camera);
+    }
     wire->count = 0;
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const ref_instance *instance = &scene->instances[i];
         const ref_model *model = &scene->models[instance->model];
         for (uint32_t f = 0; f < model->face_count; f++) {
             const ref_face *face = &scene->faces[model->first_face + f];
-            if (!ref_face_is_front(scene, instance, face, &pose->position)) {
+            if (!ref_face_shows_front(scene, instance, face, &pose->position, &camera)) {
                 continue;
             }
             for (int k = 0; k < face->count; k++) {

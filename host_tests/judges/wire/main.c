@@ -138,6 +138,9 @@ int main(int count, char **arguments)
     if (wrong) {
         return fail(files[0], wrong);
     }
+    if (session_take_scale(&run.image) != FXL_OK) {
+        return fail(files[0], "its lens is out of range");
+    }
     if (!moving_reference_open(&moving, &reference, bytes, size)) {
         return fail(files[0], "no memory for what moves");
     }

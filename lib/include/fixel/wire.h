@@ -39,7 +39,6 @@ typedef struct {
 /* Initialises a wireframe for a checked scene, a lens and one of the two line clippers.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_RANGE: the lens is out of range.
- * FXL_E_RESERVED: the lens is orthographic: a wireframe needs an eye.
  * With each of these statuses: *wire untouched. */
 fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens *lens,
                          fxl_wire_clipper clipper);
