@@ -32,7 +32,7 @@ def fixture_scene(request, folder):
     source, frames = CHECKOUT / "scenes" / f"{request.param}.toml", None
     if request.param == "spot":
         if not SPOT.exists():
-            pytest.skip("there is no ../shared/models/spot.obj")
+            pytest.skip("needs ../shared/models/spot.obj")
         source, frames = SPOT, 6
     compiled = folder / f"{request.param}.fxls"
     making.build(source, compiled, frames=frames)

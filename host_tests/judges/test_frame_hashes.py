@@ -40,7 +40,7 @@ def fixture_scene(request, tmp_path_factory):
     if source in OTHERS:
         model = MODELS / f"{source.stem}.obj"
         if not model.exists():
-            pytest.skip(f"there is no ../shared/models/{model.name}")
+            pytest.skip(f"needs ../shared/models/{model.name}")
         source = pathlib.Path(shutil.copy(source, folder))
         shutil.copy(model, folder)
     image = folder / "scene.fxls"

@@ -31,12 +31,15 @@ class Copy:
         (root / "tools/setup.sh").write_text("#!/bin/sh\n", encoding="utf-8")
 
     def change(self, file, edits):
-        """A text for a new file, or [(old, new)] of one that is there."""
+        """A text for a new file, or [(old, new)] of one that is there; (name, a number): what `name = ` says is so much more."""
         path = self.root / file
         text = edits
         if not isinstance(edits, str):
             text = path.read_text(encoding="utf-8")
             for old, new in edits:
+                if isinstance(new, int):
+                    number, = re.findall(rf"^{old} = (\d+)$", text, re.MULTILINE)
+                    old, new = f"\n{old} = {number}\n", f"\n{old} = {int(number) + new}\n"
                 assert text.count(old) == 1, f"{file}: not once: {old}"
                 text = text.replace(old, new)
         path.write_text(text, encoding="utf-8")
