@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a frame costs on a board: the figures of fixel predict, which the site has for each frame of a scene's path.
 
+const ESCAPED = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#x27;" };       // as html.escape of Python
 const RATE = "of drawing alone, by the model, code in RAM";
 
 /** The rate of so many cycles a frame, as it is said. */
@@ -20,7 +21,7 @@ export function badgeWords(board, clock, cost) {
 
 /** A badge as SVG. badge: its picture, and pixels of a letter and beside the words. */
 export function badgePicture(badge, words) {
-  const length = Math.round(badge.letter * words.length), said = words.replace(/[&<>"']/g, (letter) => `&#${letter.charCodeAt(0)};`);
+  const length = Math.round(badge.letter * words.length), said = words.replace(/[&<>"']/g, (letter) => ESCAPED[letter]);
   const values = { words: said, length, width: length + badge.beside };
   return badge.picture.replace(/{{(\w+)}}/g, (_, name) => values[name]);
 }

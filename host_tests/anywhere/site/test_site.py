@@ -408,9 +408,9 @@ def test_each_scene_has_a_picture_a_page_its_code_and_its_command(chromium, addr
 
 def test_the_command_of_a_model_draws_its_scene(site, tmp_path):
     """What make run has of the model that make showcase makes, on the board of the command."""
-    model = next(each for each in showcase_models.MODELS if each.name == "vase")
+    model = next(each for each in showcase_models.MODELS if each.name == "rainbow")
     page = html.unescape((site / "scenes" / f"{MODEL}{model.name}.html").read_text(encoding="utf-8"))
-    words = re.search(r"<code>(make showcase ONLY=vase && make run BOARD=pico SCENE=build/showcase/vase.obj)</code>", page)
+    words = re.search(r"<code>(make showcase ONLY=rainbow && make run BOARD=pico SCENE=build/showcase/rainbow.obj)</code>", page)
     file = showcase_models.write(model, tmp_path)
     options = predict.parser().parse_args(["--board", "pico", "--scene", str(file), "--build", str(CHECKOUT / "build")])
     scene_options.check(options)
