@@ -14,8 +14,8 @@ HEADERS = "lib/include/fixel"
 # What a change is: {pattern of files: (a text of theirs, what it becomes)}, and what the command says of it.
 BREAKS = {
     "an enum value moved": ({f"{HEADERS}/types.h": (" FXL_E_ORDER,", " FXL_E_EXTRA, FXL_E_ORDER,")}, "'fxl_status::FXL_E_ORDER' from value"),
-    "a value without a type moved": ({f"{HEADERS}/scene.h": ("FXL_MODEL_SORTED = 1 ", "FXL_MODEL_SORTED = 2 ")},
-                                     "FXL_MODEL_SORTED' from value '1' to '2'"),
+    "a value without a type moved": ({f"{HEADERS}/pick.h": (" FXL_POINT_BEYOND ", " FXL_POINT_BEYOND = 9 ")},
+                                     "FXL_POINT_BEYOND' from value '3' to '9'"),
     "a type changed": ({f"{HEADERS}/scene.h": ("    uint8_t recolour;", "    int8_t recolour;")}, "uint8_t recolour"),
     "a member removed": ({f"{HEADERS}/collide.h": ("    uint32_t contacts;", "    //"), "lib/game/slide.c": ("slide->contacts += 1;", "")},
                          "uint32_t contacts"),
