@@ -61,6 +61,7 @@ static void read_tables(const fxl_scene_image *opened)
     }
     open_surfaces(opened, &opened->start.pose);
     open_billboards(opened, &opened->start.pose);
+    open_horizon(opened, &opened->start.pose);
     DEMAND((opened->poses == NULL) != (opened->segments == NULL));
     if (opened->poses != NULL) {
         sum += sum_bytes(opened->poses, opened->path_count * sizeof *opened->poses);

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Surfaces and billboards of a scene image, if it has some: opened in memory of their own size, all
- * their texels read, and some rows drawn with them. */
+/* Surfaces, billboards and the horizon of a scene image, if it has some: opened in memory of their own
+ * size, all their texels read, and some rows drawn with them. */
 #include <string.h>
 
 #include "answers.h"
 #include "parts.h"
+#include "fixel/horizon.h"
 #include "fixel/surfaces.h"
 
 enum {
@@ -21,7 +22,8 @@ static void draw_row(const fxl_scene_image *opened, const fxl_billboard_set *set
     const uint32_t entries = opened->scene.draw_list_needed;
     fxl_renderer *renderer = draw_memory(sizeof *renderer);
     uint8_t *pixels = draw_memory(lens->width);
-    const fxl_memory memory = {draw_memory(entries * sizeof(fxl_draw_entry)), entries, NULL, 0, NULL, 0};
+    const fxl_memory memory = {
+        draw_memory(entries * sizeof(fxl_draw_entry)), entries, NULL, 0, NULL, 0};
     const fxl_band band = draw_band(lens, pixels, lens->height / 2, 1);
     fxl_billboards billboards;
     DEMAND(fxl_renderer_init_with(renderer, &opened->scene, lens, &memory) == FXL_OK);
@@ -189,4 +191,51 @@ void open_surfaces(const fxl_scene_image *opened, const fxl_pose *pose)
     }
     free(textures);
     (void)sum;
+}
+
+/* Rows that are filled together are those that are filled one by one. */
+static void fill_rows(const fxl_renderer *renderer, const fxl_lens *lens, uint16_t rows)
+{
+    const size_t bytes = (size_t)lens->width * rows;
+    uint8_t *together = draw_memory(bytes), *single = draw_memory(lens->width);
+    const uint32_t first = (lens->height - rows) / 2u;
+    const fxl_band band = draw_band(lens, together, first, rows);
+    fxl_frame_fill(renderer, &band, 0);
+    for (uint32_t i = 0; i < rows; i++) {
+        const fxl_band one = draw_band(lens, single, first + i, 1);
+        fxl_frame_fill(renderer, &one, 0);
+        DEMAND(memcmp(single, together + i * lens->width, lens->width) == 0);
+    }
+    record_band(&band);
+    free(single);
+    free(together);
+}
+
+void open_horizon(const fxl_scene_image *opened, const fxl_pose *pose)
+{
+    const fxl_lens *lens = &opened->lens;
+    const fxl_horizon *horizon = &opened->horizon;
+    volatile uint32_t sum = 0;
+    if (horizon->sines == NULL) {
+        return;
+    }
+    for (uint32_t i = 0; i < horizon->count; i++) {
+        sum += (uint32_t)horizon->sines[i] + horizon->colours[i];
+    }
+    record_number(sum + horizon->colours[horizon->count]);
+    const fxl_status status = fxl_horizon_check(horizon);
+    record_number(status);
+    if (status == FXL_OK && draw_model_view(&opened->scene) <= BILLBOARD_FACES) {
+        const uint32_t entries = opened->scene.draw_list_needed;
+        fxl_renderer *renderer = draw_memory(sizeof *renderer);
+        const fxl_memory memory = {
+            draw_memory(entries * sizeof(fxl_draw_entry)), entries, NULL, 0, NULL, 0};
+        DEMAND(fxl_renderer_init_with(renderer, &opened->scene, lens, &memory) == FXL_OK);
+        DEMAND(fxl_attach_horizon(renderer, horizon) == FXL_OK);
+        if (fxl_frame_begin(renderer, pose) == FXL_OK) {
+            fill_rows(renderer, lens, lens->height < ROWS ? lens->height : ROWS);
+        }
+        free(memory.draw_list);
+        free(renderer);
+    }
 }

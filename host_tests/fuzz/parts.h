@@ -57,6 +57,7 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
 /* Opens the surfaces of an image; draws some rows with them, if nothing is wrong. */
 void open_billboards(const fxl_scene_image *opened, const fxl_pose *pose);
 void open_surfaces(const fxl_scene_image *opened, const fxl_pose *pose);
+void open_horizon(const fxl_scene_image *opened, const fxl_pose *pose);
 
 /* What is attached beside a set of surfaces: the light has settings. */
 typedef struct {

@@ -106,13 +106,13 @@ static uint32_t search(const fxl_horizon_rows *rows, uint32_t row, fxl_q2_30 sin
     const bool is_down = fxl_horizon_has_passed(rows, row, near, sine);
     uint32_t low = is_down ? fxl_horizon_from(rows, row) : near + 1;
     uint32_t high = is_down ? near : fxl_horizon_end(rows, row);
+    bool is_doubled = true;
     for (uint32_t step = 1; low < high; step *= 2) {
-        const uint32_t way = high - low < step ? (high - low + 1) / 2 : step;
+        is_doubled = is_doubled && high - low >= step;
+        const uint32_t way = is_doubled ? step : (high - low + 1) / 2;
         const uint32_t column = is_down ? high - way : low + way - 1;
         const bool has_passed = fxl_horizon_has_passed(rows, row, column, sine);
-        if (has_passed != is_down) {
-            step = UINT32_MAX / 4; /* halves from here on */
-        }
+        is_doubled = is_doubled && has_passed == is_down;
         if (has_passed) {
             high = column;
         } else {
@@ -175,8 +175,8 @@ static bool follow(const fxl_horizon_rows *rows, const horizon_row *row, fxl_q2_
 
 /* Finds columns as long as an excess that is followed says them for sure, and returns of how many
  * rows. Then *step is one more or one less, if the next column is out of its reach. */
-static uint32_t find_followed(horizon_track track, int32_t *step, uint32_t column,
-                              uint16_t *columns, uint32_t count)
+static uint32_t find_followed(horizon_track track, int32_t *step, int32_t column, uint16_t *columns,
+                              uint32_t count)
 {
     const int32_t way = *step;
     uint32_t left = count;
@@ -195,7 +195,7 @@ static uint32_t find_followed(horizon_track track, int32_t *step, uint32_t colum
         track.value += track.down;
         track.down += track.down_down;
         track.along += track.along_down;
-        column += (uint32_t)way;
+        column += way;
     } while (--left > 0);
     return count - left;
 }
@@ -218,44 +218,49 @@ static uint32_t within(const fxl_horizon_rows *rows, int32_t column, int32_t ste
 
 /* The columns of rows from the first one on that can be followed; how many. */
 static uint32_t find_some(const fxl_horizon_rows *rows, uint32_t first, fxl_q2_30 sine,
-                          uint32_t column, int32_t *step, uint16_t *columns)
+                          int32_t column, int32_t *step, uint16_t *columns)
 {
-    const uint32_t near = column + (uint32_t)*step;
-    const uint32_t count = within(rows, (int32_t)near, *step, rows->count - first);
+    const int32_t near = column + *step;
+    const uint32_t count = within(rows, near, *step, rows->count - first);
     const horizon_row row = row_of(rows, first);
     horizon_track track;
     if (rows->scale < SCALE || *step > STEPS || *step < -STEPS || count == 0 ||
-        !follow(rows, &row, sine, near, *step, &track)) {
+        !follow(rows, &row, sine, (uint32_t)near, *step, &track)) {
         return 0;
     }
     return find_followed(track, step, near, columns + first, count);
 }
 
+/* The column of one row, looked for near one that may lie beside the piece. */
+static int32_t find_one(const fxl_horizon_rows *rows, uint32_t row, fxl_q2_30 sine, int32_t near,
+                        int32_t *step)
+{
+    const int32_t from = (int32_t)fxl_horizon_from(rows, row);
+    const int32_t end = (int32_t)fxl_horizon_end(rows, row), before = near - *step;
+    near = near < from ? from : near >= end ? end - 1 : near;
+    const int32_t found = (int32_t)search(rows, row, sine, (uint32_t)near), moved = found - before;
+    if (found - near > FAR || near - found > FAR) {
+        *step = 0;
+    } else if (moved < *step) {
+        *step = moved;
+    } else if (moved > *step + 1) {
+        *step = moved - 1;
+    }
+    return found;
+}
+
 void fxl_horizon_find(const fxl_horizon_rows *rows, fxl_q2_30 sine, fxl_horizon_change *change,
                       uint16_t *columns)
 {
-    uint32_t column = (uint32_t)(int32_t)change->column;
-    int32_t step = change->step;
+    int32_t column = change->column, step = change->step;
     for (uint32_t i = 0; i < rows->count;) {
-        const int32_t before = step;
         const uint32_t found = find_some(rows, i, sine, column, &step, columns);
-        i += found;
-        column = found > 0 ? columns[i - 1] : column;
-        if (i < rows->count && found == 0) {
-            const uint32_t from = fxl_horizon_from(rows, i), end = fxl_horizon_end(rows, i);
-            uint32_t near = column + (uint32_t)before;
-            near = (int32_t)near < (int32_t)from ? from : near >= end ? end - 1 : near;
-            const uint32_t searched = search(rows, i, sine, near);
-            const int32_t moved = (int32_t)(searched - column);
-            if (searched - near + FAR > 2 * FAR) {
-                step = 0;
-            } else if (moved < before) {
-                step = moved;
-            } else {
-                step = moved > before + 1 ? moved - 1 : before;
-            }
-            column = searched;
-            columns[i++] = (uint16_t)searched;
+        if (found > 0) {
+            i += found;
+            column = columns[i - 1];
+        } else {
+            column = find_one(rows, i, sine, column + step, &step);
+            columns[i++] = (uint16_t)column;
         }
     }
     change->column = (int16_t)column;
