@@ -9,24 +9,25 @@
 #include "../raster/draw_outline.h"
 #include "line_paint.h"
 
-static inline bool holds(const fxl_line_plane *face, uint32_t word)
+static inline bool fxl_line_holds(const fxl_line_plane *face, uint32_t word)
 {
     return word - face->first < face->span;
 }
 
 /* The word of a depth: the upper one of this. */
-static inline uint64_t worded(const fxl_line_plane *face, int64_t value)
+static inline uint64_t fxl_line_worded(const fxl_line_plane *face, int64_t value)
 {
     return fxl_depth_is_in_words(&face->plane) ? fxl_bits_64(value) << 32 : fxl_bits_64(value);
 }
 
-static inline uint32_t word_of(uint64_t worded)
+static inline uint32_t fxl_line_word_of(uint64_t value)
 {
-    return (uint32_t)(worded >> 32);
+    return (uint32_t)(value >> 32);
 }
 
 /* The code of column x of a row where the gradient in column 0 is `depth`, in the octave. */
-static inline uint32_t code_in_octave(const fxl_depth_octave *octave, int64_t depth, int32_t x)
+static inline uint32_t fxl_line_code_in_octave(const fxl_depth_octave *octave, int64_t depth,
+                                               int32_t x)
 {
     return octave->bias + fxl_depth_shifted(depth, octave->drop) + octave->step * (uint32_t)x;
 }
@@ -34,15 +35,17 @@ static inline uint32_t code_in_octave(const fxl_depth_octave *octave, int64_t de
 /* The same of a worded value that the octave that was found last does not hold: finds another one. All
  * depths of an upper word are in an octave if its low end, rounded up to 2^32, is not above them, and
  * its high end, rounded down, is. One whose code is constant holds none. */
-static __attribute__((noinline)) uint32_t code_in_other(fxl_depth_scale scale, fxl_line_plane *face,
-                                                        int64_t depth, uint64_t value, int32_t x)
+static __attribute__((noinline)) uint32_t fxl_line_code_in_other(fxl_depth_scale scale,
+                                                                 fxl_line_plane *face,
+                                                                 int64_t depth, uint64_t value,
+                                                                 int32_t x)
 {
     fxl_depth_octave *octave = &face->octave;
     if (fxl_depth_is_in_words(&face->plane)) {
-        fxl_depth_octave_of_word(scale, &face->plane, word_of(value), octave);
+        fxl_depth_octave_of_word(scale, &face->plane, fxl_line_word_of(value), octave);
         face->first = (uint32_t)octave->low;
         face->span = (uint32_t)(octave->high - octave->low - 1); /* from 65535 on */
-        return code_in_octave(octave, depth, x);
+        return fxl_line_code_in_octave(octave, depth, x);
     }
     fxl_depth_octave_of(scale, &face->plane, (int64_t)value, octave);
     face->span = 0;
@@ -53,18 +56,21 @@ static __attribute__((noinline)) uint32_t code_in_other(fxl_depth_scale scale, f
     const int32_t high = (int32_t)(octave->high >> 32);
     face->first = fxl_bits_32(low);
     face->span = high > low ? fxl_bits_32(high) - fxl_bits_32(low) : 0;
-    return code_in_octave(octave, depth, x);
+    return fxl_line_code_in_octave(octave, depth, x);
 }
 
 /* The code that a face has at the centre of a pixel. */
 /* lines 3.2 */
-static uint32_t code_of_face(fxl_depth_scale scale, fxl_line_plane *face, int32_t x, int32_t y)
+static uint32_t fxl_line_code_of_face(fxl_depth_scale scale, fxl_line_plane *face, int32_t x,
+                                      int32_t y)
 {
     const fxl_gradient *gradient = &face->plane.gradient;
     const int64_t depth = gradient->at + fxl_multiply_s64_u16(gradient->down, (uint32_t)y);
-    const uint64_t value = worded(face, depth + fxl_multiply_s64_u16(gradient->along, (uint32_t)x));
-    return holds(face, word_of(value)) ? code_in_octave(&face->octave, depth, x)
-                                       : code_in_other(scale, face, depth, value, x);
+    const uint64_t value =
+        fxl_line_worded(face, depth + fxl_multiply_s64_u16(gradient->along, (uint32_t)x));
+    return fxl_line_holds(face, fxl_line_word_of(value))
+               ? fxl_line_code_in_octave(&face->octave, depth, x)
+               : fxl_line_code_in_other(scale, face, depth, value, x);
 }
 
 /* The depth of a line without planes from place to place along its major axis. */
@@ -73,10 +79,10 @@ typedef struct {
     int64_t at, step;     /* at the first place, and what a place adds */
     int64_t low, high;    /* the depths of the ends */
     fxl_depth_octave octave;
-} line_depth;
+} fxl_line_depth;
 
 /* lines 3.3 */
-static uint32_t code_of_depth(fxl_depth_scale scale, line_depth *depth)
+static uint32_t fxl_line_code_of_depth(fxl_depth_scale scale, fxl_line_depth *depth)
 {
     const int64_t value = depth->at < depth->low    ? depth->low
                           : depth->at > depth->high ? depth->high
@@ -91,7 +97,7 @@ static uint32_t code_of_depth(fxl_depth_scale scale, line_depth *depth)
 
 /* near_z / distance as mantissa * 2^-one, off by less than 2^-28 of it, is what the canvas then has.
  * near_z has units of 2^-16 and the distance of 2^-46. */
-static void find_end(fxl_line_canvas *canvas, fxl_q18_46 distance)
+static void fxl_line_find_end(fxl_line_canvas *canvas, fxl_q18_46 distance)
 {
     if (distance != canvas->distance) {
         const fxl_real near_real = fxl_real_of((uint32_t)canvas->near_z, 0);
@@ -103,25 +109,25 @@ static void find_end(fxl_line_canvas *canvas, fxl_q18_46 distance)
 }
 
 /* mantissa 2^shift, rounded down. A mantissa is below 2^32, and a shift at most 29. */
-static int64_t scaled(uint32_t mantissa, int32_t shift)
+static int64_t fxl_line_scaled(uint32_t mantissa, int32_t shift)
 {
     return shift >= 0 ? (int64_t)((uint64_t)mantissa << shift)
                       : (int64_t)(shift > -32 ? mantissa >> -shift : 0);
 }
 
 /* The depths of both ends in one unit, in which the nearer one is below 2^61. */
-static void find_ends(fxl_line_canvas *canvas, const fxl_painted_line *line, int64_t ends[2],
-                      line_depth *depth)
+static void fxl_line_find_ends(fxl_line_canvas *canvas, const fxl_painted_line *line,
+                               int64_t ends[2], fxl_line_depth *depth)
 {
-    find_end(canvas, line->distances[0]);
+    fxl_line_find_end(canvas, line->distances[0]);
     const uint32_t first = canvas->mantissa;
     const int32_t first_one = canvas->one;
-    find_end(canvas, line->distances[1]);
+    fxl_line_find_end(canvas, line->distances[1]);
     const uint32_t second = canvas->mantissa;
     const int32_t second_one = canvas->one;
     const int32_t one = (first_one < second_one ? first_one : second_one) + 29;
-    ends[0] = scaled(first, one - first_one);
-    ends[1] = scaled(second, one - second_one);
+    ends[0] = fxl_line_scaled(first, one - first_one);
+    ends[1] = fxl_line_scaled(second, one - second_one);
     depth->unit.gradient.at = depth->unit.gradient.along = depth->unit.gradient.down = 0;
     depth->unit.one = one;
     depth->low = ends[0] < ends[1] ? ends[0] : ends[1];
@@ -135,12 +141,12 @@ static void find_ends(fxl_line_canvas *canvas, const fxl_painted_line *line, int
 typedef struct {
     int64_t quotient;
     uint32_t remainder, length;
-} depth_slope;
+} fxl_line_slope;
 
 /* Requires whole < 2^61 and 0 < length < 2^30. */
-static depth_slope slope_of(uint64_t whole, uint32_t length)
+static fxl_line_slope fxl_line_slope_of(uint64_t whole, uint32_t length)
 {
-    depth_slope slope;
+    fxl_line_slope slope;
     uint32_t remainder;
     const uint32_t high = fxl_divide_u64(whole >> 32, length, &remainder);
     const uint32_t low =
@@ -152,7 +158,7 @@ static depth_slope slope_of(uint64_t whole, uint32_t length)
 
 /* whole * part / length, off by less than 2. Requires part <= length, or part = 65536 < length:
  * products of the quotient are at most whole, and those of the remainder are below 2^60. */
-static int64_t share(const depth_slope *slope, uint32_t part)
+static int64_t fxl_line_share(const fxl_line_slope *slope, uint32_t part)
 {
     uint32_t remainder;
     const uint32_t rest =
@@ -164,8 +170,8 @@ static int64_t share(const depth_slope *slope, uint32_t part)
 /* Sets the depth at the first place of the extent, and its step. The first place of the whole line
  * does not depend on the band, so neither do the depths. A line of at most a pixel has one place. */
 /* lines 3.3 */
-static void find_depth(const fxl_painted_line *line, const fxl_line_extent *extent, bool upright,
-                       const int64_t ends[2], line_depth *depth)
+static void fxl_line_find_depth(const fxl_painted_line *line, const fxl_line_extent *extent,
+                                bool upright, const int64_t ends[2], fxl_line_depth *depth)
 {
     const int32_t a = upright ? line->ends[0].y : line->ends[0].x;
     const int32_t b = upright ? line->ends[1].y : line->ends[1].x;
@@ -174,10 +180,10 @@ static void find_depth(const fxl_painted_line *line, const fxl_line_extent *exte
     const int64_t from = ends[swapped], to = ends[!swapped];
     const uint64_t whole = (uint64_t)(from < to ? to - from : from - to);
     const uint32_t before = (uint32_t)(fxl_centre_of(extent->begin) - (swapped ? b : a));
-    const depth_slope slope = slope_of(whole, length);
-    const int64_t rise = share(&slope, before);
+    const fxl_line_slope slope = fxl_line_slope_of(whole, length);
+    const int64_t rise = fxl_line_share(&slope, before);
     const int64_t step =
-        length > 65536 && extent->end - extent->begin > 1 ? share(&slope, 65536) : 0;
+        length > 65536 && extent->end - extent->begin > 1 ? fxl_line_share(&slope, 65536) : 0;
     depth->step = from < to ? step : -step;
     depth->at = (from < to ? from + rise : from - rise) +
                 fxl_multiply_s64(depth->step, extent->first - extent->begin);

@@ -87,7 +87,7 @@ static void paint_pixel(const painting *of, int32_t x, int32_t y, uint32_t code)
         return;
     }
     for (uint32_t i = 0; i < line->plane_count; i++) {
-        const uint32_t other = code_of_face(canvas->head->scale, line->planes[i], x, y);
+        const uint32_t other = fxl_line_code_of_face(canvas->head->scale, line->planes[i], x, y);
         code = i == 0 || other > code ? other : code;
     }
     const depth_canvas to = depth_canvas_of(of);
@@ -167,7 +167,7 @@ INLINED bool is_within(band_side side, const line_places *places)
 
 /* With the line's own depth, which is at the first place. */
 /* lines 3.3 */
-static void paint_with_depth(const painting *of, line_places *places, line_depth *depth)
+static void paint_with_depth(const painting *of, line_places *places, fxl_line_depth *depth)
 {
     const band_side side = side_of(of, places->upright);
     const depth_canvas to = depth_canvas_of(of);
@@ -176,7 +176,7 @@ static void paint_with_depth(const painting *of, line_places *places, line_depth
         if (is_within(side, places)) {
             paint_cell(&to, places->upright ? places->across : places->first,
                        places->upright ? places->first : places->across,
-                       code_of_depth(scale, depth));
+                       fxl_line_code_of_depth(scale, depth));
         }
         (void)step_place(places);
         if (places->first >= places->end) {
@@ -198,9 +198,9 @@ typedef struct {
 /* lines 3.2 */
 INLINED void find_code(face_walk *walk, fxl_depth_scale scale, int32_t x)
 {
-    walk->code = holds(walk->face, word_of(walk->value))
-                     ? code_in_octave(&walk->face->octave, walk->depth, x)
-                     : code_in_other(scale, walk->face, walk->depth, walk->value, x);
+    walk->code = fxl_line_holds(walk->face, fxl_line_word_of(walk->value))
+                     ? fxl_line_code_in_octave(&walk->face->octave, walk->depth, x)
+                     : fxl_line_code_in_other(scale, walk->face, walk->depth, walk->value, x);
 }
 
 INLINED void begin_walk(const line_places *places, bool upright, fxl_depth_scale scale,
@@ -213,11 +213,11 @@ INLINED void begin_walk(const line_places *places, bool upright, fxl_depth_scale
     const int64_t down = !upright && falls ? -gradient->down : gradient->down;
     const int64_t along = upright && falls ? -gradient->along : gradient->along;
     walk->depth = gradient->at + fxl_multiply_s64_u16(gradient->down, (uint32_t)y);
-    walk->value =
-        worded(walk->face, walk->depth + fxl_multiply_s64_u16(gradient->along, (uint32_t)x));
+    walk->value = fxl_line_worded(walk->face,
+                                  walk->depth + fxl_multiply_s64_u16(gradient->along, (uint32_t)x));
     walk->row = down;
-    walk->along = worded(walk->face, upright ? down : along);
-    walk->sheer = worded(walk->face, upright ? along : down);
+    walk->along = fxl_line_worded(walk->face, upright ? down : along);
+    walk->sheer = fxl_line_worded(walk->face, upright ? along : down);
     find_code(walk, scale, x);
 }
 
@@ -232,10 +232,11 @@ INLINED void step_walk(const line_places *places, bool upright, bool changes, fx
     if (upright || changes) {
         walk->depth += walk->row;
         find_code(walk, scale, upright ? places->across : places->first);
-    } else if (holds(walk->face, word_of(walk->value))) {
+    } else if (fxl_line_holds(walk->face, fxl_line_word_of(walk->value))) {
         walk->code += walk->face->octave.step;
     } else {
-        walk->code = code_in_other(scale, walk->face, walk->depth, walk->value, places->first);
+        walk->code =
+            fxl_line_code_in_other(scale, walk->face, walk->depth, walk->value, places->first);
     }
 }
 
@@ -287,7 +288,7 @@ static void paint_on_faces(const painting *of, line_places *places)
 }
 
 /* To the first place that is a column of the band, which places then end with. False: there is none. */
-static bool enter_columns(const pixel_box *band, line_places *places, line_depth *depth)
+static bool enter_columns(const pixel_box *band, line_places *places, fxl_line_depth *depth)
 {
     places->end = places->end < band->end_column ? places->end : band->end_column;
     while (places->first < places->end && places->first < band->first_column) {
@@ -306,7 +307,7 @@ static void paint_line(const painting *of)
     const bool upright = (height < 0 ? -height : height) > (width < 0 ? -width : width);
     fxl_screen_point moved[2] = {*a, *b};
     fxl_line_pixels pixels;
-    line_depth depth;
+    fxl_line_depth depth;
     depth.at = depth.step = 0;
     for (uint32_t i = 0; i < 2; i++) {
         fxl_q16_16 *across = upright ? &moved[i].x : &moved[i].y;
@@ -333,8 +334,8 @@ static void paint_line(const painting *of)
     }
     if (line->plane_count == 0) {
         int64_t ends[2];
-        find_ends(of->canvas, line, ends, &depth);
-        find_depth(line, &extent, upright, ends, &depth);
+        fxl_line_find_ends(of->canvas, line, ends, &depth);
+        fxl_line_find_depth(line, &extent, upright, ends, &depth);
     }
     if (!upright && !enter_columns(&of->band, &places, &depth)) {
         return;
@@ -366,10 +367,10 @@ void fxl_paint_wide_line(fxl_line_canvas *canvas, const fxl_painted_line *line)
     if (!line->is_point) {
         paint_line(&of);
     } else if (canvas->head != NULL && line->plane_count == 0) {
-        line_depth depth;
+        fxl_line_depth depth;
         int64_t ends[2];
-        find_ends(canvas, line, ends, &depth);
-        paint_point(&of, code_of_depth(canvas->head->scale, &depth));
+        fxl_line_find_ends(canvas, line, ends, &depth);
+        paint_point(&of, fxl_line_code_of_depth(canvas->head->scale, &depth));
     } else {
         paint_point(&of, 0);
     }
