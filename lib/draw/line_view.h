@@ -25,6 +25,7 @@ typedef enum {
 fxl_line_outcome fxl_place_line(const fxl_view *view, fxl_clip_line *line,
                                 fxl_painted_line *painted);
 
+/* place fill-rule: how far a line's rows reach beyond its ends, of which half a pixel is the centre's */
 /* Whether a line on the screen may have pixels in so many rows from first on. */
 /* lines 2.7 */
 static inline bool fxl_line_meets_rows(const fxl_painted_line *painted, int32_t first, int32_t rows)

@@ -156,7 +156,7 @@ draw_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
 
 #endif
 
-#include "surface_texels_text.h"
+#include "surface_mapped_text.h"
 
 /* What became of a triangle of a walk. */
 typedef enum {

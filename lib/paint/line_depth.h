@@ -166,7 +166,6 @@ static int64_t fxl_line_share(const fxl_line_slope *slope, uint32_t part)
     return fxl_multiply_s64(slope->quotient, part) + rest;
 }
 
-/* place fill-rule: the depth of a line at the centre of its first place */
 /* Sets the depth at the first place of the extent, and its step. The first place of the whole line
  * does not depend on the band, so neither do the depths. A line of at most a pixel has one place. */
 /* lines 3.3 */

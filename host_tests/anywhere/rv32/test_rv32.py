@@ -30,7 +30,7 @@ def test_scenes_are_equal_to_the_host(tmp_path, scene, words):
 @pytest.mark.parametrize("scene", ["window", "car", "room", "gallery", "grove"])
 def test_instructions_are_predicted_as_near_as_for_other_boards(tmp_path, scene):
     """Of scenes that are not in the fit."""
-    _, drawn = run("rv32", tmp_path / "out", f"SCENE=scenes/{scene}.toml", "FRAMES=12")
+    _, drawn = run(tmp_path / "out", f"SCENE=scenes/{scene}.toml", "FRAMES=12")
     done = run_make("predict", "BOARD=rv32", f"SCENE=scenes/{scene}.toml", "FRAMES=12", f"JSON={tmp_path / 'said.json'}")
     assert done.returncode == 0, done.stderr
     said = json.loads((tmp_path / "said.json").read_text(encoding="utf-8"))

@@ -318,7 +318,7 @@ void prove_texel_words(void)
 }
 
 /* [[row]]
- * function = "fxl_texel_outline_of_surface"
+ * function = "lib/paint/texel_outline.c:fxl_texel_outline_of_surface"
  * property = "any paint of a level with sides of up to 256 texels: its masks, and whether pixels are lit and of 16 bits"
  * checks = 160
  */
@@ -341,7 +341,7 @@ void prove_texel_outline_of_surface(void)
 }
 
 /* [[row]]
- * function = "fxl_texel_outline_of_face"
+ * function = "lib/paint/texel_outline.c:fxl_texel_outline_of_face"
  * property = "any triangle, whatever the one before was: what pixels there are, and even light"
  * checks = 90
  */

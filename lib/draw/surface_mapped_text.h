@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Small triangles with a texture whose texels are in words, from their corners to their pixels. A part
  * of surface_smooth_text.h. Internal. */
-#ifndef FXL_SURFACE_TEXELS_TEXT_H
-#define FXL_SURFACE_TEXELS_TEXT_H
+#ifndef FXL_SURFACE_MAPPED_TEXT_H
+#define FXL_SURFACE_MAPPED_TEXT_H
 
 #if FXL_PIXEL_IS_MIXED
 
