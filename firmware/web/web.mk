@@ -75,7 +75,7 @@ WEB_OWN_SOURCES := $(addprefix firmware/web/,page.c frames.c) $(filter-out %/wat
 WEB_OWN_OBJECTS := $(patsubst %.c,$(WEB_OUT)/own/%.o,$(WEB_OWN_SOURCES) $(filter-out lib/study/% lib/draw/offsets.c %.S,$(LIB_SOURCES)))
 
 $(WEB_OUT)/own/%.o: %.c firmware/web/web.mk
-	$(call WEB_WRAPPED,$(WEB_CC) -Os -Ilib/include -Ilib -Iboards,$(WEB_OWN_WRAPPED))
+	$(call WEB_WRAPPED,$(WEB_CC) -Oz -flto -Ilib/include -Ilib -Iboards,$(WEB_OWN_WRAPPED))
 
 $(WEB_OWN): $(WEB_OWN_OBJECTS)
 	@printf '#define %s\n' $(foreach name,$(WEB_OWN_WRAPPED),'$(name) __wrap_$(name)') >$(@D)/wrapped.h

@@ -4,6 +4,7 @@
 import contextlib
 import dataclasses
 import functools
+import gzip
 import hashlib
 import html
 import html.parser
@@ -17,21 +18,24 @@ import threading
 import urllib.parse
 import zlib
 
+import numpy
 import pytest
+from PIL import Image
 
 from conftest import CHECKOUT
+from fixel.base.errors import ToolError
 from fixel.board import dump, programs
 from fixel.bench import frame_costs, predict
 from fixel.report import showcase_models
 from fixel.scene import scene_options
-from fixel.site import costs, programs as programs_of
+from fixel.site import costs, packing, programs as programs_of
 from fixel.view import view_reference
 from outside import need, run
 from pages import DESKTOP, NARROW, PATIENCE, assert_accessible, crc, drop, fixture_chromium, opened, paused, shows     # one is a fixture
 
 PREFIX = "/some/place/"
 FIRST_REQUESTS = 8
-FIRST_BYTES, ALL_BYTES = 1 << 20, 12 << 20
+FIRST_BYTES, FIRST_PACKED = 1 << 20, 400_000
 JUDGED, DIFFERS = 4, 17  # frames a scene; a frame of the plaza that differs from double precision
 STEPS = """async (count) => {
     const found = [];
@@ -76,11 +80,42 @@ def test_the_first_frame_needs_few_requests_and_bytes(chromium, address, site, r
         first = [url for url in page.asked if not url.startswith("data:")]
         assert len(first) <= FIRST_REQUESTS, first
         names = {urllib.parse.urlparse(url).path.removeprefix(PREFIX) or "index.html" for url in first}
-        taken = sum((site / name).stat().st_size for name in names)
-        assert taken <= FIRST_BYTES
-        total = sum(file.stat().st_size for file in site.rglob("*") if file.is_file())
-        assert total <= ALL_BYTES
-        record_property("figure", f"{len(first)} requests, {taken:,} bytes before the first frame; {total:,} bytes in all")
+        taken, packed = packing.sizes(site / name for name in names)
+        assert taken <= FIRST_BYTES and packed <= FIRST_PACKED
+        record_property("figure", f"{len(first)} requests, {taken:,} bytes before the first frame, {packed:,} packed")
+
+
+def test_the_site_is_within_its_bytes_as_a_server_packs_it(site, record_property):
+    files = [file for file in site.rglob("*") if file.is_file()]
+    total, packed = sum(file.stat().st_size for file in files), 0
+    for file in files:
+        data = file.read_bytes()
+        is_picture = data.startswith(b"\x89PNG") or data[8:12] == b"WEBP"
+        packed += len(data) if is_picture else len(gzip.compress(data, 9))
+    assert total <= 12 << 20 and packed <= 4 << 20 and packing.sizes(files) == (total, packed)
+    record_property("figure", f"{total:,} bytes in all, {packed:,} packed")
+
+
+@pytest.mark.parametrize("total, packed, said", [((12 << 20) + 1, 0, r"12,582,913 bytes, of at most 12,582,912"),
+                                                 (1, (4 << 20) + 1, r"4,194,305 bytes as a server packs it, of at most 4,194,304")])
+def test_a_site_that_is_too_large_is_refused(total, packed, said):
+    packing.check(12 << 20, 4 << 20)
+    with pytest.raises(ToolError, match=f"^the site has {said}$"):
+        packing.check(total, packed)
+
+
+def test_pictures_become_smaller_and_equal_ones_one(tmp_path):
+    """The pages follow; a picture of the theme stays, and each pixel does."""
+    noise = numpy.random.default_rng(1).integers(0, 4, (40, 50, 3), dtype=numpy.uint8)
+    for name in ("a/one", "b/same", "b/_static/icon"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        Image.fromarray(noise).save(tmp_path / f"{name}.png")
+    (tmp_path / "b" / "page.html").write_text('<img src="same.png"><a href="../a/one.png"><img src="_static/icon.png"><a href="none.png">', encoding="utf-8")
+    packing.pack_pictures(tmp_path)
+    assert (tmp_path / "b" / "page.html").read_text(encoding="utf-8") == '<img src="../a/one.webp"><a href="../a/one.webp"><img src="_static/icon.png"><a href="none.png">'
+    assert sorted(file.name for file in tmp_path.rglob("*.*p*g") if file.is_file()) == ["icon.png"] and not (tmp_path / "b" / "same.webp").exists()
+    with Image.open(tmp_path / "a" / "one.webp") as made:
+        assert (numpy.asarray(made.convert("RGB")) == noise).all()
 
 
 @pytest.mark.parametrize("size", [DESKTOP, NARROW])
@@ -394,7 +429,7 @@ def test_each_scene_has_a_picture_a_page_its_code_and_its_command(chromium, addr
     assert len(names) > 20 and groups[0][-1] != "plaza"     # what the bench draws comes last
     for link in links:
         page, name = (site / link).read_text(encoding="utf-8"), pathlib.Path(link).stem
-        assert re.search(r"(^|&amp;&amp; |>)make run BOARD=\w", page) and (site / link).with_suffix(".png").read_bytes().startswith(b"\x89PNG"), link
+        assert re.search(r"(^|&amp;&amp; |>)make run BOARD=\w", page) and Image.open((site / link).parent / re.search(r'<figure>.*?<img src="([^"]+)"', page, re.DOTALL)[1]).width >= 96, link
         if link.startswith("scenes/"):
             assert f'href="../index.html#scene={name}"' in page and name in {each["name"] for each in all_scenes_of(site)}
         source = pathlib.Path("examples") / name / ("game.c" if name == "game" else "main.c") if link.startswith("examples/") else pathlib.Path("scenes") / f"{name}.toml"

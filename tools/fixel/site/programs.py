@@ -23,7 +23,7 @@ ROW = re.compile(r"^\| !\[(\w+)\]\(([\w./]+)\) \| [^|]+ \| \d+ \| ([^|]+) \|", r
 EXPORT = re.compile(r'#include "([\w.]+)" /\* (tools/scene\.py export [^*]+?) -o \1 \*/')      # a header, and the command that makes it
 PALETTE = re.compile(r"\b(\w*palette)\[256\]\[3\]")
 UNDEFINED = re.compile(r"undefined symbol: (\w+)")
-COMPILE = ("clang", "--target=wasm32", "-Os", "-std=gnu11", "-ffreestanding", "-fno-builtin", f"-I{ROOT / 'lib' / 'include'}")
+COMPILE = ("clang", "--target=wasm32", "-Oz", "-flto", "-std=gnu11", "-ffreestanding", "-fno-builtin", f"-I{ROOT / 'lib' / 'include'}")
 LINK = ("wasm-ld", "--no-entry", "--gc-sections", "--strip-all", "--stack-first", "-z", "stack-size=65536")
 SHOWS_ROWS = "firmware/own/show_rows.o"     # for a program that hands out rows itself, and for no other
 GLUE = """#define main program_main

@@ -21,7 +21,7 @@ from fixel.base.errors import ToolError
 from fixel.commands import late
 
 badge, predict, stage_costs = late("fixel.bench", "badge predict stage_costs")
-costs, docs, gallery, pages = late("fixel.site", "costs docs gallery pages")
+costs, docs, gallery, packing, pages = late("fixel.site", "costs docs gallery packing pages")
 image_file = late("fixel.image", "image")
 making, scene_options = late("fixel.scene", "making scene_options")
 showcase, showcase_models = late("fixel.report", "showcase showcase_models")
@@ -37,9 +37,8 @@ MODELS = ROOT / "tools" / "fixel" / "report" / "showcase_models.py"
 SHOWCASE = "build/showcase"     # of make showcase
 # Bytes of a model's image; a larger one is drawn with small textures, then with fewer faces too.
 MODEL_MOST, SMALL, FEWER, SIMPLER = 64 << 10, "--texture 32", "--simplify 500", re.compile(r"--simplify \d+ ?")
-LEFT_OUT = ("adversarial", "tiny", "knot-moving", "f32p")   # scenes for tests, which no person looks at
+LEFT_OUT = ("adversarial", "tiny", "knot-moving", "f32p", "w3b", "g2000")   # scenes for tests and for the bench, in which a person sees nothing
 DESCRIPTION = "Fixel draws 3-D on microcontrollers without a floating-point unit, with integers alone, the same picture on every core."
-MOST = 12 << 20         # bytes of the site
 # What stands in the page of the live window alone, and in that of the site alone.
 OF_THE_OTHER = [re.compile(rf" *<!-- {word} alone -->.*?<!-- end -->\n", re.DOTALL) for word in ("live", "site")]
 
@@ -201,10 +200,9 @@ def sentence():
 
 
 def sizes(folder):
-    """(bytes of all files, bytes of what the first page loads)."""
-    files = [file for file in folder.rglob("*") if file.is_file()]
+    """What packing.sizes says of all files, and of what the first page loads."""
     first = [folder / name for name in ("index.html", "site.css", "site.js", "walk.wasm", f"scenes/{FIRST}.fxls", f"scenes/{FIRST}.json")]
-    return sum(file.stat().st_size for file in files), sum(file.stat().st_size for file in first)
+    return packing.sizes(file for file in folder.rglob("*") if file.is_file()), packing.sizes(first)
 
 
 def main(argv):
@@ -236,10 +234,11 @@ def main(argv):
         shutil.copyfile(ROOT / "docs" / "plaza.png", folder / "plaza.png")
         (folder / "index.html").write_text(page([*scenes, *models], costs.boards(options.build)), encoding="utf-8")
         (folder / "llms.txt").write_text(docs.for_models(docs.grouped(docs.of_the_tree()), sentence(), "documents/"), encoding="utf-8")
+        packing.pack_pictures(folder)
         total, first = sizes(folder)
-        if total > MOST:
-            raise ToolError(f"the site has {total:,} bytes, of at most {MOST:,}")
+        packing.check(*total)
         docs.put(folder, options.out)
-    print(f"site: {count} documents, {functions} functions, {len(scenes)} scenes, {len(models)} models, {len(examples)} programs, {total:,} bytes, of which the first page loads {first:,}\n"
+    print(f"site: {count} documents, {functions} functions, {len(scenes)} scenes, {len(models)} models, {len(examples)} programs\n"
+          f"  {total[0]:,} bytes, {total[1]:,} as a server packs them; of these the first page loads {first[0]:,}, {first[1]:,} packed\n"
           f"  {options.out / 'index.html'}; to see it draw: python3 -m http.server --directory {options.out} 8066")
     return 0

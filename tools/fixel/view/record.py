@@ -16,15 +16,14 @@ from fixel.view import browser
 Image = late("PIL.Image")
 
 WIDTH, HEIGHT = 1280, 800   # of the browser's window
-FORMATS = [(540, 60), (540, 45), (460, 45), (400, 30)]      # pixels across, quality; the first that fits
+FORMATS = [(540, 45), (540, 30), (460, 30), (400, 30)]      # pixels across, quality; the first that fits
 METHOD = 4                  # of WebP: a better one takes longer
 MILLISECONDS = 120          # between two pictures, and what taking one takes
 LAST = 1.0                  # seconds that the last picture stands
-SIZE_MAX = 350_000          # bytes
+SIZE_MAX = 140_000          # bytes
 # For each picture: what is pressed and what is let go before it ("1".."3" choose what is shown beside).
-SCRIPT = [[], ["+w"], [], [], [], [], ["+d"], [], ["-d", "+a"], [], ["-a"], [], [], ["-w", "1"], [], ["+q"], [],
-          ["-q", "+e"], [], ["-e", "3"], [], ["+a"], [], [], ["-a", "+w"], [], [], ["-w", "2"], [], ["+d"], [], [],
-          ["-d", "+s"], [], [], ["-s", "0"], []]
+SCRIPT = [[], ["+w"], [], [], ["+d"], [], ["-d", "+a"], ["-a"], ["-w", "1"], [], ["+q"], ["-q", "+e"], ["-e", "3"], [], ["+a"], ["-a", "+w"], [],
+          ["-w", "2"], [], ["+d"], ["-d", "+s"], ["-s", "0"], []]
 
 
 def parser():
