@@ -257,7 +257,7 @@ static void fill_row(horizon_drawing *drawing, const uint16_t *second, uint32_t 
     }
     drawing->turn = turn;
     if (turn < rows->columns) {
-        fill_piece(canvas, other, &pieces[1], second, size, turn);
+        (void)fill_piece(canvas, other, &pieces[1], second, size, turn);
     }
 }
 
@@ -282,7 +282,7 @@ static void draw_rows(horizon_drawing *drawing, uint32_t first, bool is_fresh)
             set_piece(&pieces[1], rows->columns, rows->columns, sines - before);
         }
         fxl_horizon_choose(rows, true);
-        find_piece(rows, &drawing->orders[rows->rises], sines, &pieces[1], second);
+        (void)find_piece(rows, &drawing->orders[rows->rises], sines, &pieces[1], second);
         is_plain = is_plain && pieces[1].first == pieces[1].last &&
                    pieces[0].count + pieces[1].begin == sines;
     } else if (pieces[1].from != rows->columns) {

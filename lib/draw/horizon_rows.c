@@ -107,7 +107,8 @@ static uint32_t search(const fxl_horizon_rows *rows, uint32_t row, fxl_q2_30 sin
     uint32_t low = is_down ? fxl_horizon_from(rows, row) : near + 1;
     uint32_t high = is_down ? near : fxl_horizon_end(rows, row);
     bool is_doubled = true;
-    for (uint32_t step = 1; low < high; step *= 2) {
+    uint32_t step = 1;
+    while (low < high) {
         is_doubled = is_doubled && high - low >= step;
         const uint32_t way = is_doubled ? step : (high - low + 1) / 2;
         const uint32_t column = is_down ? high - way : low + way - 1;
@@ -118,6 +119,7 @@ static uint32_t search(const fxl_horizon_rows *rows, uint32_t row, fxl_q2_30 sin
         } else {
             low = column + 1;
         }
+        step *= 2;
     }
     return low;
 }
@@ -253,7 +255,8 @@ void fxl_horizon_find(const fxl_horizon_rows *rows, fxl_q2_30 sine, fxl_horizon_
                       uint16_t *columns)
 {
     int32_t column = change->column, step = change->step;
-    for (uint32_t i = 0; i < rows->count;) {
+    uint32_t i = 0;
+    while (i < rows->count) {
         const uint32_t found = find_some(rows, i, sine, column, &step, columns);
         if (found > 0) {
             i += found;
@@ -352,7 +355,10 @@ void fxl_horizon_take(fxl_horizon_rows *rows, int32_t y, uint32_t most)
 void fxl_horizon_choose(fxl_horizon_rows *rows, bool is_second)
 {
     rows->is_second = is_second;
-    rows->flip = rows->rises == is_second ? -1 : 0;
+    rows->flip = 0;
+    if (rows->rises == is_second) {
+        rows->flip = -1;
+    }
     rows->from = 0;
     rows->end = rows->columns;
     for (uint32_t i = 0; i < rows->count && !is_second; i++) {

@@ -145,9 +145,9 @@ static bool emit(fxl_line_instance *of, const fxl_painted_line *painted)
     screen->points[1] = painted->ends[1];
     screen->points[2].x = painted->is_point;
     screen->points[2].y = 0;
+    fxl_display_list *const list = traversal->display_list;
     const bool fits = fxl_display_list_append(
-        traversal->display_list, screen,
-        fxl_rows_of_line(painted, traversal->renderer->frame.view.lens.height));
+        list, screen, fxl_rows_of_line(painted, traversal->renderer->frame.view.lens.height));
     screen->kind = FXL_POLYGON_FLAT;
     screen->shade = shade;
     return fits;

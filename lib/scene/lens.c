@@ -169,15 +169,14 @@ fxl_status fxl_lens_from_window(uint16_t width, fxl_q16_16 left, fxl_q16_16 righ
     if (width < 1 || width > FXL_SCREEN_MAX || !window_in_range(&in, width, near_z)) {
         return FXL_E_RANGE;
     }
-    const uint32_t across = (uint32_t)(in.right - in.left);
-    /* Below 2^41; more than a row too many has a quotient that may not fit. */
-    const int64_t height = (in.top - in.bottom) * width;
-    if (height > (int64_t)(FXL_SCREEN_MAX + 1) * across) {
+    /* Products are below 2^42; of more than a row too many the quotient may not fit. */
+    const int64_t length = in.right - in.left, height = (in.top - in.bottom) * width;
+    if (height > length * (FXL_SCREEN_MAX + 1)) {
         return FXL_E_RANGE;
     }
+    const uint32_t across = (uint32_t)length;
     uint32_t residue;
-    const uint32_t rows =
-        fxl_divide_u64((uint64_t)height + (across >> 1), across, &residue);
+    const uint32_t rows = fxl_divide_u64(fxl_bits_64(height + length / 2), across, &residue);
     if (rows > FXL_SCREEN_MAX) {
         return FXL_E_RANGE;
     }

@@ -80,7 +80,7 @@ void prove_lens_of_part(void)
  * function = "fxl_lens_from_window"
  * property = "any window, or null: nothing overflows, and each quotient fits"
  * checks = 257
- * uses = ["fxl_divide_round"]
+ * uses = ["fxl_divide_round", "fxl_divide_u64"]
  * stubs = { fxl_off_centre = "the table of lib/view/off_centre.c, of which no other function is called" }
  */
 void prove_lens_from_window(void)
