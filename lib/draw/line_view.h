@@ -37,8 +37,8 @@ static inline bool fxl_line_meets_rows(const fxl_painted_line *painted, int32_t 
 }
 
 /* The canvas of a band. */
-fxl_line_canvas fxl_line_canvas_of(const fxl_renderer *renderer, const fxl_workspace *workspace,
-                                   const fxl_band *band);
+void fxl_find_line_canvas(const fxl_renderer *renderer, const fxl_workspace *workspace,
+                          const fxl_band *band, fxl_line_canvas *canvas);
 
 /* --- lines of instances --------------------------------------------------------------------- */
 

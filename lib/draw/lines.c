@@ -34,7 +34,9 @@ void fxl_begin_line_instance(const fxl_traversal *traversal, uint32_t number, fx
     of->turned = fxl_placement_code_of(renderer->scene, number);
     of->flat = flat_of(renderer);
     of->number = number;
-    of->canvas = fxl_line_canvas_of(renderer, traversal->workspace, traversal->band);
+    if (traversal->display_list == NULL) {
+        fxl_find_line_canvas(renderer, traversal->workspace, traversal->band, &of->canvas);
+    }
     of->first_face =
         &renderer->scene
              ->faces[renderer->scene->models[of->model_view->instance->model].first_face];
@@ -93,7 +95,7 @@ static fxl_line_plane *plane_of(fxl_line_instance *of, const fxl_face *face)
 
 /* fxl_line_face_is_front of a face of the model, kept from one line of the instance to the next of
  * the first faces. */
-static bool is_front(fxl_line_instance *of, uint32_t number)
+static inline bool is_front(fxl_line_instance *of, uint32_t number)
 {
     const uint32_t bit = number < 32 ? (uint32_t)1 << number : 0;
     if ((of->tested & bit) == 0) {
@@ -108,33 +110,30 @@ static bool is_front(fxl_line_instance *of, uint32_t number)
 /* The faces of a line that face the eye. Returns how many; false in *visible: it has faces, and
  * none does. */
 /* lines 2.4 */
-static uint32_t front_faces(fxl_line_instance *of, const fxl_line *line, const fxl_face *faces[2],
-                            bool *visible)
+static inline uint32_t front_faces(fxl_line_instance *of, const fxl_line *line,
+                                   const fxl_face *faces[2], bool *visible)
 {
+    const uint32_t first = line->faces[0], second = line->faces[1];
     uint32_t count = 0;
     *visible = true;
-    if ((line->faces[0] | line->faces[1]) == 0) {
+    if ((first | second) == 0) {
         return 0;
     }
-    for (uint32_t i = 0; i < 2; i++) {
-        const uint32_t number = line->faces[i];
-        if (number != 0 && is_front(of, number - 1)) {
-            faces[count++] = &of->first_face[number - 1];
-        }
+    if (first != 0 && is_front(of, first - 1)) {
+        faces[count++] = &of->first_face[first - 1];
+    }
+    if (second != 0 && is_front(of, second - 1)) {
+        faces[count++] = &of->first_face[second - 1];
     }
     *visible = count > 0;
     return count;
 }
 
-/* Into the display list, or into the band. False where the list has no room. */
+/* Into the display list. False where it has no room. */
 /* lines 4.1 */
-static bool emit(fxl_line_instance *of, const fxl_painted_line *painted)
+static FXL_COLD bool append(const fxl_line_instance *of, const fxl_painted_line *painted)
 {
     const fxl_traversal *traversal = of->traversal;
-    if (traversal->display_list == NULL) {
-        fxl_paint_wide_line(&of->canvas, painted);
-        return true;
-    }
     fxl_screen_polygon *screen = &traversal->workspace->screen;
     const uint8_t shade = screen->shade;
     screen->colour = painted->colour;
@@ -154,37 +153,51 @@ static bool emit(fxl_line_instance *of, const fxl_painted_line *painted)
 }
 
 /* lines 1.1 */
-fxl_line_outcome fxl_draw_line_on(fxl_line_instance *of, const fxl_line *line,
-                                  const fxl_face *const faces[], uint32_t count, bool *fits)
+static inline __attribute__((always_inline)) fxl_line_outcome draw_on(fxl_line_instance *of,
+                                                                      const fxl_line *line,
+                                                                      const fxl_face *const faces[],
+                                                                      uint32_t count, bool *fits)
 {
     const fxl_traversal *traversal = of->traversal;
     fxl_painted_line painted;
     const fxl_line_outcome outcome = fxl_place_model_line(of, line, &painted);
+    if (outcome < FXL_LINE_DRAWN) {
+        return outcome;
+    }
     painted.colour = line->colour;
     painted.width = line->width;
     painted.is_point = line->from == line->to;
-    const fxl_band *band = traversal->band;
-    if (outcome < FXL_LINE_DRAWN ||
-        (band != NULL && !fxl_line_meets_rows(&painted, band->first_row, band->rows))) {
+    painted.plane_count = 0;
+    if (traversal->display_list != NULL) {
+        *fits = append(of, &painted);
         return outcome;
     }
-    painted.plane_count = 0;
-    if (traversal->renderer->target->depth_bits != 0) {
+    const fxl_band *band = traversal->band;
+    if (!fxl_line_meets_rows(&painted, band->first_row, band->rows)) {
+        return outcome;
+    }
+    if (of->canvas.head != NULL) {
         for (uint32_t i = 0; i < count; i++) {
             painted.planes[i] = plane_of(of, faces[i]);
         }
         painted.plane_count = (uint8_t)count;
     }
-    *fits = emit(of, &painted);
+    fxl_paint_wide_line(&of->canvas, &painted);
     return outcome;
 }
 
-static fxl_line_outcome draw_line(fxl_line_instance *of, const fxl_line *line, bool *fits)
+fxl_line_outcome fxl_draw_line_on(fxl_line_instance *of, const fxl_line *line,
+                                  const fxl_face *const faces[], uint32_t count, bool *fits)
+{
+    return draw_on(of, line, faces, count, fits);
+}
+
+static inline fxl_line_outcome draw_line(fxl_line_instance *of, const fxl_line *line, bool *fits)
 {
     const fxl_face *faces[2];
     bool visible;
     const uint32_t count = front_faces(of, line, faces, &visible);
-    return visible ? fxl_draw_line_on(of, line, faces, count, fits) : FXL_LINE_BACKFACING;
+    return visible ? draw_on(of, line, faces, count, fits) : FXL_LINE_BACKFACING;
 }
 
 /* Of each outcome so many. */
@@ -296,8 +309,9 @@ static void draw_record(fxl_workspace *workspace, const fxl_screen_polygon *reco
                                       .width = record->shade,
                                       .is_point = record->points[2].x != 0,
                                       .plane_count = 0};
-    fxl_line_canvas canvas = {band, NULL, 0, false, 0, 0, 0};
+    fxl_line_canvas canvas;
     (void)workspace;
+    fxl_line_canvas_begin(&canvas, band, NULL, 0, false);
     fxl_paint_wide_line(&canvas, &painted);
 }
 

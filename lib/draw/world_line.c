@@ -113,19 +113,13 @@ fxl_line_outcome fxl_place_model_line(const fxl_line_instance *of, const fxl_lin
                                              : FXL_LINE_DRAWN;
 }
 
-fxl_line_canvas fxl_line_canvas_of(const fxl_renderer *renderer, const fxl_workspace *workspace,
-                                   const fxl_band *band)
+void fxl_find_line_canvas(const fxl_renderer *renderer, const fxl_workspace *workspace,
+                          const fxl_band *band, fxl_line_canvas *canvas)
 {
     const uint8_t bits = renderer->target->depth_bits;
-    const fxl_line_canvas canvas = {band,
-                                    bits != 0 ? (const fxl_depth_head *)workspace->target_memory
-                                              : NULL,
-                                    renderer->frame.view.lens.near_z,
-                                    bits == 32,
-                                    0,
-                                    0,
-                                    0};
-    return canvas;
+    const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
+    fxl_line_canvas_begin(canvas, band, bits != 0 ? head : NULL, renderer->frame.view.lens.near_z,
+                          bits == 32);
 }
 
 /* --- a line of the world -------------------------------------------------------------------- */
@@ -187,7 +181,8 @@ fxl_status fxl_frame_draw_line(fxl_renderer *renderer, fxl_workspace *workspace,
     painted.plane_count = 0;
     if (fxl_place_line(view, &clipped, &painted) >= FXL_LINE_DRAWN &&
         fxl_line_meets_rows(&painted, band->first_row, band->rows)) {
-        fxl_line_canvas canvas = fxl_line_canvas_of(renderer, workspace, &from_0);
+        fxl_line_canvas canvas;
+        fxl_find_line_canvas(renderer, workspace, &from_0, &canvas);
         if (canvas.head != NULL) {
             fxl_depth_clear_rest(workspace, &from_0, renderer->target->depth_bits / 8u);
         }

@@ -32,6 +32,23 @@ static inline uint32_t fxl_line_code_in_octave(const fxl_depth_octave *octave, i
     return octave->bias + fxl_depth_shifted(depth, octave->drop) + octave->step * (uint32_t)x;
 }
 
+/* How the codes of an octave go on from row to row: exact, as no bit below the code's is lost, nor
+ * one above it: where they are shifted, mantissas have 12 bits at most, and codes without the bias
+ * fewer than 30. */
+static inline void fxl_line_find_rows(fxl_line_plane *face)
+{
+    const fxl_gradient *gradient = &face->plane.gradient;
+    const fxl_depth_octave *octave = &face->octave;
+    const int32_t up = octave->drop < 32 ? 32 - octave->drop : 0; /* below 64 */
+    face->shift = (uint8_t)(octave->drop > 32 ? octave->drop - 32 : 0);
+    face->added = face->shift != 0 ? octave->bias : 0;
+    face->right = (int32_t)fxl_line_word_of(fxl_line_worded(face, gradient->along));
+    face->down = (int32_t)fxl_line_word_of(fxl_line_worded(face, gradient->down));
+    face->row = fxl_bits_64(gradient->down) << up;
+    face->start =
+        (fxl_bits_64(gradient->at) << up) + ((uint64_t)(octave->bias - face->added) << 32);
+}
+
 /* The same of a worded value that the octave that was found last does not hold: finds another one. All
  * depths of an upper word are in an octave if its low end, rounded up to 2^32, is not above them, and
  * its high end, rounded down, is. One whose code is constant holds none. */
@@ -45,10 +62,23 @@ static __attribute__((noinline)) uint32_t fxl_line_code_in_other(fxl_depth_scale
         fxl_depth_octave_of_word(scale, &face->plane, fxl_line_word_of(value), octave);
         face->first = (uint32_t)octave->low;
         face->span = (uint32_t)(octave->high - octave->low - 1); /* from 65535 on */
+        fxl_line_find_rows(face);
+        return fxl_line_code_in_octave(octave, depth, x);
+    }
+    face->span = 0;
+    const uint32_t upper = fxl_line_word_of(value);
+    const int32_t length = 64 - (int32_t)fxl_leading_zeros(upper | 1u);
+    const uint32_t number = (uint32_t)(face->plane.one - length);
+    if (!FXL_IS_COMPACT && length > 33 && length < 64 && number < scale.octaves) {
+        octave->drop = length - 17 - scale.mantissa; /* 2..34: as fxl_depth_octave_of finds it */
+        octave->bias = ((scale.octaves - 2u - number) << (scale.mantissa + 16)) + 65536u;
+        octave->step = fxl_depth_shifted(face->plane.gradient.along, octave->drop);
+        octave->is_constant = false;
+        face->first = face->span = (uint32_t)1 << (length - 33);
+        fxl_line_find_rows(face);
         return fxl_line_code_in_octave(octave, depth, x);
     }
     fxl_depth_octave_of(scale, &face->plane, (int64_t)value, octave);
-    face->span = 0;
     if (octave->is_constant) {
         return octave->bias;
     }
@@ -56,6 +86,7 @@ static __attribute__((noinline)) uint32_t fxl_line_code_in_other(fxl_depth_scale
     const int32_t high = (int32_t)(octave->high >> 32);
     face->first = fxl_bits_32(low);
     face->span = high > low ? fxl_bits_32(high) - fxl_bits_32(low) : 0;
+    fxl_line_find_rows(face);
     return fxl_line_code_in_octave(octave, depth, x);
 }
 
@@ -75,24 +106,19 @@ static uint32_t fxl_line_code_of_face(fxl_depth_scale scale, fxl_line_plane *fac
 
 /* The depth of a line without planes from place to place along its major axis. */
 typedef struct {
-    fxl_depth_plane unit; /* its `one`: what depths are counted in */
-    int64_t at, step;     /* at the first place, and what a place adds */
-    int64_t low, high;    /* the depths of the ends */
-    fxl_depth_octave octave;
+    int32_t one;       /* as that of a fxl_depth_plane: what depths are counted in */
+    int64_t at, step;  /* at the first place, and what a place adds */
+    int64_t low, high; /* the depths of the ends */
 } fxl_line_depth;
 
 /* lines 3.3 */
-static uint32_t fxl_line_code_of_depth(fxl_depth_scale scale, fxl_line_depth *depth)
+static inline uint32_t fxl_line_code_of_depth(fxl_depth_scale scale, const fxl_line_depth *depth)
 {
     const int64_t value = depth->at < depth->low    ? depth->low
                           : depth->at > depth->high ? depth->high
                                                     : depth->at;
-    fxl_depth_octave *octave = &depth->octave;
-    if (!fxl_depth_octave_holds(octave, value)) {
-        fxl_depth_octave_of(scale, &depth->unit, value, octave);
-    }
-    return octave->is_constant ? octave->bias
-                               : octave->bias + fxl_depth_shifted(value, octave->drop);
+    const fxl_depth_plane unit = {{0, 0, 0}, depth->one};
+    return fxl_depth_code_at(scale, &unit, value, 0);
 }
 
 /* near_z / distance as mantissa * 2^-one, off by less than 2^-28 of it, is what the canvas then has.
@@ -128,13 +154,11 @@ static void fxl_line_find_ends(fxl_line_canvas *canvas, const fxl_painted_line *
     const int32_t one = (first_one < second_one ? first_one : second_one) + 29;
     ends[0] = fxl_line_scaled(first, one - first_one);
     ends[1] = fxl_line_scaled(second, one - second_one);
-    depth->unit.gradient.at = depth->unit.gradient.along = depth->unit.gradient.down = 0;
-    depth->unit.one = one;
+    depth->one = one;
     depth->low = ends[0] < ends[1] ? ends[0] : ends[1];
     depth->high = ends[0] < ends[1] ? ends[1] : ends[0];
     depth->at = ends[0];
     depth->step = 0;
-    depth->octave.low = depth->octave.high = 0; /* holds nothing */
 }
 
 /* whole / length of a depth and a length on the screen. */
@@ -166,26 +190,39 @@ static int64_t fxl_line_share(const fxl_line_slope *slope, uint32_t part)
     return fxl_multiply_s64(slope->quotient, part) + rest;
 }
 
-/* Sets the depth at the first place of the extent, and its step. The first place of the whole line
+/* A line from place to place: the pixel across is exact, as is fxl_line_pixels, whose parts are
+ * multiples of 2^16 but for the last 16 bits of what is left. These stay as they are and decide no
+ * comparison: they are left out. Where the line falls, what is left is that to the pixel's other
+ * edge, so that it never becomes negative. */
+typedef struct {
+    int32_t first, end;         /* places along */
+    int32_t across;             /* at the first one */
+    int32_t change;             /* of the pixel across, where it changes: -1 or 1 */
+    uint32_t left, pixel, step; /* left < pixel < 2^30, step <= pixel */
+    bool upright;
+} fxl_line_places;
+
+/* Sets the depth at the first place, and its step; begin: the first place of the whole line. The first place of the whole line
  * does not depend on the band, so neither do the depths. A line of at most a pixel has one place. */
 /* lines 3.3 */
-static void fxl_line_find_depth(const fxl_painted_line *line, const fxl_line_extent *extent,
-                                bool upright, const int64_t ends[2], fxl_line_depth *depth)
+static void fxl_line_find_depth(const fxl_painted_line *line, const fxl_line_places *places,
+                                int32_t begin, const int64_t ends[2], fxl_line_depth *depth)
 {
+    const bool upright = places->upright;
     const int32_t a = upright ? line->ends[0].y : line->ends[0].x;
     const int32_t b = upright ? line->ends[1].y : line->ends[1].x;
     const bool swapped = b < a;
     const uint32_t length = (uint32_t)(swapped ? a - b : b - a); /* below 2^30 */
     const int64_t from = ends[swapped], to = ends[!swapped];
     const uint64_t whole = (uint64_t)(from < to ? to - from : from - to);
-    const uint32_t before = (uint32_t)(fxl_centre_of(extent->begin) - (swapped ? b : a));
+    const uint32_t before = (uint32_t)(fxl_centre_of(begin) - (swapped ? b : a));
     const fxl_line_slope slope = fxl_line_slope_of(whole, length);
     const int64_t rise = fxl_line_share(&slope, before);
     const int64_t step =
-        length > 65536 && extent->end - extent->begin > 1 ? fxl_line_share(&slope, 65536) : 0;
+        length > 65536 && places->end - begin > 1 ? fxl_line_share(&slope, 65536) : 0;
     depth->step = from < to ? step : -step;
     depth->at = (from < to ? from + rise : from - rise) +
-                fxl_multiply_s64(depth->step, extent->first - extent->begin);
+                fxl_multiply_s64(depth->step, places->first - begin);
 }
 
 #endif

@@ -1,38 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 #include "line_paint.h"
 
-#include "line_depth.h"
+#include "line_run.h"
 
 /* --- pixels --------------------------------------------------------------------------------- */
-
-/* Pixels: first <= column < end, and so rows. */
-typedef struct {
-    int32_t first_column, end_column, first_row, end_row;
-} pixel_box;
 
 /* Where pixels are painted, and by what. */
 typedef struct {
     fxl_line_canvas *canvas;
     const fxl_painted_line *line;
-    pixel_box band;
 } painting;
-
-/* A line from place to place: the pixel across is exact, as is fxl_line_pixels, whose parts are
- * multiples of 2^16 but for the last 16 bits of what is left. These stay as they are and decide no
- * comparison: they are left out. Where the line falls, what is left is that to the pixel's other
- * edge, so that it never becomes negative. */
-typedef struct {
-    int32_t first, end;         /* places along */
-    int32_t across;             /* at the first one */
-    int32_t change;             /* of the pixel across, where it changes: -1 or 1 */
-    uint32_t left, pixel, step; /* left < pixel < 2^30, step <= pixel */
-    bool upright;
-} line_places;
 
 #define INLINED static inline __attribute__((always_inline))
 
 /* To the next place. Returns whether the pixel across changes. */
-INLINED bool step_place(line_places *places)
+INLINED bool step_place(fxl_line_places *places)
 {
     places->first++;
     places->left += places->step;
@@ -44,35 +26,19 @@ INLINED bool step_place(line_places *places)
     return true;
 }
 
-/* What pixels with a depth are painted into, and with: copied, so that a pixel that is written may be
- * none of it. */
-typedef struct {
-    void *cells;
-    fxl_band band;
-    fxl_depth_rule rule;
-    uint8_t colour;
-} depth_canvas;
-
-INLINED depth_canvas depth_canvas_of(const painting *of)
+/* At a pixel of the band. */
+INLINED fxl_line_run run_at(const painting *of, int32_t x, int32_t y)
 {
     const fxl_line_canvas *canvas = of->canvas;
-    const depth_canvas made = {(void *)(uintptr_t)(canvas->head + 1),
-                               *canvas->band,
-                               {canvas->wide, true},
-                               of->line->colour};
-    return made;
-}
-
-/* A pixel of the band. */
-/* lines 3.1 */
-INLINED void paint_cell(const depth_canvas *to, int32_t x, int32_t y, uint32_t code)
-{
-    const uint32_t row = (uint32_t)(y - to->band.first_row);
-    const int32_t cell = (int32_t)(row * to->band.width) + x;
-    if (fxl_depth_passes(to->cells, cell, code, to->rule)) {
-        fxl_depth_keep(to->cells, cell, code, to->rule.wide);
-        fxl_set_pixel(&to->band, (size_t)row * to->band.stride + (size_t)x, to->colour);
-    }
+    const fxl_band *band = canvas->band;
+    const int32_t row = y - canvas->box.first_row;
+    fxl_line_run run;
+    run.cell = (uint8_t *)(uintptr_t)(canvas->head + 1) + row * canvas->cell_row +
+               x * (int32_t)canvas->cell;
+    run.pixel = band->pixels + row * canvas->pixel_row + x * (int32_t)canvas->pixel;
+    run.colour = (canvas->format & FXL_LINE_COLOURS) != 0 ? band->palette[of->line->colour]
+                                                          : of->line->colour;
+    return run;
 }
 
 /* A pixel of the band; code: of a line without planes. */
@@ -90,14 +56,14 @@ static void paint_pixel(const painting *of, int32_t x, int32_t y, uint32_t code)
         const uint32_t other = fxl_line_code_of_face(canvas->head->scale, line->planes[i], x, y);
         code = i == 0 || other > code ? other : code;
     }
-    const depth_canvas to = depth_canvas_of(of);
-    paint_cell(&to, x, y, code);
+    const fxl_line_run run = run_at(of, x, y);
+    fxl_line_paint_place(&run, code, of->canvas->format);
 }
 
 /* Those pixels of a box that the band has. */
-static void paint_box(const painting *of, const pixel_box *box, uint32_t code)
+static void paint_box(const painting *of, const fxl_pixel_box *box, uint32_t code)
 {
-    const pixel_box *band = &of->band;
+    const fxl_pixel_box *band = &of->canvas->box;
     const int32_t end_row = box->end_row < band->end_row ? box->end_row : band->end_row;
     const int32_t end_column =
         box->end_column < band->end_column ? box->end_column : band->end_column;
@@ -125,19 +91,19 @@ static void paint_point(const painting *of, uint32_t code)
     const fxl_painted_line *line = of->line;
     const int32_t left = first_of(line->ends[0].x, line->width) >> 16;
     const int32_t top = first_of(line->ends[0].y, line->width) >> 16;
-    const pixel_box box = {left, left + line->width, top, top + line->width};
+    const fxl_pixel_box box = {left, left + line->width, top, top + line->width};
     paint_box(of, &box, code);
 }
 
 /* Without a depth buffer: a column or a row after the other. */
 /* lines 2.2 */
-static void paint_plain(const painting *of, line_places *places)
+static void paint_plain(const painting *of, fxl_line_places *places)
 {
     const int32_t width = of->line->width;
     while (places->first < places->end) {
         const int32_t along = places->first, across = places->across;
-        const pixel_box row = {across, across + width, along, along + 1};
-        const pixel_box column = {along, along + 1, across, across + width};
+        const fxl_pixel_box row = {across, across + width, along, along + 1};
+        const fxl_pixel_box column = {along, along + 1, across, across + width};
         paint_box(of, places->upright ? &row : &column, 0);
         (void)step_place(places);
     }
@@ -145,189 +111,168 @@ static void paint_plain(const painting *of, line_places *places)
 
 /* --- a pixel a place, with a depth buffer ---------------------------------------------------- */
 
-/* The pixels across that the band has: begin <= across < begin + size. */
-typedef struct {
-    int32_t begin;
-    uint32_t size;
-} band_side;
-
-INLINED band_side side_of(const painting *of, bool upright)
+/* A line from its first place on, whose pixel is one of the band. */
+INLINED fxl_line_run run_of(const painting *of, const fxl_line_places *places)
 {
-    const pixel_box *band = &of->band;
-    const int32_t begin = upright ? band->first_column : band->first_row;
-    const band_side side = {begin,
-                            (uint32_t)((upright ? band->end_column : band->end_row) - begin)};
-    return side;
-}
-
-INLINED bool is_within(band_side side, const line_places *places)
-{
-    return (uint32_t)(places->across - side.begin) < side.size;
+    const fxl_line_canvas *canvas = of->canvas;
+    const fxl_pixel_box *box = &canvas->box;
+    const bool upright = places->upright, falls = places->change < 0;
+    const int32_t cell = (int32_t)canvas->cell, pixel = (int32_t)canvas->pixel;
+    const int32_t cell_row = canvas->cell_row, pixel_row = canvas->pixel_row;
+    const int32_t cell_across = upright ? cell : cell_row;
+    const int32_t pixel_across = upright ? pixel : pixel_row;
+    fxl_line_run run = run_at(of, upright ? places->across : places->first,
+                              upright ? places->first : places->across);
+    run.cell_along = upright ? cell_row : cell;
+    run.pixel_along = upright ? pixel_row : pixel;
+    run.cell_across = falls ? -cell_across : cell_across;
+    run.pixel_across = falls ? -pixel_across : pixel_across;
+    run.count = (uint32_t)(places->end - places->first);
+    run.room = (uint32_t)(falls ? places->across - (upright ? box->first_column : box->first_row)
+                                : (upright ? box->end_column : box->end_row) - 1 - places->across);
+    run.behind = (int32_t)(places->left - places->pixel);
+    run.step = (int32_t)places->step;
+    run.size = (int32_t)places->pixel;
+    return run;
 }
 
 /* With the line's own depth, which is at the first place. */
 /* lines 3.3 */
-static void paint_with_depth(const painting *of, line_places *places, fxl_line_depth *depth)
+static void paint_with_depth(const painting *of, const fxl_line_places *places,
+                             fxl_line_depth *depth)
 {
-    const band_side side = side_of(of, places->upright);
-    const depth_canvas to = depth_canvas_of(of);
+    const fxl_line_run run = run_of(of, places);
     const fxl_depth_scale scale = of->canvas->head->scale;
-    for (;;) {
-        if (is_within(side, places)) {
-            paint_cell(&to, places->upright ? places->across : places->first,
-                       places->upright ? places->first : places->across,
-                       fxl_line_code_of_depth(scale, depth));
-        }
-        (void)step_place(places);
-        if (places->first >= places->end) {
-            return;
-        }
-        depth->at += depth->step;
+    const uint32_t format = of->canvas->format;
+    if (format == FXL_LINE_NARROW) {
+        fxl_line_paint_own(&run, scale, depth, FXL_LINE_NARROW);
+    } else {
+        fxl_line_paint_own(&run, scale, depth, format);
     }
 }
 
-/* A face at a pixel of the band. */
-typedef struct {
-    fxl_line_plane *face;
-    int64_t depth, row;    /* in column 0 of its row, and what the next row of the line adds */
-    uint64_t value;        /* worded, at the pixel */
-    uint64_t along, sheer; /* what a place along adds to it, and one across */
-    uint32_t code;
-} face_walk;
+static void paint_stretch(fxl_line_run *run, const fxl_line_codes codes[2], uint32_t places,
+                          uint32_t faces, uint32_t format)
+{
+    if (format != FXL_LINE_NARROW || codes[0].shift != 0 || codes[faces - 1].shift != 0) {
+        if (faces == 1) {
+            fxl_line_paint_stretch(run, codes, places, 1, true, format);
+        } else {
+            fxl_line_paint_stretch(run, codes, places, 2, true, format);
+        }
+    } else if (faces == 1) {
+        fxl_line_paint_stretch(run, codes, places, 1, false, FXL_LINE_NARROW);
+    } else {
+        fxl_line_paint_stretch(run, codes, places, 2, false, FXL_LINE_NARROW);
+    }
+}
 
 /* lines 3.2 */
-INLINED void find_code(face_walk *walk, fxl_depth_scale scale, int32_t x)
+static void paint_on_faces(const painting *of, fxl_line_places *places)
 {
-    walk->code = fxl_line_holds(walk->face, fxl_line_word_of(walk->value))
-                     ? fxl_line_code_in_octave(&walk->face->octave, walk->depth, x)
-                     : fxl_line_code_in_other(scale, walk->face, walk->depth, walk->value, x);
-}
-
-INLINED void begin_walk(const line_places *places, bool upright, fxl_depth_scale scale,
-                        face_walk *walk)
-{
-    const fxl_gradient *gradient = &walk->face->plane.gradient;
-    const bool falls = places->change < 0;
-    const int32_t x = upright ? places->across : places->first;
-    const int32_t y = upright ? places->first : places->across;
-    const int64_t down = !upright && falls ? -gradient->down : gradient->down;
-    const int64_t along = upright && falls ? -gradient->along : gradient->along;
-    walk->depth = gradient->at + fxl_multiply_s64_u16(gradient->down, (uint32_t)y);
-    walk->value = fxl_line_worded(walk->face,
-                                  walk->depth + fxl_multiply_s64_u16(gradient->along, (uint32_t)x));
-    walk->row = down;
-    walk->along = fxl_line_worded(walk->face, upright ? down : along);
-    walk->sheer = fxl_line_worded(walk->face, upright ? along : down);
-    find_code(walk, scale, x);
-}
-
-/* To the next place. changes: and to the next pixel across. */
-INLINED void step_walk(const line_places *places, bool upright, bool changes, fxl_depth_scale scale,
-                       face_walk *walk)
-{
-    walk->value += walk->along;
-    if (changes) {
-        walk->value += walk->sheer;
-    }
-    if (upright || changes) {
-        walk->depth += walk->row;
-        find_code(walk, scale, upright ? places->across : places->first);
-    } else if (fxl_line_holds(walk->face, fxl_line_word_of(walk->value))) {
-        walk->code += walk->face->octave.step;
-    } else {
-        walk->code =
-            fxl_line_code_in_other(scale, walk->face, walk->depth, walk->value, places->first);
-    }
-}
-
-/* upright, count: of faces; constant where this function is called. The places whose pixel the band
- * has come one after the other. */
-INLINED void paint_on(const painting *of, line_places *places, bool upright, uint32_t count)
-{
+    const uint32_t faces = of->line->plane_count, format = of->canvas->format;
     const fxl_depth_scale scale = of->canvas->head->scale;
-    const band_side side = side_of(of, upright);
-    const depth_canvas to = depth_canvas_of(of);
-    face_walk walks[2];
-    while (!is_within(side, places)) {
-        (void)step_place(places);
-        if (places->first >= places->end) {
-            return;
-        }
-    }
-    for (uint32_t i = 0; i < count; i++) {
-        walks[i].face = of->line->planes[i];
-        begin_walk(places, upright, scale, &walks[i]);
-    }
+    fxl_line_run run = run_of(of, places);
+    const int32_t across = places->across, room = (int32_t)run.room;
+    uint32_t rest;
+    const uint32_t rate = /* 4096 at most */
+        fxl_divide_u32(places->step, (places->pixel >> 12) + 1u, &rest);
     for (;;) {
-        const bool is_first = count == 1 || walks[0].code > walks[1].code;
-        paint_cell(&to, upright ? places->across : places->first,
-                   upright ? places->first : places->across, walks[is_first ? 0 : 1].code);
-        const bool changes = step_place(places);
-        if (places->first >= places->end || (changes && !is_within(side, places))) {
+        fxl_line_codes codes[2];
+        uint32_t count = run.count;
+        for (uint32_t i = 0; i < faces; i++) {
+            count =
+                fxl_line_codes_begin(scale, of->line->planes[i], places, rate, count, &codes[i]);
+        }
+        paint_stretch(&run, codes, count, faces, format);
+        if (run.count == 0) {
             return;
         }
-        for (uint32_t i = 0; i < count; i++) {
-            step_walk(places, upright, changes, scale, &walks[i]);
-        }
+        places->first = places->end - (int32_t)run.count;
+        places->left = (uint32_t)(run.behind + run.size);
+        places->across = across + places->change * (room - (int32_t)run.room);
     }
 }
 
-static void paint_on_faces(const painting *of, line_places *places)
+/* To the first place whose pixel is one of the band. False: there is none. */
+INLINED bool enter_band(const fxl_pixel_box *band, fxl_line_places *places, fxl_line_depth *depth)
 {
-    if (of->line->plane_count == 1) {
-        if (places->upright) {
-            paint_on(of, places, true, 1);
-        } else {
-            paint_on(of, places, false, 1);
-        }
-    } else if (places->upright) {
-        paint_on(of, places, true, 2);
-    } else {
-        paint_on(of, places, false, 2);
-    }
-}
-
-/* To the first place that is a column of the band, which places then end with. False: there is none. */
-static bool enter_columns(const pixel_box *band, line_places *places, fxl_line_depth *depth)
-{
-    places->end = places->end < band->end_column ? places->end : band->end_column;
-    while (places->first < places->end && places->first < band->first_column) {
+    const bool upright = places->upright;
+    const int32_t begin = upright ? band->first_column : band->first_row;
+    const uint32_t size = (uint32_t)((upright ? band->end_column : band->end_row) - begin);
+    while ((uint32_t)(places->across - begin) >= size) {
         depth->at += depth->step;
         (void)step_place(places);
+        if (places->first >= places->end) {
+            return false;
+        }
     }
-    return places->first < places->end;
+    return true;
+}
+
+/* One pixel of the width. */
+static void paint_row(const painting *of, fxl_line_places *places, fxl_line_depth *depth)
+{
+    if (!enter_band(&of->canvas->box, places, depth)) {
+        return;
+    }
+    if (of->line->plane_count == 0) {
+        paint_with_depth(of, places, depth);
+    } else {
+        paint_on_faces(of, places);
+    }
+}
+
+/* place fill-rule: the pixels of a line, whose places begin with the first centre that is not before it */
+/* The places of a line within the band. Returns the first of the whole line, within the band or before
+ * it. As fxl_find_line_pixels finds them, from a whole pixel near the line instead of one above the
+ * screen: the sum is (across + steps * 65536) length + (centre - from) rise, at least 0 since |rise|
+ * <= length, and at most what 3 * 2^59 is. */
+/* lines 2.2, wire 2.2, 2.3 */
+INLINED int32_t find_places(const painting *of, fxl_line_places *places)
+{
+    const fxl_screen_point *a = &of->line->ends[0], *b = &of->line->ends[1];
+    const int32_t width = b->x - a->x, height = b->y - a->y; /* below 2^30 */
+    const bool upright = (height < 0 ? -height : height) > (width < 0 ? -width : width);
+    const bool swapped = (upright ? height : width) < 0;
+    const fxl_screen_point *start = swapped ? b : a;
+    const int32_t from = upright ? start->y : start->x;
+    const int32_t across = first_of(upright ? start->x : start->y, of->line->width);
+    const int32_t along = upright ? height : width, other = upright ? width : height;
+    const int32_t length = swapped ? -along : along, rise = swapped ? -other : other;
+    const int32_t begin = (from + 32767) >> 16, behind = (from + length + 32767) >> 16;
+    const int32_t low = upright ? of->canvas->box.first_row : of->canvas->box.first_column;
+    const int32_t high = upright ? of->canvas->box.end_row : of->canvas->box.end_column;
+    places->first = begin > low ? begin : low;
+    places->end = behind < high ? behind : high;
+    if (places->first < places->end) {
+        const int32_t centre = fxl_centre_of(places->first) - from;
+        const int32_t steps = rise < 0 ? (centre >> 16) + 1 : 0;
+        const int64_t sum = fxl_multiply_s32(across & 0xFFFF, length) +
+                            fxl_multiply_s32(centre, rise) +
+                            fxl_multiply_s32(steps, length) * 65536;
+        uint32_t left;
+        const uint32_t pixel = fxl_divide_u64((uint64_t)sum >> 16, (uint32_t)length, &left);
+        places->across = (across >> 16) - steps + (int32_t)pixel;
+        places->change = rise < 0 ? -1 : 1;
+        places->pixel = (uint32_t)length;
+        places->left = rise < 0 ? (uint32_t)length - 1 - left : left;
+        places->step = (uint32_t)(rise < 0 ? -rise : rise);
+        places->upright = upright;
+    }
+    return begin;
 }
 
 /* lines 2.2 */
 static void paint_line(const painting *of)
 {
     const fxl_painted_line *line = of->line;
-    const fxl_screen_point *a = &line->ends[0], *b = &line->ends[1];
-    const int32_t width = b->x - a->x, height = b->y - a->y; /* below 2^30 */
-    const bool upright = (height < 0 ? -height : height) > (width < 0 ? -width : width);
-    fxl_screen_point moved[2] = {*a, *b};
-    fxl_line_pixels pixels;
+    fxl_line_places places;
     fxl_line_depth depth;
-    depth.at = depth.step = 0;
-    for (uint32_t i = 0; i < 2; i++) {
-        fxl_q16_16 *across = upright ? &moved[i].x : &moved[i].y;
-        *across = first_of(*across, line->width);
-    }
-    const fxl_line_extent extent =
-        fxl_find_line_pixels(&moved[0], &moved[1], of->canvas->band, &pixels);
-    if (extent.first >= extent.end) {
+    const int32_t begin = find_places(of, &places);
+    if (places.first >= places.end) {
         return;
     }
-    line_places places;
-    const int32_t left = (int32_t)(pixels.left >> 16), step = (int32_t)(pixels.step >> 16);
-    places.first = extent.first;
-    places.end = extent.end;
-    places.across = pixels.across;
-    places.change = step < 0 ? -1 : 1;
-    places.pixel = (uint32_t)(pixels.pixel >> 16);
-    places.left = step < 0 ? places.pixel - 1 - (uint32_t)left : (uint32_t)left;
-    places.step = (uint32_t)(step < 0 ? -step : step);
-    places.upright = upright;
     if (of->canvas->head == NULL) {
         paint_plain(of, &places);
         return;
@@ -335,35 +280,44 @@ static void paint_line(const painting *of)
     if (line->plane_count == 0) {
         int64_t ends[2];
         fxl_line_find_ends(of->canvas, line, ends, &depth);
-        fxl_line_find_depth(line, &extent, upright, ends, &depth);
+        fxl_line_find_depth(line, &places, begin, ends, &depth);
+    } else {
+        depth.at = depth.step = 0;
     }
-    if (!upright && !enter_columns(&of->band, &places, &depth)) {
-        return;
+    for (int32_t i = line->width - 1; i > 0; i--) { /* in any sequence */
+        fxl_line_places other = places;
+        fxl_line_depth other_depth = depth;
+        other.across += i;
+        paint_row(of, &other, &other_depth);
     }
-    const line_places first = places;
-    const int64_t at = depth.at;
-    for (int32_t i = 0;;) {
-        if (line->plane_count == 0) {
-            paint_with_depth(of, &places, &depth);
-        } else {
-            paint_on_faces(of, &places);
-        }
-        if (++i >= line->width) {
-            return;
-        }
-        places = first;
-        places.across += i;
-        depth.at = at;
-    }
+    paint_row(of, &places, &depth);
+}
+
+/* place pixel-format: the bytes of a pixel of lines */
+void fxl_line_canvas_begin(fxl_line_canvas *canvas, const fxl_band *band,
+                           const fxl_depth_head *head, fxl_q16_16 near_z, bool wide)
+{
+    const bool is_colour = fxl_kind_of_band(band).is_colour;
+    canvas->band = band;
+    canvas->head = head;
+    canvas->near_z = near_z;
+    canvas->distance = 0;
+    canvas->mantissa = 0;
+    canvas->one = 0;
+    canvas->box.first_column = band->first_column;
+    canvas->box.end_column = (int32_t)fxl_band_end_column(band);
+    canvas->box.first_row = band->first_row;
+    canvas->box.end_row = band->first_row + band->rows;
+    canvas->format = (wide ? FXL_LINE_WIDE : 0u) | (is_colour ? FXL_LINE_COLOURS : 0u);
+    canvas->cell = wide ? 4 : 2;
+    canvas->pixel = is_colour ? 2 : 1;
+    canvas->cell_row = (int32_t)(canvas->cell * band->width);
+    canvas->pixel_row = (int32_t)(canvas->pixel * band->stride);
 }
 
 void fxl_paint_wide_line(fxl_line_canvas *canvas, const fxl_painted_line *line)
 {
-    const fxl_band *band = canvas->band;
-    const painting of = {canvas,
-                         line,
-                         {band->first_column, (int32_t)fxl_band_end_column(band), band->first_row,
-                          band->first_row + band->rows}};
+    const painting of = {canvas, line};
     if (!line->is_point) {
         paint_line(&of);
     } else if (canvas->head != NULL && line->plane_count == 0) {
