@@ -27,12 +27,12 @@ INLINED bool step_place(fxl_line_places *places)
 }
 
 /* At a pixel of the band. */
-INLINED fxl_line_run run_at(const painting *of, int32_t x, int32_t y)
+INLINED fxl_line_way run_at(const painting *of, int32_t x, int32_t y)
 {
     const fxl_line_canvas *canvas = of->canvas;
     const fxl_band *band = canvas->band;
     const int32_t row = y - canvas->box.first_row;
-    fxl_line_run run;
+    fxl_line_way run;
     run.cell = (uint8_t *)(uintptr_t)(canvas->head + 1) + row * canvas->cell_row +
                x * (int32_t)canvas->cell;
     run.pixel = band->pixels + row * canvas->pixel_row + x * (int32_t)canvas->pixel;
@@ -56,7 +56,7 @@ static void paint_pixel(const painting *of, int32_t x, int32_t y, uint32_t code)
         const uint32_t other = fxl_line_code_of_face(canvas->head->scale, line->planes[i], x, y);
         code = i == 0 || other > code ? other : code;
     }
-    const fxl_line_run run = run_at(of, x, y);
+    const fxl_line_way run = run_at(of, x, y);
     fxl_line_paint_place(&run, code, of->canvas->format);
 }
 
@@ -112,7 +112,7 @@ static void paint_plain(const painting *of, fxl_line_places *places)
 /* --- a pixel a place, with a depth buffer ---------------------------------------------------- */
 
 /* A line from its first place on, whose pixel is one of the band. */
-INLINED fxl_line_run run_of(const painting *of, const fxl_line_places *places)
+INLINED fxl_line_way run_of(const painting *of, const fxl_line_places *places)
 {
     const fxl_line_canvas *canvas = of->canvas;
     const fxl_pixel_box *box = &canvas->box;
@@ -121,7 +121,7 @@ INLINED fxl_line_run run_of(const painting *of, const fxl_line_places *places)
     const int32_t cell_row = canvas->cell_row, pixel_row = canvas->pixel_row;
     const int32_t cell_across = upright ? cell : cell_row;
     const int32_t pixel_across = upright ? pixel : pixel_row;
-    fxl_line_run run = run_at(of, upright ? places->across : places->first,
+    fxl_line_way run = run_at(of, upright ? places->across : places->first,
                               upright ? places->first : places->across);
     run.cell_along = upright ? cell_row : cell;
     run.pixel_along = upright ? pixel_row : pixel;
@@ -141,7 +141,7 @@ INLINED fxl_line_run run_of(const painting *of, const fxl_line_places *places)
 static void paint_with_depth(const painting *of, const fxl_line_places *places,
                              fxl_line_depth *depth)
 {
-    const fxl_line_run run = run_of(of, places);
+    const fxl_line_way run = run_of(of, places);
     const fxl_depth_scale scale = of->canvas->head->scale;
     const uint32_t format = of->canvas->format;
     if (format == FXL_LINE_NARROW) {
@@ -151,7 +151,7 @@ static void paint_with_depth(const painting *of, const fxl_line_places *places,
     }
 }
 
-static void paint_stretch(fxl_line_run *run, const fxl_line_codes codes[2], uint32_t places,
+static void paint_stretch(fxl_line_way *run, const fxl_line_codes codes[2], uint32_t places,
                           uint32_t faces, uint32_t format)
 {
     if (format != FXL_LINE_NARROW || codes[0].shift != 0 || codes[faces - 1].shift != 0) {
@@ -172,7 +172,7 @@ static void paint_on_faces(const painting *of, fxl_line_places *places)
 {
     const uint32_t faces = of->line->plane_count, format = of->canvas->format;
     const fxl_depth_scale scale = of->canvas->head->scale;
-    fxl_line_run run = run_of(of, places);
+    fxl_line_way run = run_of(of, places);
     const int32_t across = places->across, room = (int32_t)run.room;
     uint32_t rest;
     const uint32_t rate = /* 4096 at most */

@@ -16,7 +16,7 @@ typedef struct {
     uint32_t count;  /* places that are left, from 1 on */
     uint32_t room;   /* how often the pixel across may change before it leaves the band */
     int32_t behind, step, size; /* what is left of the pixel across, less its size: below 0 */
-} fxl_line_run;
+} fxl_line_way;
 
 /* The code of a face from place to place: the upper word. */
 typedef struct {
@@ -116,7 +116,7 @@ FXL_INLINED uint32_t fxl_line_codes_begin(fxl_depth_scale scale, fxl_line_plane 
 /* place pixel-format: how a pixel of lines is written */
 /* format: of the canvas; constant where this function and those below are called. */
 /* lines 3.1 */
-FXL_INLINED void fxl_line_paint_place(const fxl_line_run *run, uint32_t code, uint32_t format)
+FXL_INLINED void fxl_line_paint_place(const fxl_line_way *run, uint32_t code, uint32_t format)
 {
     const fxl_depth_rule rule = {(format & FXL_LINE_WIDE) != 0, true};
     const bool is_colour = (format & FXL_LINE_COLOURS) != 0;
@@ -131,7 +131,7 @@ FXL_INLINED void fxl_line_paint_place(const fxl_line_run *run, uint32_t code, ui
 }
 
 /* To the next place. Returns whether the pixel across changes. */
-FXL_INLINED bool fxl_line_step(fxl_line_run *run)
+FXL_INLINED bool fxl_line_step(fxl_line_way *run)
 {
     run->cell += run->cell_along;
     run->pixel += run->pixel_along;
@@ -140,7 +140,7 @@ FXL_INLINED bool fxl_line_step(fxl_line_run *run)
 }
 
 /* To the next pixel across. False: it is none of the band. */
-FXL_INLINED bool fxl_line_step_across(fxl_line_run *run)
+FXL_INLINED bool fxl_line_step_across(fxl_line_way *run)
 {
     if (run->room-- == 0) {
         run->count = 0;
@@ -161,11 +161,11 @@ FXL_INLINED uint32_t fxl_line_code_of(uint64_t code, const fxl_line_codes *codes
 /* The next `places` places of a run, which it then has behind it. faces: how many; faces, shifts,
  * format: constant where this function is called. */
 /* lines 3.2 */
-FXL_INLINED void fxl_line_paint_stretch(fxl_line_run *of, const fxl_line_codes codes[2],
+FXL_INLINED void fxl_line_paint_stretch(fxl_line_way *of, const fxl_line_codes codes[2],
                                         uint32_t places, uint32_t faces, bool shifts,
                                         uint32_t format)
 {
-    fxl_line_run run = *of; /* copied, so that a pixel that is written may be none of it */
+    fxl_line_way run = *of; /* copied, so that a pixel that is written may be none of it */
     uint64_t one = codes[0].code, other = faces > 1 ? codes[1].code : 0;
     run.count -= places;
     for (;;) {
@@ -197,10 +197,10 @@ FXL_INLINED void fxl_line_paint_stretch(fxl_line_run *of, const fxl_line_codes c
 /* A run with the line's own depth, which is at the first place. format: constant where this function
  * is called. */
 /* lines 3.3 */
-FXL_INLINED void fxl_line_paint_own(const fxl_line_run *of, fxl_depth_scale scale,
+FXL_INLINED void fxl_line_paint_own(const fxl_line_way *of, fxl_depth_scale scale,
                                     fxl_line_depth *depth, uint32_t format)
 {
-    fxl_line_run run = *of;
+    fxl_line_way run = *of;
     for (;;) {
         fxl_line_paint_place(&run, fxl_line_code_of_depth(scale, depth), format);
         if (--run.count == 0 || (fxl_line_step(&run) && !fxl_line_step_across(&run))) {
