@@ -308,7 +308,8 @@ void fxl_line_canvas_begin(fxl_line_canvas *canvas, const fxl_band *band,
     canvas->box.end_column = (int32_t)fxl_band_end_column(band);
     canvas->box.first_row = band->first_row;
     canvas->box.end_row = band->first_row + band->rows;
-    canvas->format = (wide ? FXL_LINE_WIDE : 0u) | (is_colour ? FXL_LINE_COLOURS : 0u);
+    canvas->format =
+        (wide ? (uint32_t)FXL_LINE_WIDE : 0u) | (is_colour ? (uint32_t)FXL_LINE_COLOURS : 0u);
     canvas->cell = wide ? 4 : 2;
     canvas->pixel = is_colour ? 2 : 1;
     canvas->cell_row = (int32_t)(canvas->cell * band->width);
