@@ -404,3 +404,42 @@ void test_a_line_comes_before_what_is_blended(void)
     }
     TEST_ASSERT_TRUE(seen > 40 && mixed > 10 && mixed < seen);
 }
+
+/* Leaves a pattern on the stack, where functions called next have what they do not set. */
+static __attribute__((noinline)) void leave_on_stack(uint8_t pattern)
+{
+    volatile uint8_t bytes[6144];
+    for (uint32_t i = 0; i < sizeof bytes; i++) {
+        bytes[i] = pattern;
+    }
+}
+
+/* A line on the blended wall has the depth of that wall, though it is drawn in the pass of what is opaque: it hides the wall
+ * behind. */
+/* lines 3.2a */
+void test_a_line_on_a_blended_face_has_its_depth(void)
+{
+    static const fxl_line line = {0, 2, {1, 0}, 20, 3, 0};
+    static const uint32_t line_map[] = {0, 0, 1, 1};
+    static const fxl_line_set set = {&line, 1, line_map};
+    static const uint8_t patterns[] = {0, 0x5A, 0xFF};
+    static fxl_lines lines;
+    walls.surface[1].flags = FXL_SURFACE_BLEND;
+    walls.surface[1].opacity = 7;
+    walls.face_map[0] = 1;
+    walls.face_map[1] = 2;
+    walls_start(&fxl_rgb565_depth_16);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&walls.renderer, &walls.surfaces, &walls.set,
+                                                  FXL_SURFACES_OF(fxl_rgb565_depth_16)));
+    walls_draw(walls.pixels);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lines(&walls.renderer, &lines, &set));
+    for (uint32_t way = 0; way < sizeof patterns; way++) {
+        uint32_t seen = 0;
+        leave_on_stack(patterns[way]);
+        walls_draw(walls.again);
+        for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+            seen += walls.again[i] != walls.pixels[i];
+        }
+        TEST_ASSERT_TRUE(seen > 40);
+    }
+}

@@ -73,7 +73,9 @@ static void find_plane(const fxl_line_instance *of, const fxl_face *face, fxl_de
     const fxl_mapped_surface surface = {surfaces, &surfaces->set->faces[mapped - 1], &pieces, NULL,
                                         false};
     fxl_surface_polygon polygon;
-    surfaces->painter->find(&surface, of->model_view, face, traversal, &polygon);
+    fxl_traversal measuring = *traversal;
+    measuring.mode = FXL_SUBMIT_MEASURE; /* else one that is in the other pass has no depth */
+    surfaces->painter->find(&surface, of->model_view, face, &measuring, &polygon);
     *plane = polygon.depth;
 }
 
