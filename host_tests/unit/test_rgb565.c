@@ -424,22 +424,24 @@ void test_a_line_on_a_blended_face_has_its_depth(void)
     static const fxl_line_set set = {&line, 1, line_map};
     static const uint8_t patterns[] = {0, 0x5A, 0xFF};
     static fxl_lines lines;
-    walls.surface[1].flags = FXL_SURFACE_BLEND;
-    walls.surface[1].opacity = 7;
+    uint32_t of_opaque = 0;
     walls.face_map[0] = 1;
     walls.face_map[1] = 2;
-    walls_start(&fxl_rgb565_depth_16);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&walls.renderer, &walls.surfaces, &walls.set,
-                                                  FXL_SURFACES_OF(fxl_rgb565_depth_16)));
-    walls_draw(walls.pixels);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lines(&walls.renderer, &lines, &set));
-    for (uint32_t way = 0; way < sizeof patterns; way++) {
+    for (uint32_t way = 0; way <= sizeof patterns; way++) {
         uint32_t seen = 0;
-        leave_on_stack(patterns[way]);
+        walls.surface[1].flags = way == 0 ? 0 : FXL_SURFACE_BLEND;
+        walls.surface[1].opacity = way == 0 ? 16 : 7;
+        walls_start(&fxl_rgb565_depth_16);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&walls.renderer, &walls.surfaces, &walls.set,
+                                                      FXL_SURFACES_OF(fxl_rgb565_depth_16)));
+        walls_draw(walls.pixels);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lines(&walls.renderer, &lines, &set));
+        leave_on_stack(patterns[way == 0 ? 0 : way - 1]);
         walls_draw(walls.again);
         for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
             seen += walls.again[i] != walls.pixels[i];
         }
-        TEST_ASSERT_TRUE(seen > 40);
+        of_opaque = way == 0 ? seen : of_opaque;
+        TEST_ASSERT_TRUE(seen > 40 && seen == of_opaque);
     }
 }

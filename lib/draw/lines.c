@@ -73,9 +73,7 @@ static void find_plane(const fxl_line_instance *of, const fxl_face *face, fxl_de
     const fxl_mapped_surface surface = {surfaces, &surfaces->set->faces[mapped - 1], &pieces, NULL,
                                         false};
     fxl_surface_polygon polygon;
-    fxl_traversal measuring = *traversal;
-    measuring.mode = FXL_SUBMIT_MEASURE; /* else one that is in the other pass has no depth */
-    surfaces->painter->find(&surface, of->model_view, face, &measuring, &polygon);
+    surfaces->painter->find(&surface, of->model_view, face, traversal, &polygon);
     *plane = polygon.depth;
 }
 
@@ -91,6 +89,7 @@ static fxl_line_plane *plane_of(fxl_line_instance *of, const fxl_face *face)
     of->faces[of->next] = face;
     of->next = (of->next + 1u) % FXL_LINE_PLANES;
     find_plane(of, face, &plane->plane);
+    plane->first = 0;
     plane->span = 0;
     return plane;
 }
