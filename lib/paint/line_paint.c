@@ -310,8 +310,14 @@ void fxl_line_canvas_begin(fxl_line_canvas *canvas, const fxl_band *band,
     canvas->box.end_row = band->first_row + band->rows;
     canvas->format =
         (wide ? (uint32_t)FXL_LINE_WIDE : 0u) | (is_colour ? (uint32_t)FXL_LINE_COLOURS : 0u);
-    canvas->cell = wide ? 4 : 2;
-    canvas->pixel = is_colour ? 2 : 1;
+    canvas->cell = 2;
+    if (wide) {
+        canvas->cell = 4;
+    }
+    canvas->pixel = 1;
+    if (is_colour) {
+        canvas->pixel = 2;
+    }
     canvas->cell_row = (int32_t)(canvas->cell * band->width);
     canvas->pixel_row = (int32_t)(canvas->pixel * band->stride);
 }

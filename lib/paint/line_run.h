@@ -167,28 +167,26 @@ FXL_INLINED void fxl_line_paint_stretch(fxl_line_way *of, const fxl_line_codes c
 {
     fxl_line_way run = *of; /* copied, so that a pixel that is written may be none of it */
     uint64_t one = codes[0].code, other = faces > 1 ? codes[1].code : 0;
+    bool goes_on = true;
     run.count -= places;
-    for (;;) {
+    while (goes_on) {
         uint32_t code = fxl_line_code_of(one, &codes[0], shifts);
         if (faces > 1) {
             const uint32_t second = fxl_line_code_of(other, &codes[1], shifts);
             code = code > second ? code : second;
         }
         fxl_line_paint_place(&run, code, format);
-        if (--places == 0 && run.count == 0) {
-            break;
-        }
-        one += codes[0].along;
-        other += faces > 1 ? codes[1].along : 0;
-        if (fxl_line_step(&run)) {
-            if (!fxl_line_step_across(&run)) {
-                break;
+        places--;
+        goes_on = places != 0 || run.count != 0;
+        if (goes_on) {
+            one += codes[0].along;
+            other += faces > 1 ? codes[1].along : 0;
+            if (fxl_line_step(&run)) {
+                goes_on = fxl_line_step_across(&run);
+                one += codes[0].sheer;
+                other += faces > 1 ? codes[1].sheer : 0;
             }
-            one += codes[0].sheer;
-            other += faces > 1 ? codes[1].sheer : 0;
-        }
-        if (places == 0) {
-            break;
+            goes_on = goes_on && places != 0;
         }
     }
     *of = run;
