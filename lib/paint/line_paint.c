@@ -130,7 +130,7 @@ INLINED fxl_line_way run_of(const painting *of, const fxl_line_places *places)
     run.count = (uint32_t)(places->end - places->first);
     run.room = (uint32_t)(falls ? places->across - (upright ? box->first_column : box->first_row)
                                 : (upright ? box->end_column : box->end_row) - 1 - places->across);
-    run.behind = (int32_t)(places->left - places->pixel);
+    run.behind = (int32_t)places->left - (int32_t)places->pixel;
     run.step = (int32_t)places->step;
     run.size = (int32_t)places->pixel;
     return run;
