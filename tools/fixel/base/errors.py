@@ -193,8 +193,10 @@ def run_main(main):
             raise
         print(f"error: {interpreter.LACKING}", file=sys.stderr)
         code = 2
-    except KeyboardInterrupt as error:
-        number = getattr(error, "number", signal.SIGINT)
+    except (KeyboardInterrupt, ImportError) as error:
+        if isinstance(error, ImportError) and not _told:
+            raise       # else a module that was being imported has answered the signal so, as numpy does
+        number = _told[0] if _told else getattr(error, "number", signal.SIGINT)
         print("interrupted" if number == signal.SIGINT else f"ended by {signal.Signals(number).name}", file=sys.stderr)
         code = 128 + number
     finally:
