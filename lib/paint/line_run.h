@@ -142,10 +142,11 @@ FXL_INLINED bool fxl_line_step(fxl_line_way *run)
 /* To the next pixel across. False: it is none of the band. */
 FXL_INLINED bool fxl_line_step_across(fxl_line_way *run)
 {
-    if (run->room-- == 0) {
+    if (run->room == 0) {
         run->count = 0;
         return false;
     }
+    run->room--;
     run->behind -= run->size;
     run->cell += run->cell_across;
     run->pixel += run->pixel_across;
