@@ -285,7 +285,8 @@
 #define TEXEL_OUTLINE_GREEN_STEP    92
 #define TEXEL_OUTLINE_END           96
 #define TEXEL_OUTLINE_ROWS          100
-#define TEXEL_OUTLINE_BORDER        104
+#define TEXEL_OUTLINE_RESUME        104
+#define TEXEL_OUTLINE_BORDER        108
 
 /* FXL_VERTEX_UNPROJECTED, FXL_PLANES_ALL, some of fxl_depth_drawn and of fxl_clip_result */
 #define PLANES_ALL         0x3F

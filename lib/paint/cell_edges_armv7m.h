@@ -144,17 +144,20 @@
     ldrh    r5, [r2, #BAND_WIDTH]
     .endm
 
-/* r10, r11: the first centre. Of the edges of the points at r0: the functions there, r1, r2, r7, their changes
- * from column to column, r10, r11, r0, and from row to row, r5, r6, r4. Goes to .Lsmall_not where the
- * triangle does not go clockwise by more than rounding takes away. */
-    .macro edge_functions
-    ldm     r0, {r4-r9}
-    sub     r4, r4, r10             /* x, then y, negated */
+/* Points r4-r9, x and y of each, relative to the centre r10, r11; y is negated. */
+    .macro relative_points
+    sub     r4, r4, r10
     sub     r6, r6, r10
     sub     r8, r8, r10
     sub     r5, r11, r5
     sub     r7, r11, r7
     sub     r9, r11, r9
+    .endm
+
+/* Of the edges of such points: the functions at the centre, r1, r2, r7, their changes
+ * from column to column, r10, r11, r0, and from row to row, r5, r6, r4. Goes to .Lsmall_not where the
+ * triangle does not go clockwise by more than rounding takes away. */
+    .macro functions_of_points
     rsb     r10, r4, #0
     rsb     r11, r6, #0
     rsb     r0, r8, #0
@@ -167,4 +170,11 @@
     sub     r5, r6, r4              /* dx of each */
     sub     r6, r8, r6
     sub     r4, r4, r8
+    .endm
+
+/* The same of the points at r0, r10, r11: the first centre. */
+    .macro edge_functions
+    ldm     r0, {r4-r9}
+    relative_points
+    functions_of_points
     .endm

@@ -328,7 +328,7 @@ typedef struct {
     uint32_t part_of_level;           /* 0: unlit */
     uint32_t kind;                    /* FXL_TEXELS_WIDE, _LIT, _BENT, _BLACK */
     fxl_mixture_565 mixture;          /* of the colour 0 */
-    uint32_t end, rows;               /* the kernel's own */
+    uint32_t end, rows, resume;       /* the kernel's own */
     uint32_t border;                  /* fxl_depth_border */
     bool or_equal;
 } fxl_texel_outline;

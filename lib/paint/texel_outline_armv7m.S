@@ -22,6 +22,13 @@
     .type fxl_draw_texel_outline, %function
     .thumb_func
 
+/* Where the loops of pixels go on after a row; r3: the outline. Overwrites r4. */
+    .macro resume_at place
+    adr     r4, \place
+    adds    r4, r4, #1              /* Thumb */
+    str     r4, [r3, #TEXEL_OUTLINE_RESUME]
+    .endm
+
 /* At the first row, r6: the words of cell 0 of the band, as if it were in that row, less their change
  * from row to row, which is less a row of cells. r12: the band's first row. */
     .macro begin_filling
@@ -39,6 +46,7 @@
     str     r4, [r3, #\word]
     str     r5, [r3, #TEXEL_OUTLINE_DOWN + \word]
     .endr
+    resume_at .Lpixels_done
     .endm
 
     .macro  fill_rows
@@ -95,7 +103,7 @@
     next_pixel \text
     cmp     r11, r12
     blo     .Lpixel\text
-    b       .Lpixels_done
+    ldr     pc, [lr, #OF(RESUME)]
     .endm
 
 /* The same with light, r6, and its step, r10; the end of the cells is in the record too. */
@@ -141,12 +149,146 @@
     add     r6, r6, r10
     cmp     r11, r12
     blo     .Lpixel\text
-    b       .Lpixels_done
+    ldr     pc, [lr, #OF(RESUME)]
     .endm
+
+/* Triangles with so many rows at most: their rows are found by edge functions. */
+#define SMALL_ROWS 32
+
+/* In the stack frame of such a triangle, whose points are taken from the highest one, T, on: T, N, P. r0-r11: the
+ * changes of the edge functions from column to column and row to row, their values in column
+ * SMALL_COLUMN - 1 of a row, the outline, the row and its first cell:
+ *
+ *         column  row  value
+ *   T-N   r10     r5   r1
+ *   N-P   r11     r6   r2
+ *   P-T   r0      r4   r7
+ */
+#define SMALL_END    52 /* the last row plus 1; then bytes of a row of cells */
+#define SMALL_COLUMN 60
 
 /* r0: points, r1: count, r2: band, r3: outline; returns whether it was drawn. */
 fxl_draw_texel_outline:
 #include "../raster/outline_armv7m.h"
+
+    /* r0: points, r1: their end, r2: band, r3: outline, r6: first row, r7: last row plus 1, r8: rows, r9: one past
+     * T. Points are taken relative to a centre of the first row that is 64 columns or more left of T and left of
+     * the others: x is below 2^23, y below 2^21.1, so a function is below 2^29.1. */
+.Lsmall:
+    ldr     r12, [r2, #BAND_FIRST_ROW]
+    uxth    lr, r12
+    add     r12, lr, r12, lsr #16
+    cmp     r6, lr
+    it      ge
+    cmpge   r12, r7
+    blt     .Ltwo_chains
+    cmp     r8, #0
+    beq     .Ltwo_chains
+    stm     sp, {r0-r3, r6-r9}
+    ldrh    r4, [r2, #BAND_WIDTH]
+    sub     r5, r6, lr
+    mul     r5, r5, r4
+    ldr     lr, [r3, #TEXEL_OUTLINE_CELLS]
+    add     lr, lr, r5, lsl #1      /* the row's first cell */
+    lsl     r4, r4, #1
+    strd    r7, r4, [sp, #SMALL_END]
+/* place fill-rule: small triangles with texels for Armv7-M */
+    lsl     r11, r6, #16
+    add     r11, r11, #32768
+    ldrd    r4, r5, [r9, #-8]
+    cmp     r9, r1
+    it      eq
+    moveq   r9, r0
+    ldrd    r6, r7, [r9], #8
+    cmp     r9, r1
+    it      eq
+    moveq   r9, r0
+    ldrd    r8, r9, [r9]
+    sub     r10, r4, #64 << 16
+    bfc     r10, #0, #16
+    asr     r12, r10, #16
+    add     r12, r12, #1
+    str     r12, [sp, #SMALL_COLUMN]
+    add     r10, r10, #32768
+    relative_points
+    cmp     r6, #128 << 16
+    it      lo
+    cmplo   r8, #128 << 16
+    bhs     .Lsmall_not
+    functions_of_points
+    cmp     r10, #0
+    itt     ne
+    cmpne   r11, #0
+    cmpne   r0, #0
+    beq     .Lsmall_not             /* a level edge */
+    mov     r9, lr
+    adr     lr, .Lsmall_next
+    adds    lr, lr, #1
+    str     lr, [r3, #TEXEL_OUTLINE_RESUME]
+    ldr     r8, [sp, #16]
+    stm     sp, {r0-r11}
+
+    /* A row. T-N is a right edge, P-T a left one, and N-P the second of either kind. Where there is one of a kind, the
+     * column is on its outer side in all rows: a left edge is below 0 there, a right one is not. With two of
+     * a kind a row may be beyond one of them: then the column may be inside of a left one, which counts as 1; a
+     * right one is further right than the other. */
+.Lsmall_row:
+    cmp     r11, #0
+    bgt     .Lsmall_left
+    mvn     r5, r7
+    udiv    r5, r5, r0              /* columns outside of left edges, less 1 */
+    sdiv    r4, r1, r10             /* columns inside of right edges, less 1, negated */
+    sdiv    r6, r2, r11
+    cmp     r4, r6
+    it      lt
+    movlt   r4, r6
+.Lsmall_span:
+    adds    r0, r4, r5
+    bpl     .Lsmall_next            /* no pixel */
+    rsb     r0, r0, #0              /* pixels */
+    ldr     r2, [sp, #SMALL_COLUMN]
+    add     r2, r2, r5              /* the first one's column */
+    add     r11, r9, r2, lsl #1
+    mov     r1, r8
+    add     lr, r3, #TEXEL_OUTLINE_ALONG
+    ldm     r3, {r3-r10}            /* code, u, v, light, and what a row adds */
+    mla     r3, r7, r1, r3
+    mla     r4, r8, r1, r4
+    mla     r5, r9, r1, r5
+    mla     r6, r10, r1, r6
+    ldm     lr!, {r7-r10}           /* what a pixel adds */
+    b       .Lpixels
+
+.Lsmall_left:
+    mvn     r5, r7
+    mvn     r6, r2
+    bic     r5, r5, r5, asr #31
+    bic     r6, r6, r6, asr #31
+    udiv    r5, r5, r0
+    udiv    r6, r6, r11
+    cmp     r5, r6
+    it      lo
+    movlo   r5, r6
+    sdiv    r4, r1, r10
+    b       .Lsmall_span
+
+.Lsmall_next:
+    ldm     sp, {r0-r11}
+    ldrd    r12, lr, [sp, #SMALL_END]
+    add     r8, r8, #1
+    cmp     r8, r12
+    beq     .Lover
+    add     r1, r1, r5
+    add     r2, r2, r6
+    add     r7, r7, r4
+    add     r9, r9, lr
+    stm     sp, {r0-r9}
+    b       .Lsmall_row
+
+.Lsmall_not:
+    ldm     sp, {r0-r3, r6-r9}
+    movw    r11, #32767
+    b       .Ltwo_chains
 
     /* The right edge is not right of the left one. */
 .Lexchanged_row:
@@ -154,10 +296,11 @@ fxl_draw_texel_outline:
     rsb     r0, r0, #0
     b       .Lspan
 
-.Lpixels_done:
-    ldr     r1, [sp, #FRAME_OUTLINE]
-    ldr     r12, [r1, #TEXEL_OUTLINE_ROWS]
+.Lno_pixel:
+    add     lr, lr, #TEXEL_OUTLINE_CELLS
+.Lpixels_done:                      /* lr: the outline's cells */
     ldm     sp, {r4-r11}
+    ldr     r12, [lr, #OF(ROWS)]
     subs    r12, r12, #1
     bmi     .Lrows_below
 .Lrow:
@@ -176,15 +319,16 @@ fxl_draw_texel_outline:
     add     r6, r6, r10
     stm     lr, {r3-r6}
     cmp     r0, #0
-    beq     .Lpixels_done
+    beq     .Lno_pixel
     add     lr, lr, #TEXEL_OUTLINE_ALONG
-    ldm     lr!, {r7-r11}           /* what a pixel adds, and the cells of the band */
-    sub     lr, lr, #4
+    ldm     lr!, {r7-r10}           /* what a pixel adds */
+    ldr     r11, [lr]               /* cells of the band */
+    add     r11, r11, r2, lsl #1
+.Lpixels:                           /* r11: the first cell */
     mla     r3, r7, r2, r3
     mla     r4, r8, r2, r4
     mla     r5, r9, r2, r5
     mla     r6, r10, r2, r6
-    add     r11, r11, r2, lsl #1
     add     r12, r11, r0, lsl #1
     ldr     r1, [lr, #OF(KIND)]
     tbh     [pc, r1, lsl #1]
