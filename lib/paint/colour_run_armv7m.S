@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_paint_colour_run, fxl_draw_colour_outline and fxl_paint_lit_columns for Armv7-M and Armv8-M
- * Mainline. A run takes 7 instructions a pixel, and 2 for each eight of them; compilers take 9. A row
- * of an outline takes 35 before its pixels, a visible pixel 15, and a hidden one 8. A lit texel takes
- * 33, of the palette 35, and 4 less if the dark colour is 0; a segment of them takes 95. */
+/* fxl_paint_colour_run and fxl_paint_lit_columns for Armv7-M and Armv8-M Mainline. A run takes 7
+ * instructions a pixel, and 2 for each eight of them; compilers take 9. A lit texel takes 33, of the
+ * palette 35, and 4 less if the dark colour is 0; a segment of them takes 95. */
 #include "../math/family.h"
 
 #if FXL_KERNELS_ARMV7M
@@ -249,119 +248,6 @@ fxl_paint_lit_columns:
     pop     {r4-r11, pc}
 
     .size fxl_paint_lit_columns, . - fxl_paint_lit_columns
-
-#include "../raster/draw_frame_armv7m.h"
-#include "cell_edges_armv7m.h"
-
-    .section .text.fxl_draw_colour_outline, "ax", %progbits
-    .global fxl_draw_colour_outline
-    .type fxl_draw_colour_outline, %function
-    .thumb_func
-
-/* At the first row, r6: its words, less the change from row to row. */
-    .macro begin_filling
-    test_clear COLOUR_OUTLINE_CELLS
-    ldm     r3, {r4, r5, r8, r10, r11}
-    .irp    number, r4, r5, r8, r10, r11
-    ldr     lr, [r3, #COLOUR_OUTLINE_CODE_DOWN + .Lword]
-    mla     \number, lr, r6, \number
-    .set    .Lword, .Lword + 4
-    .endr
-    stm     r3, {r4, r5, r8, r10, r11}
-    .endm
-    .set    .Lword, 0
-
-    .macro fill_rows
-    b       .Lrow
-    .endm
-
-/* The pixels of a row. r2: the end of the cells, r3: the code, r4: the cell, r5: green, r6: both,
- * r9: to the pixel, r10: step, r11: green step, r12: the code's step, lr: the border. */
-    .macro  paint_row_of_colours text, bent
-.Lpixel\text:
-    .if     \bent
-    subs    r1, r3, lr
-    ite     lo
-    addlo   r1, r1, r3
-    movhs   r1, r3
-    lsr     r1, r1, #16
-    ldrh    r0, [r4], #2
-    cmp     r1, r0
-    bls     .Lhidden\text
-    .else
-    ldrh    r0, [r4], #2
-    cmp     r0, r3, lsr #16
-    bhs     .Lhidden\text
-    lsr     r1, r3, #16
-    .endif
-    strh    r1, [r4, #-2]
-    lsrs    r0, r5, #26
-    and     r1, r6, #0xf800
-    orr     r0, r1, r0, lsl #5
-    orr     r0, r0, r6, lsr #27
-    strh    r0, [r4, r9]
-.Lhidden\text:
-    add     r3, r3, r12
-    add     r6, r6, r10
-    add     r5, r5, r11
-    cmp     r4, r2
-    blo     .Lpixel\text
-    .endm
-
-/* r0: points, r1: count, r2: band, r3: outline; returns whether it was drawn. */
-fxl_draw_colour_outline:
-#include "../raster/outline_armv7m.h"
-
-    return_not_clear
-
-    /* The right edge is not right of the left one. */
-.Lexchanged_row:
-    mov     r2, r8
-    rsb     r0, r0, #0
-    b       .Lspan
-
-.Lrow:
-    mov     r2, r4
-    subs    r0, r8, r4
-    blt     .Lexchanged_row
-.Lspan:                             /* r0: pixels, r2: the first cell */
-    ldr     r1, [sp, #FRAME_OUTLINE]
-    step_edges
-    push    {r4-r12}                /* no call is below */
-    ldm     r1, {r3-r12}            /* code, red, green, blue, origin, and what a row adds */
-    add     r3, r3, r8
-    add     r4, r4, r9
-    add     r5, r5, r10
-    add     r6, r6, r11
-    add     r7, r7, r12
-    stm     r1!, {r3-r7}
-    cbz     r0, .Lpixels_done
-    adds    r1, r1, #COLOUR_OUTLINE_CELLS - COLOUR_OUTLINE_CODE_DOWN
-    ldm     r1, {r8-r12, lr}        /* cells, pixels, steps, the code's step, border */
-    sub     r7, r2, r7              /* columns from the face's */
-    asrs    r4, r4, #11
-    asrs    r6, r6, #11
-    add     r6, r4, r6, lsl #16
-    mla     r6, r10, r7, r6
-    lsls    r5, r5, #4
-    mla     r5, r11, r7, r5
-    mla     r3, r12, r2, r3
-    add     r4, r8, r2, lsl #1
-    add     r2, r4, r0, lsl #1
-    cmp     lr, #0
-    bne     .Lpixel_bent
-    paint_row_of_colours _linear, 0
-
-.Lpixels_done:
-    pop     {r4-r12}
-    subs    r12, r12, #1
-    bpl     .Lrow
-    b       .Lrows_below
-
-    paint_row_of_colours _bent, 1
-    b       .Lpixels_done
-
-    .size fxl_draw_colour_outline, . - fxl_draw_colour_outline
 
 #endif
 

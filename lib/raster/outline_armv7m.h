@@ -20,7 +20,8 @@
  *                     those of the row below
  *
  * and, if it draws small triangles itself, SMALL_ROWS: one of so many rows or fewer continues at its
- * .Lsmall, which may go to .Ltwo_chains with r0-r3, r6-r9 and r11 as they were. */
+ * .Lsmall, which may go to .Ltwo_chains with r0-r3, r6-r9 and r11 as they were. If its fill_rows lists the
+ * rows, LISTS_ROWS: it continues at its .Lall_listed below the last one, and returns from there. */
 
 #define ROW_OF_LEFT  (FRAME_LEFT + 4)
 #define ROW_OF_RIGHT (FRAME_RIGHT + 4)
@@ -310,9 +311,13 @@
 
 .Lover:
     bne     .Lexchanged
+#ifdef LISTS_ROWS
+    b       .Lall_listed
+#else
     movs    r0, #1
     add     sp, sp, #FRAME_SIZE
     pop     {r4-r11, pc}
+#endif
 
 .Lexchanged:
     eor     r0, r0, #FRAME_EXCHANGED

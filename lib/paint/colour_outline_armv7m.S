@@ -1,0 +1,229 @@
+/* SPDX-License-Identifier: MIT */
+/* fxl_draw_colour_outline for Armv7-M and Armv8-M Mainline. It finds the rows of an outline first, and then fills
+ * them, so that neither keeps what the other has in registers. A row takes 11 instructions where it is
+ * found and 21 before its pixels, a visible pixel 15, and a hidden one 8. */
+#include "../math/family.h"
+
+#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+
+    .syntax unified
+    .thumb
+
+#include "../math/offsets.h"
+#include "../raster/draw_frame_armv7m.h"
+
+/* In the frame, above what all kernels of outlines have there: rows are listed, and filled when all are, or
+ * LIST_ROWS of them. */
+#define LIST_ORIGIN 76 /* the cell of the face's column in the next row */
+#define LIST_WIDTH  80 /* cells a row */
+#define LIST_ROW    84 /* the row of the first one */
+#define LIST_END    88 /* the outline's last row plus 1 */
+#define LIST_NEXT   92
+#define LIST_DOWN   96 /* what a row adds to code, green, red and blue; code and green: in the same column */
+#define LIST_BEGIN  112
+#define LIST_ROWS   16
+#define LISTED      12 /* of a row: pixels, columns from the face's to the first one, its cell */
+
+#define LISTS_ROWS
+#undef FRAME_SIZE
+#define FRAME_SIZE (LIST_BEGIN + LIST_ROWS * LISTED + 4)
+
+#include "cell_edges_armv7m.h"
+
+/* A cell's number is half of its address. */
+    .macro begin_filling
+    test_clear COLOUR_OUTLINE_CELLS
+    lsr     r10, r4, #1             /* for find_base */
+    ldr     r4, [r3, #COLOUR_OUTLINE_ORIGIN]
+    ldr     r5, [r3, #COLOUR_OUTLINE_CODE_DOWN + 16]
+    add     r8, r6, #1
+    add     r4, r4, r10
+    mla     r4, r5, r8, r4
+    add     r8, sp, #LIST_BEGIN
+    add     lr, sp, #LIST_ORIGIN
+    stm     lr, {r4-r8}
+    add     r8, r6, #LIST_ROWS
+    cmp     r7, r8
+    it      gt
+    movgt   r7, r8
+    .endm
+
+    .purgem find_base
+    .macro find_base
+    ldrh    r7, [r2, #BAND_WIDTH]
+    mls     r6, r12, r7, r10
+    adds    r6, r6, #1
+    .endm
+
+/* Lists the rows of a trapezoid. */
+    .macro fill_rows
+    ldrd    r1, r2, [sp, #LIST_ORIGIN]
+    ldr     lr, [sp, #LIST_NEXT]
+.Lrow:
+    subs    r0, r8, r4
+    blt     .Lexchanged_row
+    sub     r3, r4, r1
+    stm     lr!, {r0, r3, r4}
+.Lrow_listed:
+    add     r1, r1, r2
+    step_edges
+    subs    r12, r12, #1
+    bpl     .Lrow
+    str     r1, [sp, #LIST_ORIGIN]
+    str     lr, [sp, #LIST_NEXT]
+    b       .Lrows_below
+    .endm
+
+/* The pixels of a row. r2: the end of the cells, r3: the code, r4: the cell, r5: green, r6: both,
+ * r9: to the pixel, r10: step, r11: green step, r12: the code's step, lr: the border. */
+    .macro  paint_row_of_colours text, bent
+.Lpixel\text:
+    .if     \bent
+    subs    r1, r3, lr
+    ite     lo
+    addlo   r1, r1, r3
+    movhs   r1, r3
+    lsr     r1, r1, #16
+    ldrh    r0, [r4], #2
+    cmp     r1, r0
+    bls     .Lhidden\text
+    .else
+    ldrh    r0, [r4], #2
+    cmp     r0, r3, lsr #16
+    bhs     .Lhidden\text
+    lsr     r1, r3, #16
+    .endif
+    strh    r1, [r4, #-2]
+    lsrs    r0, r5, #26
+    and     r1, r6, #0xf800
+    orr     r0, r1, r0, lsl #5
+    orr     r0, r0, r6, lsr #27
+    strh    r0, [r4, r9]
+.Lhidden\text:
+    add     r3, r3, r12
+    add     r6, r6, r10
+    add     r5, r5, r11
+    cmp     r4, r2
+    blo     .Lpixel\text
+    .endm
+
+/* The rows of the list. r3, r5: code and green of the cell r4 in the row above, r7, r8: red and blue of that
+ * row in the face's column. */
+    .macro  fill_listed text, bent
+.Llisted\text:
+    .if     \bent
+    ldr     lr, [sp, #LIST_NEXT]
+    .endif
+    ldm     lr!, {r0, r1, r2}
+    .if     \bent
+    str     lr, [sp, #LIST_NEXT]
+    .endif
+    cmp     r0, #0
+    ble     .Lno_pixels\text
+    rsb     r6, r4, r2, lsl #1
+    lsls    r4, r2, #1
+    asrs    r6, r6, #1
+    mla     r3, r12, r6, r3
+    mla     r5, r11, r6, r5
+    add     r2, r4, r0, lsl #1
+    next_row_of_colours
+    lsl     r0, r8, #5
+    bfc     r0, #0, #16
+    add     r0, r0, r7, asr #11
+    mla     r6, r10, r1, r0
+    .if     \bent
+    ldr     lr, [sp, #FRAME_OUTLINE]
+    ldr     lr, [lr, #COLOUR_OUTLINE_BORDER]
+    .endif
+    paint_row_of_colours \text, \bent
+    b       .Llisted\text
+.Lno_pixels\text:
+    bmi     .Lfilled
+    next_row_of_colours
+    b       .Llisted\text
+    .endm
+
+    .macro  next_row_of_colours
+    ldrd    r0, r6, [sp, #LIST_DOWN]
+    add     r3, r3, r0
+    add     r5, r5, r6
+    ldrd    r0, r6, [sp, #LIST_DOWN + 8]
+    add     r7, r7, r0
+    add     r8, r8, r6
+    .endm
+
+    .section .text.fxl_draw_colour_outline, "ax", %progbits
+    .global fxl_draw_colour_outline
+    .type fxl_draw_colour_outline, %function
+    .thumb_func
+
+/* r0: points, r1: count, r2: band, r3: outline; returns whether it was drawn. */
+fxl_draw_colour_outline:
+#include "../raster/outline_armv7m.h"
+
+    return_not_clear
+
+    /* The right edge is not right of the left one. */
+.Lexchanged_row:
+    rsb     r0, r0, #0
+    sub     r3, r8, r1
+    stm     lr!, {r0, r3, r8}
+    b       .Lrow_listed
+
+.Lall_listed:
+    stm     sp, {r4-r11}
+    ldr     lr, [sp, #LIST_NEXT]
+    mov     r0, #-1
+    str     r0, [lr]
+    ldr     r1, [sp, #FRAME_OUTLINE]
+    ldr     r0, [sp, #LIST_ROW]
+    ldm     r1!, {r3-r12}           /* code, red, green, blue, origin, and what a row adds */
+    mla     r3, r8, r0, r3
+    mla     r4, r9, r0, r4
+    mla     r5, r10, r0, r5
+    mla     r6, r11, r0, r6
+    mla     r7, r12, r0, r7
+    strd    r9, r11, [sp, #LIST_DOWN + 8]
+    ldr     r2, [r1, #COLOUR_OUTLINE_STEP + 4 - COLOUR_OUTLINE_CELLS]
+    lsls    r5, r5, #4
+    lsl     r10, r10, #4
+    mls     r5, r2, r7, r5          /* that of cell 0 */
+    mls     r10, r2, r12, r10
+    strd    r8, r10, [sp, #LIST_DOWN]
+    mov     r7, r4
+    mov     r8, r6
+    ldm     r1, {r4, r9-r12, lr}    /* cells, pixels, steps, the code's step, border */
+    cmp     lr, #0
+    add     lr, sp, #LIST_BEGIN
+    bne     .Lfill_bent
+    fill_listed _linear, 0
+
+.Lfilled:
+    ldrd    r6, r7, [sp, #LIST_ROW]
+    adds    r6, r6, #LIST_ROWS
+    cmp     r6, r7
+    blt     .Llist_again
+    movs    r0, #1
+    add     sp, sp, #FRAME_SIZE
+    pop     {r4-r11, pc}
+
+.Lfill_bent:
+    str     lr, [sp, #LIST_NEXT]
+    fill_listed _bent, 1
+
+.Llist_again:
+    str     r6, [sp, #LIST_ROW]
+    add     r0, sp, #LIST_BEGIN
+    str     r0, [sp, #LIST_NEXT]
+    adds    r6, r6, #LIST_ROWS
+    cmp     r7, r6
+    it      gt
+    movgt   r7, r6
+    subs    r7, r7, #1
+    str     r7, [sp, #FRAME_LAST]
+    ldm     sp, {r4-r11}
+    b       .Lrows_below
+
+    .size fxl_draw_colour_outline, . - fxl_draw_colour_outline
+
+#endif
