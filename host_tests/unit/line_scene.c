@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "line_scene.h"
 
+#include <math.h>
+
 tiny_scene *tiny;
 fxl_renderer renderer;
 fxl_lines attached;
@@ -42,8 +44,12 @@ void make_edges(uint8_t width)
             for (uint32_t k = 0; k < 4; k++) {
                 const uint16_t a = corners[k], b = corners[(k + 1) % 4];
                 if (a < b) {
-                    lines[count] = (fxl_line){a, b, {(uint16_t)(i + 1), other_face(model, i, a, b)},
-                                              (uint8_t)(LINE + count), width, 0};
+                    lines[count] = (fxl_line){a,
+                                              b,
+                                              {(uint16_t)(i + 1), other_face(model, i, a, b)},
+                                              (uint8_t)(LINE + count),
+                                              width,
+                                              0};
                     count++;
                 }
             }
@@ -57,8 +63,8 @@ void make_edges(uint8_t width)
 fxl_config config_of(const fxl_target *target)
 {
     fxl_config config = fxl_config_for(WIDTH, HEIGHT, target);
-    config.near_z = Q16(0.25);
-    config.far_z = Q16(100);
+    config.near_z = NEAR;
+    config.far_z = NEAR * FAR_BY_NEAR;
     config.fov = DEGREES(90);
     config.background = BACKGROUND;
     config.palette = palette;
@@ -94,4 +100,31 @@ void begin_band(const fxl_pose *pose)
 {
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     frame_draw_bands(&renderer, frame, HEIGHT, BACKGROUND);
+}
+
+/* The least whole number e for which 257/256 far <= 2^e near. */
+static int exact_octaves(void)
+{
+    int octaves = 0;
+    while (ldexp(1, octaves) < FAR_BY_NEAR * 257.0 / 256) {
+        octaves++;
+    }
+    return octaves;
+}
+
+double exact_code_beyond(double depth, double other)
+{
+    const int octaves = exact_octaves(), octave = -1 - ilogb(other);
+    int mantissa = 16;
+    while (octaves << mantissa >= 65536) {
+        mantissa--;
+    }
+    return ldexp(ldexp(depth, octave + 1) - 1 + octaves - 1 - octave, mantissa) + 1;
+}
+
+double exact_code(double depth)
+{
+    const double least = ldexp(1, -exact_octaves());
+    const double held = depth < least ? least : depth;
+    return depth >= 1 ? 65535 : exact_code_beyond(held, held);
 }

@@ -13,7 +13,9 @@ enum {
     BACKGROUND = 0,
     LINE = 200, /* colours from here on are of lines */
     EDGES = 12,
-    PIXELS = WIDTH * HEIGHT
+    PIXELS = WIDTH * HEIGHT,
+    NEAR = 1 << 14, /* of the lens, as its far */
+    FAR_BY_NEAR = 400
 };
 
 extern tiny_scene *tiny;
@@ -54,5 +56,17 @@ static inline fxl_band whole_band(uint8_t *pixels)
     const fxl_band band = UNIT_BAND(pixels, WIDTH, 0, HEIGHT);
     return band;
 }
+
+/* The code that a depth buffer of 16 or 32 bits keeps for a pixel: of 32 bits, times 65536. */
+static inline uint32_t cell_at(uint32_t bits, int32_t pixel)
+{
+    const void *first = &cells[1];
+    return bits == 16 ? ((const uint16_t *)first)[pixel] : ((const uint32_t *)first)[pixel];
+}
+
+/* The code of a depth by SPEC.md, section 10.3; and that of the straight line that it follows in the octave of another
+ * depth. */
+double exact_code(double depth);
+double exact_code_beyond(double depth, double other);
 
 #endif
