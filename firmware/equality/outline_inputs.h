@@ -187,6 +187,7 @@ static void any_texels(polygon *of)
 {
     const uint32_t kind = any_32() >> 9, columns = kind >> 4 & 7u;
     const uint32_t any = kind >> 8 & 7u, rows = columns + any > 13u ? 13u - columns : any;
+    const uint16_t dark = kind & 8u ? (uint16_t)(any_32() >> 9) : 0;
     fxl_gradient *attributes = of->gradients.attributes;
     for (uint32_t i = 0; i < FXL_ATTRIBUTES; i++) {
         attributes[i].at = (int32_t)any_32();
@@ -206,8 +207,11 @@ static void any_texels(polygon *of)
         .is_evenly_lit = (kind & 1u) == 0,
         .light = (uint16_t)(any_32() >> 9),
         .of_565 = {.palette = palette,
-                   .part_of_level = kind & 4u ? 65536u / 31u : 0,
-                   .dark = kind & 8u ? (uint16_t)(any_32() >> 9) : 0},
+                   /* with black any light is a part, of at most 256 */
+                   .part_of_level = (kind & 4u) == 0 ? 0
+                                    : dark == 0      ? 257u
+                                                     : 65536u / 31u,
+                   .dark = dark},
     };
     palette[any_32() >> 9 & 255u] = (uint16_t)(any_32() >> 9);
 }

@@ -13,6 +13,7 @@ static inline bool may_be_texels(const fxl_surfaces *surfaces, const fxl_surface
 {
     const fxl_workspace *workspace = traversal->workspace;
     if (surface->texture == 0 || !traversal->draws_one ||
+        !can_draw_smooth(workspace, traversal->band) ||
         ((const fxl_depth_head *)workspace->target_memory)->pass == FXL_DEPTH_BLENDED) {
         return false;
     }
@@ -24,6 +25,8 @@ static inline bool may_be_texels(const fxl_surfaces *surfaces, const fxl_surface
 typedef struct {
     fxl_paint paint;
     fxl_texel_outline outline;
+    int32_t one;         /* of the last depth plane; 0: none yet, or its light was the same all over */
+    uint32_t light_more; /* what is added to the light of one that is lit unevenly */
 } texel_run;
 
 /* Once a run. */
@@ -34,8 +37,13 @@ static inline void begin_texels(const fxl_surfaces *surfaces, const fxl_surface 
     fxl_texture_level_set(texture, texture->texels, texture->log_width, texture->log_height,
                           &run->paint.level);
     paint_texels_of(surfaces, surface, traversal->band, &run->paint);
-    fxl_texel_outline_of_surface((const fxl_depth_head *)traversal->workspace->target_memory,
-                                 &run->paint, &run->outline);
+    const fxl_depth_head *head = (const fxl_depth_head *)traversal->workspace->target_memory;
+    fxl_texel_outline_of_surface(head, &run->paint, &run->outline);
+    run->outline.pixels = fxl_depth_outline_pixels(head, traversal->band, 2) - 2u;
+    run->one = 0;
+    run->light_more = fxl_surface_is_lit(surfaces, surface)
+                          ? fxl_texel_light_more(run->paint.levels_less_1)
+                          : 0;
 }
 
 /* The values of the corners, and whether light is the same at all of them. Returns how many
@@ -46,10 +54,12 @@ static inline uint32_t find_texel_values(const fxl_surfaces *surfaces, const fxl
                                          const fxl_renderer *renderer, int32_t (*values)[3],
                                          fxl_paint *paint)
 {
-    for (uint32_t i = 0; i < 3; i++) {
-        values[FXL_ATTRIBUTE_U][i] = of[i]->texel.u;
-        values[FXL_ATTRIBUTE_V][i] = of[i]->texel.v;
-    }
+    values[FXL_ATTRIBUTE_U][0] = of[0]->texel.u;
+    values[FXL_ATTRIBUTE_V][0] = of[0]->texel.v;
+    values[FXL_ATTRIBUTE_U][1] = of[1]->texel.u;
+    values[FXL_ATTRIBUTE_V][1] = of[1]->texel.v;
+    values[FXL_ATTRIBUTE_U][2] = of[2]->texel.u;
+    values[FXL_ATTRIBUTE_V][2] = of[2]->texel.v;
     paint->is_evenly_lit = false;
     if (!fxl_surface_is_lit(surfaces, surface)) {
         return FXL_SEGMENT_LIGHT;
@@ -83,12 +93,14 @@ draw_texel_corners(const fxl_surfaces *surfaces, const fxl_surface *surface,
     }
     fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
     fxl_texel_planes_scale(&run->outline.planes, 0, 8u - run->paint.level.log_width);
-    fxl_texel_outline_of_face((const fxl_depth_head *)workspace->target_memory, &run->paint, one,
-                              &run->outline);
-    return fxl_draw_texel_words(&run->outline, workspace->target_memory, corners->points, 3, band,
-                                &workspace->work.scan)
-               ? FXL_DEPTH_DRAWN
-               : FXL_DEPTH_NO_ROW;
+    if (one == run->one && !run->paint.is_evenly_lit) {
+        run->outline.planes.at.light += run->light_more;
+    } else {
+        fxl_texel_outline_of_face((const fxl_depth_head *)workspace->target_memory, &run->paint,
+                                  one, &run->outline);
+        run->one = run->paint.is_evenly_lit ? 0 : one;
+    }
+    return fxl_draw_texel_outline(corners->points, 3, band, &run->outline);
 }
 
 #endif

@@ -286,7 +286,9 @@
 #define TEXEL_OUTLINE_END           96
 #define TEXEL_OUTLINE_ROWS          100
 #define TEXEL_OUTLINE_RESUME        104
-#define TEXEL_OUTLINE_BORDER        108
+#define TEXEL_OUTLINE_REST_RESUME   108
+#define TEXEL_OUTLINE_REST_END      116
+#define TEXEL_OUTLINE_BORDER        120
 
 /* FXL_VERTEX_UNPROJECTED, FXL_PLANES_ALL, some of fxl_depth_drawn and of fxl_clip_result */
 #define PLANES_ALL         0x3F

@@ -255,8 +255,9 @@ static inline bool fxl_has_texel_words(const fxl_gradients *gradients)
 
 /* What is linear over the pixels: the code of depth_code.h, u, v, and light. Light is less the half
  * level, and has half a part of 256 more, as of fxl_smooth_outline: in the triangle it is not below
- * 0, as the half part is 2^15 for each level above 0, and rounding takes less than 2^14 for each. v
- * is such that its row is from bit 16 + log on in a texture of 2^log columns. */
+ * 0, and not above a part of 256, as the half part is 2^15 for each level above 0, and rounding changes
+ * it by less than 2^14 for each. v is such that its row is from bit 16 + log on in a texture of 2^log
+ * columns. */
 typedef struct {
     uint32_t code, u, v, light;
 } fxl_texel_words;
@@ -314,7 +315,7 @@ int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_lens 
 #define FXL_TEXELS_WIDE  1u /* of texels of 16 bits */
 #define FXL_TEXELS_LIT   2u
 #define FXL_TEXELS_BENT  4u /* codes have a border */
-#define FXL_TEXELS_BLACK 8u /* lit, without a border, and the dark colour is 0: for the kernel */
+#define FXL_TEXELS_BLACK 8u /* lit, and the dark colour is 0: for the kernel */
 
 /* What the pixels of a polygon depend on, and what the kernel keeps from row to row. */
 typedef struct {
@@ -329,6 +330,7 @@ typedef struct {
     uint32_t kind;                    /* FXL_TEXELS_WIDE, _LIT, _BENT, _BLACK */
     fxl_mixture_565 mixture;          /* of the colour 0 */
     uint32_t end, rows, resume;       /* the kernel's own */
+    uint32_t rest_resume, rest_code, rest_end; /* also; of the rest of a row */
     uint32_t border;                  /* fxl_depth_border */
     bool or_equal;
 } fxl_texel_outline;
@@ -350,6 +352,13 @@ static inline void fxl_texel_planes_scale(fxl_texel_planes *of, uint32_t u_drop,
  * fxl_draw_texels, but for the gradients and the light of the face. */
 void fxl_texel_outline_of_surface(const fxl_depth_head *head, const fxl_paint *paint,
                                   fxl_texel_outline *of);
+
+/* What the light of a lit triangle has more than that of fxl_texel_words_of: half a part, less the
+ * half level. */
+static inline uint32_t fxl_texel_light_more(uint32_t levels_less_1)
+{
+    return fxl_half_part_565(levels_less_1) - (1u << 23);
+}
 
 /* The rest, of a triangle: the kind of its pixels, and its light. one: of the depth plane. */
 void fxl_texel_outline_of_face(const fxl_depth_head *head, const fxl_paint *paint, int32_t one,

@@ -212,7 +212,7 @@ void fxl_texel_outline_of_face(const fxl_depth_head *head, const fxl_paint *pain
     of->kind = (of->kind & (FXL_TEXELS_WIDE | FXL_TEXELS_LIT)) |
                (of->border != 0 ? FXL_TEXELS_BENT : 0u);
 #if FXL_DRAWS_SMOOTH_OUTLINES
-    if (is_lit && of->border == 0 && paint->of_565.dark == 0) {
+    if (is_lit && paint->of_565.dark == 0) {
         of->kind |= FXL_TEXELS_BLACK;
     }
 #endif
@@ -221,7 +221,7 @@ void fxl_texel_outline_of_face(const fxl_depth_head *head, const fxl_paint *pain
         of->planes.down.light = of->planes.along.light = 0;
     }
     if (is_lit) {
-        of->planes.at.light += fxl_half_part_565(paint->levels_less_1) - (1u << 23);
+        of->planes.at.light += fxl_texel_light_more(paint->levels_less_1);
     }
 }
 

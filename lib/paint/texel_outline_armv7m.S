@@ -11,7 +11,7 @@
 #include "../raster/draw_frame_armv7m.h"
 #include "cell_edges_armv7m.h"
 
-/* What pixels depend on, from the member `cells` on. */
+/* What pixels depend on, from the member `cells` on, and their change. */
 #define OF(member) (TEXEL_OUTLINE_##member - TEXEL_OUTLINE_CELLS)
 
     .syntax unified
@@ -35,17 +35,20 @@
     ldrh    r10, [r2, #BAND_WIDTH]
     sub     r11, r6, r12
     mul     r11, r11, r10           /* the row's first cell */
-    .irp    word, 0, 4, 8, 12
-    ldr     r4, [r3, #\word]
-    ldr     r5, [r3, #TEXEL_OUTLINE_DOWN + \word]
-    ldr     r8, [r3, #TEXEL_OUTLINE_ALONG + \word]
+    add     lr, r3, #TEXEL_OUTLINE_DOWN
+.Lnext_word:
+    ldr     r8, [r3, #TEXEL_OUTLINE_ALONG]
+    ldr     r5, [r3, #TEXEL_OUTLINE_DOWN]
+    ldr     r4, [r3]
     mla     r4, r5, r6, r4
     mls     r4, r8, r11, r4
     mls     r5, r8, r10, r5
     sub     r4, r4, r5
-    str     r4, [r3, #\word]
-    str     r5, [r3, #TEXEL_OUTLINE_DOWN + \word]
-    .endr
+    str     r5, [r3, #TEXEL_OUTLINE_DOWN]
+    str     r4, [r3], #4
+    cmp     r3, lr
+    bne     .Lnext_word
+    sub     r3, r3, #TEXEL_OUTLINE_DOWN
     resume_at .Lpixels_done
     .endm
 
@@ -54,17 +57,8 @@
     .endm
 
 /* The pixel is tested. r3: the code, r11: the cell, which becomes the next one. */
-    .macro  test_pixel text, bent
-    .if     \bent
-    ldr     r1, [lr, #OF(BORDER)]
-    subs    r1, r3, r1
-    ite     lo
-    addlo   r1, r1, r3
-    movhs   r1, r3
-    lsr     r1, r1, #16
-    .else
+    .macro  test_pixel text
     lsr     r1, r3, #16
-    .endif
     ldrh    r0, [r11], #2
     cmp     r1, r0
     bls     .Lhidden\text
@@ -87,11 +81,11 @@
     .endm
 
 /* Pixels without light. r2: to the pixel, r6: texels, r10: palette, r12: the end of the cells. */
-    .macro  paint_row text, wide, bent
+    .macro  paint_row text, wide
     ldrd    r6, r10, [lr, #OF(TEXELS)]
     ldr     r2, [lr, #OF(PIXELS)]
 .Lpixel\text:
-    test_pixel \text, \bent
+    test_pixel \text
     find_place
     .if     \wide
     ldrh    r0, [r6, r0, lsl #1]
@@ -106,11 +100,9 @@
     ldr     pc, [lr, #OF(RESUME)]
     .endm
 
-/* The same with light, r6, and its step, r10; the end of the cells is in the record too. */
-    .macro  paint_lit_row text, wide, bent, dark
-    str     r12, [lr, #OF(END)]
-.Lpixel\text:
-    test_pixel \text, \bent
+/* The texel in r0 and the part of it in r1, of lit pixels; r6: light, r10: its step. */
+    .macro  find_lit_texel text, wide
+    test_pixel \text
     find_place
     ldrd    r1, r2, [lr, #OF(TEXELS)]
     .if     \wide
@@ -120,21 +112,33 @@
     ldrh    r0, [r2, r0, lsl #1]
     .endif
     ldr     r1, [lr, #OF(PART_OF_LEVEL)]
-    umull   r2, r1, r6, r1          /* the part */
+    umull   r2, r1, r6, r1
     and     r2, r0, #0x7E0
+    .endm
+
+/* On to the next one. */
+    .macro  next_lit_pixel text
+    next_pixel \text
+    add     r6, r6, r10
+    cmp     r11, r12
+    blo     .Lpixel\text
+    ldr     pc, [lr, #OF(RESUME)]
+    .endm
+
+/* The end of the cells, r12, is in the record too. */
+    .macro  paint_lit_row text, wide
+    str     r12, [lr, #OF(END)]
+.Lpixel\text:
+    find_lit_texel \text, \wide
     lsr     r12, r0, #11
     and     r0, r0, #31
     orr     r0, r0, r12, lsl #19
-    .if     \dark
     ldr     r12, [lr, #OF(GREEN_STEP)]
     add     r2, r2, r12
-    .endif
     ldr     r12, [lr, #OF(GREEN_DARK)]
     mla     r2, r2, r1, r12
-    .if     \dark
     ldr     r12, [lr, #OF(RED_STEP)]
     add     r0, r0, r12
-    .endif
     ldr     r12, [lr, #OF(RED_DARK)]
     mla     r0, r0, r1, r12
     lsr     r2, r2, #13
@@ -145,11 +149,27 @@
     ldr     r12, [lr, #OF(PIXELS)]
     strh    r0, [r11, r12]
     ldr     r12, [lr, #OF(END)]
-    next_pixel \text
-    add     r6, r6, r10
-    cmp     r11, r12
-    blo     .Lpixel\text
-    ldr     pc, [lr, #OF(RESUME)]
+    next_lit_pixel \text
+    .endm
+
+/* The same where the dark colour is 0: halves of a part are all that is added, and red is from bit 16 on. */
+    .macro  paint_black_row text, wide
+.Lpixel\text:
+    find_lit_texel \text, \wide
+    orr     r0, r0, r0, lsl #5
+    bfc     r0, #5, #11
+    mul     r2, r2, r1
+    mul     r0, r0, r1
+    add     r2, r2, #1 << 12
+    add     r0, r0, #0x00800080
+    lsr     r2, r2, #13
+    lsr     r1, r0, #24
+    orr     r2, r2, r1, lsl #6
+    lsr     r0, r0, #8
+    bfi     r0, r2, #5, #11
+    ldr     r1, [lr, #OF(PIXELS)]
+    strh    r0, [r11, r1]
+    next_lit_pixel \text
     .endm
 
 /* Triangles with so many rows at most: their rows are found by edge functions. */
@@ -331,31 +351,67 @@ fxl_draw_texel_outline:
     mla     r6, r10, r2, r6
     add     r12, r11, r0, lsl #1
     ldr     r1, [lr, #OF(KIND)]
+.Lkind:
     tbh     [pc, r1, lsl #1]
 .Lkinds:
-    .irp    number, 0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 10, 11
+    .irp    number, 0, 1, 2, 3, _bent, _bent, _bent, _bent, 0, 1, 10, 11, _bent, _bent, _bent, _bent
     .short  (.Lkind\number - .Lkinds) / 2
     .endr
+
+    /* Codes have a border: those below it, of pixels beyond it, are doubled. Where the row crosses it, r2 pixels are
+     * drawn first, and then the rest, likewise. r0: pixels, r3-r12: as the loops have them. */
+.Lkind_bent:
+    ldr     r1, [lr, #OF(BORDER)]
+    subs    r2, r3, r1
+    itee    hs
+    rsbhs   r1, r7, #0
+    mvnlo   r2, r2
+    movlo   r1, r7
+    cmp     r1, #0
+    ble     .Lone_side
+    udiv    r2, r2, r1
+    add     r2, r2, #1
+    cmp     r2, r0
+    bhs     .Lone_side
+    str     r12, [lr, #OF(REST_END)]
+    add     r12, r11, r2, lsl #1
+    mla     r2, r7, r2, r3
+    ldr     r1, [lr, #OF(RESUME)]
+    strd    r1, r2, [lr, #OF(REST_RESUME)]
+    adr     r1, .Lrest
+    adds    r1, r1, #1              /* Thumb */
+    str     r1, [lr, #OF(RESUME)]
+.Lone_side:
+    ldr     r1, [lr, #OF(BORDER)]
+    subs    r2, r3, r1
+    itt     lo
+    addlo   r3, r3, r2
+    lsllo   r7, r7, #1
+    ldr     r1, [lr, #OF(KIND)]
+    bic     r1, r1, #4
+    b       .Lkind
+
+.Lrest:
+    ldrd    r1, r3, [lr, #OF(REST_RESUME)] /* and the code */
+    str     r1, [lr, #OF(RESUME)]
+    ldr     r7, [lr, #OF(ALONG)]
+    ldr     r12, [lr, #OF(REST_END)]
+    sub     r0, r12, r11
+    lsr     r0, r0, #1
+    b       .Lkind_bent
+
 .Lkind0:
-    paint_row 0, 0, 0
+    paint_row 0, 0
 .Lkind1:
-    paint_row 1, 1, 0
+    paint_row 1, 1
 .Lkind2:
-    paint_lit_row 2, 0, 0, 1
+    paint_lit_row 2, 0
 .Lkind3:
-    paint_lit_row 3, 1, 0, 1
-.Lkind4:
-    paint_row 4, 0, 1
-.Lkind5:
-    paint_row 5, 1, 1
-.Lkind6:
-    paint_lit_row 6, 0, 1, 1
-.Lkind7:
-    paint_lit_row 7, 1, 1, 1
+    paint_lit_row 3, 1
 .Lkind10:
-    paint_lit_row 10, 0, 0, 0
+    paint_black_row 10, 0
 .Lkind11:
-    paint_lit_row 11, 1, 0, 0
+    paint_black_row 11, 1
 
     .size fxl_draw_texel_outline, . - fxl_draw_texel_outline
 

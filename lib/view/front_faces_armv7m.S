@@ -85,9 +85,9 @@ step    .req r5             /* in bytes */
 left    .req r6
 #define AT_WALK 4
 
-/* The vertex whose number is at \offset of the face: if it is in the cache, r12 keeps the planes that
+/* The vertex whose number is at \offset of the face: r12 keeps the planes that
  * all vertices so far are outside of. r1: entries, r2: mask, r3: tag. */
-    .macro  vertex_planes offset
+    .macro  vertex_planes vertex, offset
     ldrh    lr, [face, #\offset]
     and     r0, lr, r2
     add     r0, r0, r0, lsl #2              /* 40 bytes each */
@@ -95,9 +95,18 @@ left    .req r6
     ldrd    r0, r11, [r0]
     add     lr, lr, r3
     cmp     r0, lr
-    bne     .Lask
+    bne     .Lmissing\vertex
+.Lcached\vertex:
     ands    r12, r12, r11
     beq     .Lreturn
+    .endm
+
+/* It is not in the cache. */
+    .macro  missing_vertex vertex, offset
+.Lmissing\vertex:
+    ldrh    r1, [face, #\offset]
+    bl      .Ltransform
+    b       .Lcached\vertex
     .endm
 
 /* r0: model_view, r1: walk. A vertex relative to the eye is below 2^30, so the sum is below 2^62
@@ -148,15 +157,34 @@ fxl_next_front_face:
     mov     r12, #PLANES_ALL
     cmp     r11, #3
     bne     .Lask
-    vertex_planes FACE_INDICES
-    vertex_planes FACE_INDICES + 2
-    vertex_planes FACE_INDICES + 4
+    vertex_planes 1, FACE_INDICES
+    vertex_planes 2, FACE_INDICES + 2
+    vertex_planes 3, FACE_INDICES + 4
 .Loutside:
     ldr     r1, [sp, #AT_WALK]
     ldr     r0, [r1, #FACE_WALK_OUTSIDE]
     adds    r0, r0, #1
     str     r0, [r1, #FACE_WALK_OUTSIDE]
     b       .Lpassed
+
+    missing_vertex 1, FACE_INDICES
+    missing_vertex 2, FACE_INDICES + 2
+    missing_vertex 3, FACE_INDICES + 4
+
+    /* r1: number, r2: mask; leaves the clip flags in r11. fxl_transform_vertex leaves the model view
+     * in r3, and the flags in r1. */
+.Ltransform:
+    push    {r12, lr}
+    ldr     r0, [sp, #8]
+    ldr     r3, [r0, #MODEL_VIEW_ENTRIES]
+    and     r2, r2, r1
+    add     r2, r2, r2, lsl #2
+    add     r2, r3, r2, lsl #3
+    bl      fxl_transform_vertex
+    mov     r11, r1
+    ldrd    r1, r2, [r3, #MODEL_VIEW_ENTRIES]
+    ldr     r3, [r3, #MODEL_VIEW_TAG]
+    pop     {r12, pc}
 
 .Lask:
     ldr     r0, [sp]

@@ -127,8 +127,8 @@ planes      .req lr         /* in the lowest byte */
     .type fxl_transform_vertex, %function
     .thumb_func
 
-/* r0: model_view, r1: number, r2: entry. For fxl_clip_by_view r1 returns the clip flags, and r2 is
- * kept. */
+/* r0: model_view, r1: number, r2: entry. For fxl_clip_by_view and fxl_next_front_face r1 returns the clip
+ * flags, r2 is kept, and r3 returns the model view. */
 fxl_transform_vertex:
     transform
     b       .Ldecided
