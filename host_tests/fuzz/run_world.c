@@ -61,9 +61,19 @@ static void demand_ramp(const fxl_light_settings *settings, uint8_t *ramp, fuzz_
     DEMAND(fxl_light_make_ramp(palette, black, 4, NULL) == FXL_E_ARGUMENT);
 }
 
-void fuzz_set_light(fxl_renderer *renderer, fxl_light *light, fuzz_input *in)
+/* Of any ramp, its colours: those of the input before are gone. */
+static uint8_t *fresh_ramp(void)
 {
     static uint8_t ramp[FXL_LIGHT_RAMP_BYTES(FXL_LIGHT_LEVELS_MAX)];
+    for (uint32_t i = 0; i < sizeof ramp; i++) {
+        ramp[i] = (uint8_t)(i * 37 + (i >> 8));
+    }
+    return ramp;
+}
+
+void fuzz_set_light(fxl_renderer *renderer, fxl_light *light, fuzz_input *in)
+{
+    uint8_t *const ramp = fresh_ramp();
     static fxl_renderer none;
     fxl_light_settings settings = any_settings(in);
     const fxl_light before = *light;
