@@ -267,13 +267,20 @@ AT(fxl_lit_run, mixture.green_step, LIT_RUN_PALETTE + 20);
 AT(fxl_colour_values, limit, COLOUR_VALUES_LIMIT);
 #endif
 
-AT(fxl_colour_outline, at.code, COLOUR_OUTLINE_CODE);
-AT(fxl_colour_outline, at.origin, COLOUR_OUTLINE_ORIGIN);
-AT(fxl_colour_outline, down.code, COLOUR_OUTLINE_CODE_DOWN);
-AT(fxl_colour_outline, cells, COLOUR_OUTLINE_CELLS);
+AT(fxl_colour_outline, code, COLOUR_OUTLINE_CODE);
+AT(fxl_colour_outline, code_down, COLOUR_OUTLINE_CODE_DOWN);
+AT(fxl_colour_outline, green, COLOUR_OUTLINE_GREEN);
+AT(fxl_colour_outline, green_down, COLOUR_OUTLINE_GREEN_DOWN);
+AT(fxl_colour_outline, red, COLOUR_OUTLINE_RED);
+AT(fxl_colour_outline, blue, COLOUR_OUTLINE_BLUE);
+AT(fxl_colour_outline, red_down, COLOUR_OUTLINE_RED_DOWN);
+AT(fxl_colour_outline, blue_down, COLOUR_OUTLINE_BLUE_DOWN);
+AT(fxl_colour_outline, column, COLOUR_OUTLINE_COLUMN);
+AT(fxl_colour_outline, code_along, COLOUR_OUTLINE_CODE_ALONG);
 AT(fxl_colour_outline, step, COLOUR_OUTLINE_STEP);
-AT(fxl_colour_outline, green_step, COLOUR_OUTLINE_STEP + 4);
+AT(fxl_colour_outline, green_step, COLOUR_OUTLINE_GREEN_STEP);
 AT(fxl_colour_outline, border, COLOUR_OUTLINE_BORDER);
+AT(fxl_colour_outline, cells, COLOUR_OUTLINE_CELLS);
 
 AT(fxl_texel_outline, planes.at, 0);
 AT(fxl_texel_outline, planes.down, TEXEL_OUTLINE_DOWN);

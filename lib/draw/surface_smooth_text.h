@@ -55,7 +55,8 @@ static inline bool can_draw_smooth(const fxl_workspace *workspace, const fxl_ban
 
 /* The same of an outline with colours at its corners, which is opaque: a kernel leaves it as it was where
  * rows are not clear. */
-static inline fxl_depth_drawn draw_colours(fxl_workspace *workspace, fxl_colour_outline *outline,
+static inline fxl_depth_drawn draw_colours(fxl_workspace *workspace,
+                                           const fxl_colour_outline *outline,
                                            const fxl_screen_point *points, uint32_t count,
                                            const fxl_band *band)
 {
@@ -132,10 +133,8 @@ draw_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
                  const fxl_traversal *traversal, fxl_colour_outline *outline)
 {
     fxl_workspace *workspace = traversal->workspace;
-    const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
     const fxl_lens *lens = &model_view->view->lens;
     fxl_colour_values values;
-    fxl_depth_plane depth;
     fxl_corner_colours(of, values.of);
     if (fxl_surface_is_lit(surfaces, surface)) {
         int32_t light[3];
@@ -147,10 +146,9 @@ draw_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
                        ? FXL_BEND_ANY
                    : surface->division == FXL_DIVIDE_8 ? FXL_BEND_FINE
                                                        : FXL_BEND_NONE;
-    if (!fxl_find_colour_planes(corners, lens, &values, outline, &depth)) {
+    if (!fxl_find_colour_planes(corners, lens, &values, outline)) {
         return FXL_DEPTH_NOT_DRAWN;
     }
-    fxl_colour_outline_of_plane(head, &depth, traversal->band, outline);
     return draw_colours(workspace, outline, points, count, traversal->band);
 }
 

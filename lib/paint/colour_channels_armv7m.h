@@ -24,15 +24,14 @@
     mls     r0, r1, r5, r0
     .endm
 
-/* The same, and what an outline begins with: \number: 0, 1, 2: red, green, blue; \half: is added. */
-    .macro channel_of_outline number, half
+/* The same, with what an outline keeps of it: \number: 0, 1, 2: red, green, blue; \half: is added. */
+    .macro channel_of_outline number, at, down, half
     find_channel 12 * \number
     .if     \half
     add     r0, r0, #1024
     .endif
-    sub     r0, r0, r1
-    str     r0, [r12, #COLOUR_OUTLINE_CODE + 4 + 4 * \number]
-    str     r1, [r12, #COLOUR_OUTLINE_CODE_DOWN + 4 + 4 * \number]
+    str     r0, [r12, #\at]
+    str     r1, [r12, #\down]
     .endm
 
 /* The three channels, if a constant weight changes none too much. r7: the values of a channel,
@@ -54,10 +53,10 @@
 
     /* r4: the least weight, r3, r6: the others less the first one, r5: what needs no mean. */
 .Lbend:
-    ldm     r7, {r0, r1, r2}
+    ldm     r7!, {r0, r1, r2}
     subs    r1, r1, r0
     subs    r2, r2, r0
-    strd    r1, r2, [r7, #4]
+    strd    r1, r2, [r7, #-8]
     asrs    r1, r1, #8
     asrs    r2, r2, #8
     subs    r0, r2, r1
@@ -75,7 +74,6 @@
     cmpls   lr, r5, lsl #1
     bhi     .Lmean
 .Lbalanced:
-    adds    r7, r7, #12
     cmp     r7, r12
     bne     .Lbend
 .Ldifferences:
@@ -96,17 +94,17 @@
     asrs    r0, r0, #16
     asrs    r1, r1, #16
     str     r0, [sp, #ROW]
-    str     r1, [r12, #COLOUR_OUTLINE_ORIGIN]
+    str     r1, [r12, #COLOUR_OUTLINE_COLUMN]
     lsls    r3, r3, #16
     lsls    r6, r6, #16
-    channel_of_outline 0, 1
+    channel_of_outline 0, COLOUR_OUTLINE_RED, COLOUR_OUTLINE_RED_DOWN, 1
     add     r4, r4, #1024
     asrs    r4, r4, #11
     str     r4, [r12, #COLOUR_OUTLINE_STEP]
-    channel_of_outline 1, 0
+    channel_of_outline 1, COLOUR_OUTLINE_GREEN, COLOUR_OUTLINE_GREEN_DOWN, 0
     lsls    r4, r4, #4
     str     r4, [r12, #COLOUR_OUTLINE_STEP + 4]
-    channel_of_outline 2, 1
+    channel_of_outline 2, COLOUR_OUTLINE_BLUE, COLOUR_OUTLINE_BLUE_DOWN, 1
     ldr     r2, [r12, #COLOUR_OUTLINE_STEP]
     add     r4, r4, #1024
     asrs    r4, r4, #11
@@ -174,12 +172,13 @@
     cmp     r6, r5
     it      hi
     movhi   r5, r6                  /* to the farther side */
-    ldm     r7, {r0, r1, r2}
+    ldrd    r0, r1, [r7, #-12]
+    ldr     r2, [r7, #-4]
     adds    r0, r0, r3
     add     r1, r1, r0
     add     r2, r2, r0
     sub     r6, r12, r7
-    cmp     r6, #24                 /* green */
+    cmp     r6, #12                 /* green */
     ite     eq
     moveq   r6, #64 << 16
     movne   r6, #32 << 16
@@ -193,7 +192,7 @@
     subls   r2, r2, #4096
     cmpls   r2, r6
     itt     ls
-    strls   r0, [r7]
+    strls   r0, [r7, #-12]
     movls   r5, #0
     cmp     r5, lr, lsr #1
     bhi     .Ltoo_bent

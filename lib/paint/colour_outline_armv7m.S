@@ -16,42 +16,48 @@
  * LIST_ROWS of them. */
 #define LIST_ORIGIN 76 /* the cell of the face's column in the next row */
 #define LIST_WIDTH  80 /* cells a row */
-#define LIST_ROW    84 /* the row of the first one */
-#define LIST_END    88 /* the outline's last row plus 1 */
+#define LIST_END    84 /* the outline's last row plus 1 */
+#define LIST_ABOVE  88 /* the row above the first one */
 #define LIST_NEXT   92
-#define LIST_DOWN   96 /* what a row adds to code, green, red and blue; code and green: in the same column */
-#define LIST_BEGIN  112
+#define LIST_CELL   96 /* that of the face's column in the row above */
+#define LIST_DOWN   100 /* from the end of a row's cells to the same column of the next row: what it adds to code and green;
+                           then what a row adds to red and blue */
+#define LIST_BEGIN  116
 #define LIST_ROWS   16
 #define LISTED      12 /* of a row: pixels, columns from the face's to the first one, its cell */
 
 #define LISTS_ROWS
 #undef FRAME_SIZE
-#define FRAME_SIZE (LIST_BEGIN + LIST_ROWS * LISTED + 4)
+#define FRAME_SIZE (LIST_BEGIN + (LIST_ROWS + 1) * LISTED)
 
 #include "cell_edges_armv7m.h"
 
 /* A cell's number is half of its address. */
     .macro begin_filling
     test_clear COLOUR_OUTLINE_CELLS
-    lsr     r10, r4, #1             /* for find_base */
-    ldr     r4, [r3, #COLOUR_OUTLINE_ORIGIN]
-    ldr     r5, [r3, #COLOUR_OUTLINE_CODE_DOWN + 16]
-    add     r8, r6, #1
+    lsr     r10, r4, #1
+    ldr     r4, [r3, #COLOUR_OUTLINE_COLUMN]
+    ldrh    r5, [r2, #BAND_WIDTH]
+    sub     r8, r6, r12
     add     r4, r4, r10
     mla     r4, r5, r8, r4
-    add     r8, sp, #LIST_BEGIN
+    sub     r8, r6, #1
+    add     r11, sp, #LIST_BEGIN
     add     lr, sp, #LIST_ORIGIN
-    stm     lr, {r4-r8}
+    stm     lr, {r4, r5, r7, r8, r11}
+    sub     r4, r4, r5
+    str     r4, [sp, #LIST_CELL]
     add     r8, r6, #LIST_ROWS
     cmp     r7, r8
     it      gt
     movgt   r7, r8
     .endm
 
+/* r5, r10: as begin_filling leaves them. */
     .purgem find_base
     .macro find_base
-    ldrh    r7, [r2, #BAND_WIDTH]
-    mls     r6, r12, r7, r10
+    mls     r6, r12, r5, r10
+    mov     r7, r5
     adds    r6, r6, #1
     .endm
 
@@ -118,11 +124,9 @@
     .if     \bent
     str     lr, [sp, #LIST_NEXT]
     .endif
-    cmp     r0, #0
-    ble     .Lno_pixels\text
-    rsb     r6, r4, r2, lsl #1
+    cbz     r0, .Lno_pixels\text
+    sub     r6, r2, r4, lsr #1
     lsls    r4, r2, #1
-    asrs    r6, r6, #1
     mla     r3, r12, r6, r3
     mla     r5, r11, r6, r5
     add     r2, r4, r0, lsl #1
@@ -138,7 +142,8 @@
     paint_row_of_colours \text, \bent
     b       .Llisted\text
 .Lno_pixels\text:
-    bmi     .Lfilled
+    cmp     r2, #0
+    beq     .Lfilled
     next_row_of_colours
     b       .Llisted\text
     .endm
@@ -173,35 +178,37 @@ fxl_draw_colour_outline:
 .Lall_listed:
     stm     sp, {r4-r11}
     ldr     lr, [sp, #LIST_NEXT]
-    mov     r0, #-1
+    movs    r0, #0
     str     r0, [lr]
+    str     r0, [lr, #8]
     ldr     r1, [sp, #FRAME_OUTLINE]
-    ldr     r0, [sp, #LIST_ROW]
-    ldm     r1!, {r3-r12}           /* code, red, green, blue, origin, and what a row adds */
-    mla     r3, r8, r0, r3
-    mla     r4, r9, r0, r4
-    mla     r5, r10, r0, r5
-    mla     r6, r11, r0, r6
-    mla     r7, r12, r0, r7
-    strd    r9, r11, [sp, #LIST_DOWN + 8]
-    ldr     r2, [r1, #COLOUR_OUTLINE_STEP + 4 - COLOUR_OUTLINE_CELLS]
+    ldr     r0, [sp, #LIST_ABOVE]
+    ldr     r2, [sp, #LIST_WIDTH]
+    ldm     r1!, {r3-r12}           /* code, green; red, blue; column, the code's step */
+    mla     r3, r4, r0, r3
+    mla     r5, r6, r0, r5
+    mla     r7, r9, r0, r7
+    mla     r8, r10, r0, r8
+    strd    r9, r10, [sp, #LIST_DOWN + 8]
+    mla     r3, r12, r11, r3
+    mls     r4, r12, r2, r4
+    ldm     r1, {r9-r11, lr}        /* pixels, steps, border */
     lsls    r5, r5, #4
-    lsl     r10, r10, #4
-    mls     r5, r2, r7, r5          /* that of cell 0 */
-    mls     r10, r2, r12, r10
-    strd    r8, r10, [sp, #LIST_DOWN]
-    mov     r7, r4
-    mov     r8, r6
-    ldm     r1, {r4, r9-r12, lr}    /* cells, pixels, steps, the code's step, border */
+    lsls    r6, r6, #4
+    mls     r6, r11, r2, r6
+    strd    r4, r6, [sp, #LIST_DOWN]
+    ldr     r4, [sp, #LIST_CELL]
+    lsls    r4, r4, #1
     cmp     lr, #0
     add     lr, sp, #LIST_BEGIN
     bne     .Lfill_bent
     fill_listed _linear, 0
 
 .Lfilled:
-    ldrd    r6, r7, [sp, #LIST_ROW]
-    adds    r6, r6, #LIST_ROWS
-    cmp     r6, r7
+    ldrd    r6, r7, [sp, #LIST_END]
+    adds    r7, r7, #LIST_ROWS
+    subs    r0, r6, #1
+    cmp     r7, r0
     blt     .Llist_again
     movs    r0, #1
     add     sp, sp, #FRAME_SIZE
@@ -211,16 +218,17 @@ fxl_draw_colour_outline:
     str     lr, [sp, #LIST_NEXT]
     fill_listed _bent, 1
 
-.Llist_again:
-    str     r6, [sp, #LIST_ROW]
-    add     r0, sp, #LIST_BEGIN
-    str     r0, [sp, #LIST_NEXT]
-    adds    r6, r6, #LIST_ROWS
-    cmp     r7, r6
+.Llist_again:                       /* r0: the last row, r7: the row above */
+    ldrd    r4, r5, [sp, #LIST_ORIGIN]
+    add     r6, sp, #LIST_BEGIN
+    strd    r7, r6, [sp, #LIST_ABOVE]
+    subs    r4, r4, r5
+    str     r4, [sp, #LIST_CELL]
+    adds    r7, r7, #LIST_ROWS
+    cmp     r0, r7
     it      gt
-    movgt   r7, r6
-    subs    r7, r7, #1
-    str     r7, [sp, #FRAME_LAST]
+    movgt   r0, r7
+    str     r0, [sp, #FRAME_LAST]
     ldm     sp, {r4-r11}
     b       .Lrows_below
 

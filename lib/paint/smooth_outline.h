@@ -130,22 +130,18 @@ static inline bool fxl_smooth_outline_begin(const void *memory, const fxl_depth_
     return true;
 }
 
-/* What is linear over the rows, at one of them: the code of cell 0; red, green and blue in the
- * face's column (corner_colours.h); and the cell of that column. */
+/* What the kernel of colours needs of a polygon, in the order in which it loads it. The words are those of row 0
+ * of the screen, and what a row adds: the code in column 0, the channels in the face's column
+ * (corner_colours.h). */
 typedef struct {
-    uint32_t code, red, green, blue, origin;
-} fxl_colour_row;
-
-/* What the kernel of colours needs of a polygon, and what it keeps from row to row. Cells are
- * counted from the first one of the band. */
-typedef struct {
-    fxl_colour_row at;   /* of row 0, less its change a row; then of a row: the kernel's own */
-    fxl_colour_row down; /* what a row adds */
-    uint16_t *cells;     /* of the band */
+    uint32_t code, code_down, green, green_down;
+    uint32_t red, blue, red_down, blue_down;
+    uint32_t column;     /* the face's */
+    uint32_t code_along; /* what a column adds */
     uintptr_t pixels;    /* as of fxl_depth_outline: of the cell after the pixel's */
     uint32_t step, green_step; /* what a column adds: fxl_colour_words */
-    uint32_t code_along;
-    uint32_t border; /* as of fxl_depth_border */
+    uint32_t border;           /* as of fxl_depth_border */
+    uint16_t *cells;           /* of the band */
 } fxl_colour_outline;
 
 #if FXL_DRAWS_SMOOTH_OUTLINES
@@ -157,18 +153,17 @@ typedef struct {
 } fxl_colour_values;
 
 /* fxl_corner_planes_begin with FXL_COLOURS_SIDE_MAX, fxl_corner_colours_linear,
- * fxl_colour_outline_of_words and fxl_corner_planes_depth_words at once, of a face with sides up to
- * FXL_WORDS_SIDE_MAX. Returns false where one of them does: what of *outline they set, and *depth,
- * is undefined then. *values is always. */
+ * fxl_corner_planes_depth_words, fxl_colour_outline_of_words and fxl_colour_outline_of_plane at once, of
+ * a face with sides up to FXL_WORDS_SIDE_MAX. Returns false where one of the first three does: what
+ * they set of *outline is undefined then. *values is always. */
 bool fxl_find_colour_planes(const fxl_screen_corners *corners, const fxl_lens *lens,
-                            fxl_colour_values *values, fxl_colour_outline *outline,
-                            fxl_depth_plane *depth);
+                            fxl_colour_values *values, fxl_colour_outline *outline);
 
 /* Draws an outline of count points, as fxl_draw_smooth_outline_16 does. Writes what
  * fxl_depth_paint_row and fxl_paint_colours_565 write of opaque pixels. Requires points whose
  * columns are within 128 of the face's. */
 fxl_depth_drawn fxl_draw_colour_outline(const fxl_screen_point *points, uint32_t count,
-                                        const fxl_band *band, fxl_colour_outline *outline);
+                                        const fxl_band *band, const fxl_colour_outline *outline);
 
 #endif
 
@@ -176,42 +171,34 @@ fxl_depth_drawn fxl_draw_colour_outline(const fxl_screen_point *points, uint32_t
 static inline void fxl_colour_outline_of_band(const fxl_depth_head *head, const fxl_band *band,
                                               fxl_colour_outline *outline)
 {
-    outline->down.origin = band->width;
     outline->cells = (uint16_t *)(uintptr_t)(head + 1);
     outline->pixels = fxl_depth_outline_pixels(head, band, 2) - 2u;
 }
 
-/* Sets what follows from the colours of a polygon, which are in words. at.origin is the face's column. */
+/* Sets what follows from the colours of a polygon, which are in words. */
 static inline void fxl_colour_outline_of_words(const fxl_gradients *gradients,
                                                fxl_colour_outline *outline)
 {
     const fxl_gradient *of = gradients->attributes;
-    fxl_colour_row *at = &outline->at, *down = &outline->down;
-    down->red = fxl_low_32(fxl_bits_64(of[0].down));
-    down->green = (uint32_t)(fxl_bits_64(of[0].down) >> 32);
-    down->blue = fxl_low_32(fxl_bits_64(of[1].down));
-    at->red = fxl_low_32(fxl_bits_64(of[0].at)) - down->red;
-    at->green = fxl_low_32(fxl_bits_64(of[1].at)) - down->green;
-    at->blue = (uint32_t)(fxl_bits_64(of[1].at) >> 32) - down->blue;
-    at->origin = (uint32_t)(fxl_bits_64(of[0].at) >> 32);
+    outline->red = fxl_low_32(fxl_bits_64(of[0].at));
+    outline->green = fxl_low_32(fxl_bits_64(of[1].at));
+    outline->blue = (uint32_t)(fxl_bits_64(of[1].at) >> 32);
+    outline->red_down = fxl_low_32(fxl_bits_64(of[0].down));
+    outline->green_down = (uint32_t)(fxl_bits_64(of[0].down) >> 32);
+    outline->blue_down = fxl_low_32(fxl_bits_64(of[1].down));
+    outline->column = (uint32_t)(fxl_bits_64(of[0].at) >> 32);
     outline->step = fxl_low_32(fxl_bits_64(of[0].along));
     outline->green_step = (uint32_t)(fxl_bits_64(of[0].along) >> 32);
 }
 
-/* Then sets what follows from its plane, which is in words. */
-static inline void fxl_colour_outline_of_plane(const fxl_depth_head *head,
-                                               const fxl_depth_plane *plane, const fxl_band *band,
+/* Sets what follows from its plane, which is in words. */
+static inline void fxl_colour_outline_of_plane(fxl_depth_scale scale, const fxl_depth_plane *plane,
                                                fxl_colour_outline *outline)
 {
-    const uint32_t along = fxl_low_32(fxl_bits_64(plane->gradient.along)),
-                   code_row = band->width * along;
-    fxl_colour_row *at = &outline->at, *down = &outline->down;
-    down->code = fxl_low_32(fxl_bits_64(plane->gradient.down)) - code_row;
-    at->code =
-        fxl_low_32(fxl_bits_64(plane->gradient.at)) + band->first_row * code_row - down->code;
-    at->origin -= (band->first_row + 1u) * band->width;
-    outline->code_along = along;
-    outline->border = fxl_depth_border(head->scale, plane);
+    outline->code = fxl_low_32(fxl_bits_64(plane->gradient.at));
+    outline->code_down = fxl_low_32(fxl_bits_64(plane->gradient.down));
+    outline->code_along = fxl_low_32(fxl_bits_64(plane->gradient.along));
+    outline->border = fxl_depth_border(scale, plane);
 }
 
 /* Prepares a polygon with colours at its corners. Requires fxl_depth_outline_can_draw. */
@@ -221,7 +208,7 @@ static inline void fxl_colour_outline_set(const fxl_depth_head *head, const fxl_
 {
     fxl_colour_outline_of_band(head, band, outline);
     fxl_colour_outline_of_words(gradients, outline);
-    fxl_colour_outline_of_plane(head, plane, band, outline);
+    fxl_colour_outline_of_plane(head->scale, plane, outline);
 }
 
 /* --- texels, in pixels of 16 bits; in C for all cores ------------------------------------------ */

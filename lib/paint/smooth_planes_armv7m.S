@@ -20,7 +20,8 @@
 #define LENS      (OWN_SIZE + 4)
 #define LIGHT     (OWN_SIZE + 8)
 #define VALUES    LIGHT
-#define ROW       CROSSED /* when that is stored */
+#define BORDER    CROSSED /* of fxl_find_colour_planes */
+#define ROW       EXPONENT /* when that is used */
 #define GRADIENTS (OWN_SIZE + 12)
 #define DEPTH     (OWN_SIZE + 52)
 #define WORDS     GRADIENTS       /* of fxl_find_texel_planes */
@@ -33,7 +34,7 @@
 
 /* The planes of a face; kind: _light, _colours or _texels; range: the longest side less the least; thin:
  * 0: it may be neither thin nor steep. r0: corners, r1: lens, r2: light or values, r3: gradients, of
- * colours outline; on the stack: depth; of texels r3: words; on the stack: count, is_affine. */
+ * colours outline; of light on the stack: depth; of texels r3: words; on the stack: count, is_affine. */
     .macro find_planes kind, range, thin
     push    {r0-r11, lr}
     sub     sp, sp, #OWN_SIZE
@@ -175,14 +176,13 @@
     add     r7, r7, #1
     clz     r1, r5
     clz     r2, r7
-    subs    r1, r1, r2
-    beq     .Lrefused\kind               /* a single octave: codes of 15 bits */
+    sub     r1, r1, r2
     lsl     r5, r5, r1
     cmp     r5, r7
     it      lo
     addlo   r1, r1, #1
-    cmp     r1, #1
-    beq     .Lrefused\kind
+    cmp     r1, #1                  /* a single octave: codes of 15 bits */
+    bls     .Lrefused\kind
     cmp     r0, r1
     bhs     .Lrefused\kind
     ldr     r2, [sp, #CROSSED]
@@ -194,6 +194,16 @@
     sub     r1, r1, #2
     sub     r5, r2, #1
     lsl     r1, r1, r5              /* the bias */
+    .ifc    \kind, _colours
+    ldr     r0, [sp, #CROSSED]
+    cmp     r0, #0
+    itttt   ne
+    movne   r0, #1
+    lslne   r0, r0, r5
+    addne   r0, r0, r1
+    addne   r0, r0, #65536
+    str     r0, [sp, #BORDER]
+    .endif
     rsb     r7, lr, #32
     sub     r7, r7, r2              /* bits of a weight below a code's */
     rsb     r5, r7, #0
@@ -236,7 +246,16 @@
     sub     r0, r0, r7
     .ifc    \kind, _texels
     find_texels
-    .else
+    .endif
+    .ifc    \kind, _colours
+    ldr     r12, [sp, #OUTLINE]
+    strd    r0, r5, [r12, #COLOUR_OUTLINE_CODE]
+    str     r2, [r12, #COLOUR_OUTLINE_CODE_ALONG]
+    ldr     r0, [sp, #BORDER]
+    str     r0, [r12, #COLOUR_OUTLINE_BORDER]
+    find_channels
+    .endif
+    .ifc    \kind, _light
     ldr     r7, [sp, #DEPTH]
     asr     lr, r0, #31
     strd    r0, lr, [r7, #GRADIENT_AT]
@@ -247,12 +266,7 @@
     ldr     r0, [sp, #CROSSED]
     orr     r0, r0, #1 << 31        /* FXL_DEPTH_IS_LINEAR, or FXL_DEPTH_IS_BENT and the octave */
     str     r0, [r7, #DEPTH_PLANE_ONE]
-
-    .ifc    \kind, _light
     find_light
-    .else
-    find_channels
-    .endif
     .endif
 .Lreturn\kind:
     add     sp, sp, #OWN_SIZE + 16

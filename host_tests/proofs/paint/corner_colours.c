@@ -118,7 +118,7 @@ void prove_corner_planes_mean(void)
 /* [[row]]
  * function = "lib/paint/smooth_outline.h:fxl_colour_outline_set"
  * property = "nothing is undefined, for any words"
- * checks = 334
+ * checks = 268
  */
 void prove_colour_outline_set(void)
 {
