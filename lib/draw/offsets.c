@@ -267,6 +267,11 @@ AT(fxl_lit_run, mixture.green_step, LIT_RUN_PALETTE + 20);
 AT(fxl_colour_values, limit, COLOUR_VALUES_LIMIT);
 #endif
 
+AT(fxl_smooth_words, light_down, 8);
+AT(fxl_smooth_words, code, SMOOTH_WORDS_CODE);
+AT(fxl_smooth_words, code_along, SMOOTH_WORDS_CODE + 8);
+AT(fxl_smooth_words, one, SMOOTH_WORDS_CODE + 12);
+
 AT(fxl_colour_outline, code, COLOUR_OUTLINE_CODE);
 AT(fxl_colour_outline, code_down, COLOUR_OUTLINE_CODE_DOWN);
 AT(fxl_colour_outline, green, COLOUR_OUTLINE_GREEN);

@@ -225,17 +225,16 @@ static __attribute__((noinline)) void begin_run(const fxl_surfaces *surfaces, ui
 static inline __attribute__((always_inline)) fxl_depth_drawn
 draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
                   const fxl_screen_corners *corners, const fxl_model_view *model_view,
-                  const fxl_face *face, const fxl_traversal *traversal,
-                  fxl_surface_polygon *polygon, smooth_run *run)
+                  const fxl_face *face, const fxl_traversal *traversal, smooth_run *run)
 {
     const fxl_band *band = traversal->band;
     const fxl_depth_head *head = (const fxl_depth_head *)traversal->workspace->target_memory;
     fxl_smooth_outline *smooth = &run->outline.smooth;
     int32_t light[3];
+    fxl_smooth_words words;
     surfaces->light_code->light_corners(surfaces, traversal->renderer, model_view->instance, of,
                                         light);
-    if (!fxl_find_smooth_planes(corners, &model_view->view->lens, light, &polygon->gradients,
-                                &polygon->depth)) {
+    if (!fxl_find_smooth_words(corners, &model_view->view->lens, light, &words)) {
         return FXL_DEPTH_NOT_DRAWN;
     }
     if (face->material != run->colour) {
@@ -244,8 +243,7 @@ draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
         find_light_paint(surfaces, band, &paint);
         fxl_smooth_outline_of_colour(&paint, face->material, FXL_PIXEL_BITS / 8, smooth);
     }
-    fxl_smooth_outline_of_planes(head, &polygon->depth, &polygon->gradients, band,
-                                 FXL_PIXEL_BITS / 8, smooth);
+    fxl_smooth_outline_of_words(head, &words, band, FXL_PIXEL_BITS / 8, smooth);
     return FXL_DRAW_SMOOTH(corners->points, 3, band, smooth);
 }
 
@@ -261,7 +259,6 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                                      &run->corners[mapped->corners[1]],
                                      &run->corners[mapped->corners[2]]};
     fxl_screen_corners corners;
-    fxl_surface_polygon polygon;
     if (face->count != 3 || face->indices[0] != of[0]->vertex ||
         face->indices[1] != of[1]->vertex || face->indices[2] != of[2]->vertex) {
         return IS_OTHER;
@@ -285,7 +282,7 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
 #endif
     {
         drawn =
-            draw_inside_light(surfaces, of, &corners, model_view, face, traversal, &polygon, run);
+            draw_inside_light(surfaces, of, &corners, model_view, face, traversal, run);
         if (drawn == FXL_DEPTH_NOT_CLEAR) {
             clear_under(workspace, corners.points, 3, traversal->band);
             drawn = FXL_DRAW_SMOOTH(corners.points, 3, traversal->band, &run->outline.smooth);

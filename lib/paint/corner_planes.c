@@ -200,6 +200,8 @@ bool fxl_corner_planes_depth_words(const fxl_corner_planes *planes, fxl_depth_pl
     return true;
 }
 
+#define SHIFT_OF_LIGHT 53 /* of gradients whose lower words are those of light_row.h */
+
 /* Drops of light are from 6 to 28. */
 bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t light[3],
                               fxl_gradients *gradients, fxl_depth_plane *depth)
@@ -222,7 +224,7 @@ bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t lig
                              : 0;
     find_words(planes, (uint32_t)(light[0] + more) << 8, along, down, drop,
                &gradients->attributes[0]);
-    gradients->shifts[0] = 53;
+    gradients->shifts[0] = SHIFT_OF_LIGHT;
     gradients->count = 1;
     gradients->weight = constant;
     gradients->weight_min[0] = gradients->weight_min[1] = 1;
@@ -300,6 +302,40 @@ int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_lens 
     fxl_texel_words_of(&gradients, &depth, texels);
     return depth.one;
 }
+
+#endif
+
+#if FXL_DRAWS_SMOOTH_OUTLINES
+
+static inline int64_t of_word(uint32_t word)
+{
+    return fxl_signed_32(word);
+}
+
+bool fxl_find_smooth_planes(const fxl_screen_corners *corners, const fxl_lens *lens,
+                            const int32_t light[3], fxl_gradients *gradients,
+                            fxl_depth_plane *depth)
+{
+    static const fxl_gradient constant = {FXL_CONSTANT_WEIGHT, 0, 0};
+    fxl_smooth_words words;
+    if (!fxl_find_smooth_words(corners, lens, light, &words)) {
+        return false;
+    }
+    const fxl_gradient of_light = {of_word(words.light), of_word(words.light_along),
+                                   of_word(words.light_down)};
+    const fxl_gradient of_depth = {of_word(words.code), of_word(words.code_along),
+                                   of_word(words.code_down)};
+    gradients->attributes[0] = of_light;
+    gradients->shifts[0] = SHIFT_OF_LIGHT;
+    gradients->count = 1;
+    gradients->weight = constant;
+    gradients->weight_min[0] = gradients->weight_min[1] = 1;
+    depth->gradient = of_depth;
+    depth->one = words.one;
+    return true;
+}
+
+#else
 
 bool fxl_find_smooth_planes(const fxl_screen_corners *corners, const fxl_lens *lens,
                             const int32_t light[3], fxl_gradients *gradients,

@@ -145,8 +145,7 @@ static inline int32_t fxl_corner_planes_mean(const fxl_corner_planes *planes, in
 bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t light[3],
                               fxl_gradients *gradients, fxl_depth_plane *depth);
 
-/* Both at once: fxl_corner_planes_begin, then fxl_corner_planes_linear. It is a kernel: Armv7-M has
- * its own. */
+/* Both at once: fxl_corner_planes_begin, then fxl_corner_planes_linear. */
 bool fxl_find_smooth_planes(const fxl_screen_corners *corners, const fxl_lens *lens,
                             const int32_t light[3], fxl_gradients *gradients,
                             fxl_depth_plane *depth);

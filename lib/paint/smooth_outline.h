@@ -42,7 +42,17 @@ typedef struct {
     uint32_t border; /* as of fxl_depth_border */
 } fxl_smooth_outline;
 
+/* The lower words of planes that have such. */
+typedef struct {
+    uint32_t light, light_along, light_down, code, code_down, code_along;
+    int32_t one; /* of the depth plane */
+} fxl_smooth_words;
+
 #if FXL_DRAWS_SMOOTH_OUTLINES
+
+/* Those that fxl_find_smooth_planes finds. */
+bool fxl_find_smooth_words(const fxl_screen_corners *corners, const fxl_lens *lens,
+                           const int32_t light[3], fxl_smooth_words *words);
 
 /* Draws an outline of count points. Requires fxl_smooth_outline_begin and what fxl_scan_begin
  * requires of outline and band. By the number of a pixel's bits; both write what
@@ -81,29 +91,40 @@ static inline void fxl_smooth_outline_of_colour(const fxl_paint *paint, uint8_t 
     }
 }
 
-/* Sets what follows from its planes, which are in words. */
+/* Sets what follows from its planes, which are words. */
 static inline __attribute__((always_inline)) void
-fxl_smooth_outline_of_planes(const fxl_depth_head *head, const fxl_depth_plane *plane,
-                             const fxl_gradients *gradients, const fxl_band *band,
-                             uint32_t pixel_bytes, fxl_smooth_outline *smooth)
+fxl_smooth_outline_of_words(const fxl_depth_head *head, const fxl_smooth_words *words,
+                            const fxl_band *band, uint32_t pixel_bytes, fxl_smooth_outline *smooth)
 {
-    const uint32_t code_row = band->width * fxl_low_32(fxl_bits_64(plane->gradient.along));
-    smooth->code_along = fxl_low_32(fxl_bits_64(plane->gradient.along));
-    smooth->code_down = fxl_low_32(fxl_bits_64(plane->gradient.down)) - code_row;
-    smooth->code = fxl_low_32(fxl_bits_64(plane->gradient.at)) + band->first_row * code_row -
-                   smooth->code_down;
-    const fxl_light_plane light = fxl_light_plane_of(gradients);
-    const uint32_t row_along = band->width * light.along;
-    smooth->along = light.along;
-    smooth->down = light.down - row_along;
-    smooth->light = light.at + band->first_row * row_along - smooth->down;
+    const uint32_t code_row = band->width * words->code_along;
+    smooth->code_along = words->code_along;
+    smooth->code_down = words->code_down - code_row;
+    smooth->code = words->code + band->first_row * code_row - smooth->code_down;
+    const uint32_t row_along = band->width * words->light_along;
+    smooth->along = words->light_along;
+    smooth->down = words->light_down - row_along;
+    smooth->light = words->light + band->first_row * row_along - smooth->down;
     if (pixel_bytes != 1) { /* the half part, less the half level */
         smooth->light += (smooth->last & 0xFFFFFFu) - (1u << 23);
     }
-    const uint32_t border = fxl_depth_border(head->scale, plane);
+    const uint32_t border = fxl_depth_border_of(head->scale, words->one);
     const uint32_t end = (smooth->last + 1u) << (pixel_bytes == 1 ? 24 : 0);
     smooth->border = border;
     smooth->limit = border != 0 ? 0 : end;
+}
+
+static inline fxl_smooth_words fxl_smooth_words_of(const fxl_depth_plane *plane,
+                                                   const fxl_gradients *gradients)
+{
+    const fxl_light_plane light = fxl_light_plane_of(gradients);
+    const fxl_smooth_words words = {light.at,
+                                    light.along,
+                                    light.down,
+                                    fxl_low_32(fxl_bits_64(plane->gradient.at)),
+                                    fxl_low_32(fxl_bits_64(plane->gradient.down)),
+                                    fxl_low_32(fxl_bits_64(plane->gradient.along)),
+                                    plane->one};
+    return words;
 }
 
 /* Prepares a polygon. Requires planes in words, and fxl_depth_outline_can_draw. */
@@ -113,7 +134,8 @@ static inline void fxl_smooth_outline_set(const fxl_depth_head *head, const fxl_
 {
     fxl_smooth_outline_of_band(head, paint, band, pixel_bytes, smooth);
     fxl_smooth_outline_of_colour(paint, paint->colour, pixel_bytes, smooth);
-    fxl_smooth_outline_of_planes(head, plane, paint->gradients, band, pixel_bytes, smooth);
+    const fxl_smooth_words words = fxl_smooth_words_of(plane, paint->gradients);
+    fxl_smooth_outline_of_words(head, &words, band, pixel_bytes, smooth);
 }
 
 /* The same for any polygon. Returns false if the kernel cannot draw it: *smooth is undefined then.

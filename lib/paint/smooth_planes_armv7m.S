@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_find_smooth_planes, fxl_find_colour_planes and fxl_find_texel_planes for Armv7-M and Armv8-M Mainline.
+/* fxl_find_smooth_words, fxl_find_colour_planes and fxl_find_texel_planes for Armv7-M and Armv8-M Mainline.
  * lib/paint/corner_planes.h and smooth_outline.h state what they require and return; they give the
  * same bits as the texts in corner_planes.c and corner_colours.c, which derive the bounds. */
 #include "../math/family.h"
@@ -22,10 +22,8 @@
 #define VALUES    LIGHT
 #define BORDER    CROSSED /* of fxl_find_colour_planes */
 #define ROW       EXPONENT /* when that is used */
-#define GRADIENTS (OWN_SIZE + 12)
-#define DEPTH     (OWN_SIZE + 52)
-#define WORDS     GRADIENTS       /* of fxl_find_texel_planes */
-#define OUTLINE   GRADIENTS       /* of fxl_find_colour_planes */
+#define WORDS     (OWN_SIZE + 12)
+#define OUTLINE   WORDS           /* of fxl_find_colour_planes */
 #define COUNT     (OWN_SIZE + 52)
 #define IS_AFFINE (OWN_SIZE + 56)
 
@@ -33,8 +31,8 @@
 #include "colour_channels_armv7m.h"
 
 /* The planes of a face; kind: _light, _colours or _texels; range: the longest side less the least; thin:
- * 0: it may be neither thin nor steep. r0: corners, r1: lens, r2: light or values, r3: gradients, of
- * colours outline; of light on the stack: depth; of texels r3: words; on the stack: count, is_affine. */
+ * 0: it may be neither thin nor steep. r0: corners, r1: lens, r2: light or values, r3: words, of
+ * colours outline; of texels on the stack: count, is_affine. */
     .macro find_planes kind, range, thin
     push    {r0-r11, lr}
     sub     sp, sp, #OWN_SIZE
@@ -256,16 +254,11 @@
     find_channels
     .endif
     .ifc    \kind, _light
-    ldr     r7, [sp, #DEPTH]
-    asr     lr, r0, #31
-    strd    r0, lr, [r7, #GRADIENT_AT]
-    asr     lr, r2, #31
-    strd    r2, lr, [r7, #GRADIENT_ALONG]
-    asr     lr, r5, #31
-    strd    r5, lr, [r7, #GRADIENT_DOWN]
-    ldr     r0, [sp, #CROSSED]
-    orr     r0, r0, #1 << 31        /* FXL_DEPTH_IS_LINEAR, or FXL_DEPTH_IS_BENT and the octave */
-    str     r0, [r7, #DEPTH_PLANE_ONE]
+    ldr     r7, [sp, #WORDS]
+    ldr     r12, [sp, #CROSSED]
+    orr     r12, r12, #1 << 31      /* FXL_DEPTH_IS_LINEAR, or FXL_DEPTH_IS_BENT and the octave */
+    strd    r0, r5, [r7, #SMOOTH_WORDS_CODE]
+    strd    r2, r12, [r7, #SMOOTH_WORDS_CODE + 8]
     find_light
     .endif
 .Lreturn\kind:
@@ -333,13 +326,13 @@
     b       .Lsteps\kind
     .endm
 
-    .section .text.fxl_find_smooth_planes, "ax", %progbits
-    .global fxl_find_smooth_planes
-    .type fxl_find_smooth_planes, %function
+    .section .text.fxl_find_smooth_words, "ax", %progbits
+    .global fxl_find_smooth_words
+    .type fxl_find_smooth_words, %function
     .thumb_func
-fxl_find_smooth_planes:
+fxl_find_smooth_words:
     find_planes _light, 127 << 16, 9 /* FXL_WORDS_SIDE_MAX */
-    .size fxl_find_smooth_planes, . - fxl_find_smooth_planes
+    .size fxl_find_smooth_words, . - fxl_find_smooth_words
 
     .section .text.fxl_find_colour_planes, "ax", %progbits
     .global fxl_find_colour_planes

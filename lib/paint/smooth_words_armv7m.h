@@ -98,23 +98,9 @@
     blo     .Ltwisted_light
 .Lbalanced_light:
     words_of_values 8, .Lrefused_light
-    ldr     r5, [sp, #GRADIENTS]
-    asr     r1, r0, #31
-    strd    r0, r1, [r5, #GRADIENTS_ATTRIBUTES + GRADIENT_AT]
-    asr     r1, r4, #31
-    strd    r4, r1, [r5, #GRADIENTS_ATTRIBUTES + GRADIENT_ALONG]
-    asr     r1, r12, #31
-    strd    r12, r1, [r5, #GRADIENTS_ATTRIBUTES + GRADIENT_DOWN]
-    movs    r0, #0
-    mov     r1, #1 << 29            /* FXL_CONSTANT_WEIGHT */
-    strd    r0, r1, [r5, #GRADIENT_AT]
-    strd    r0, r0, [r5, #GRADIENT_ALONG]
-    strd    r0, r0, [r5, #GRADIENT_DOWN]
-    movs    r0, #53
-    strb    r0, [r5, #GRADIENTS_SHIFTS]
+    ldr     r5, [sp, #WORDS]
+    stm     r5, {r0, r4, r12}
     movs    r0, #1
-    strb    r0, [r5, #GRADIENTS_COUNT]
-    strd    r0, r0, [r5, #GRADIENTS_WEIGHT_MIN]
     .endm
 
 /* Light at corner 0 gets the mean of the error, as mean_of_error finds it. r12:r7: the product. */

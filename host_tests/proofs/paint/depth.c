@@ -370,7 +370,7 @@ void prove_texel_outline_of_face(void)
 /* [[row]]
  * function = "lib/paint/smooth_outline.h:fxl_smooth_outline_set"
  * property = "any plane and light in words, any paint, pixels of 8 or 16 bits: the steps are the planes', and there is a limit exactly where codes have no border"
- * checks = 326
+ * checks = 362
  */
 void prove_smooth_outline_set(void)
 {
