@@ -54,17 +54,23 @@ typedef struct {
     uint32_t number;
     const fxl_face *first_face; /* of the model */
     uint32_t tested, front;     /* bits of its first faces: which were tested, which face the eye */
-    fxl_line_canvas canvas;     /* without a display list */
-    uint8_t next;               /* the place of the next plane */
+    fxl_line_canvas *canvas;    /* null: a display list */
+    bool is_simple; /* it has a depth buffer and all rows of the screen, and the lens an eye */
+    uint8_t next;   /* the place of the next plane */
     const fxl_face *faces[FXL_LINE_PLANES];
     fxl_line_plane planes[FXL_LINE_PLANES];
+    fxl_painted_line painted; /* the line that is drawn */
 } fxl_line_instance;
 
-/* view: room for that of a turned instance. */
+/* view: room for that of a turned instance; canvas: null for a display list. */
 void fxl_begin_line_instance(const fxl_traversal *traversal, uint32_t number, fxl_turned_view *view,
-                             fxl_line_instance *of);
+                             fxl_line_canvas *canvas, fxl_line_instance *of);
 
-/* transform -> clip -> project, for a line of the instance's model. */
+/* transform -> clip -> project, for a line of the instance's model: of any kind. */
+fxl_line_outcome fxl_place_any_line(const fxl_line_instance *of, const fxl_line *line,
+                                    fxl_painted_line *painted);
+
+/* The same by a lens with an eye. */
 fxl_line_outcome fxl_place_model_line(const fxl_line_instance *of, const fxl_line *line,
                                       fxl_painted_line *painted);
 

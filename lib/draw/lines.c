@@ -26,7 +26,7 @@ static const fxl_orthographic_code *flat_of(const fxl_renderer *renderer)
 /* --- the lines of an instance --------------------------------------------------------------- */
 
 void fxl_begin_line_instance(const fxl_traversal *traversal, uint32_t number, fxl_turned_view *view,
-                             fxl_line_instance *of)
+                             fxl_line_canvas *canvas, fxl_line_instance *of)
 {
     const fxl_renderer *renderer = traversal->renderer;
     of->traversal = traversal;
@@ -34,9 +34,10 @@ void fxl_begin_line_instance(const fxl_traversal *traversal, uint32_t number, fx
     of->turned = fxl_placement_code_of(renderer->scene, number);
     of->flat = flat_of(renderer);
     of->number = number;
-    if (traversal->display_list == NULL) {
-        fxl_find_line_canvas(renderer, traversal->workspace, traversal->band, &of->canvas);
-    }
+    of->canvas = canvas;
+    of->is_simple = canvas != NULL && canvas->head != NULL && of->flat == NULL &&
+                    traversal->band->rows == renderer->frame.view.lens.height;
+    of->painted.is_point = false;
     of->first_face =
         &renderer->scene
              ->faces[renderer->scene->models[of->model_view->instance->model].first_face];
@@ -77,21 +78,35 @@ static void find_plane(const fxl_line_instance *of, const fxl_face *face, fxl_de
     *plane = polygon.depth;
 }
 
-/* The same, kept from one line of the instance to the next. */
-static fxl_line_plane *plane_of(fxl_line_instance *of, const fxl_face *face)
+static FXL_COLD __attribute__((noinline)) fxl_line_plane *new_plane(fxl_line_instance *of,
+                                                                    const fxl_face *face)
 {
-    for (uint32_t i = 0; i < FXL_LINE_PLANES; i++) {
-        if (of->faces[i] == face) {
-            return &of->planes[i];
-        }
-    }
     fxl_line_plane *plane = &of->planes[of->next];
     of->faces[of->next] = face;
     of->next = (of->next + 1u) % FXL_LINE_PLANES;
     find_plane(of, face, &plane->plane);
-    plane->first = 0;
-    plane->span = 0;
+    fxl_line_plane_begin(plane);
     return plane;
+}
+
+/* The same, kept from one line of the instance to the next. */
+static inline fxl_line_plane *plane_of(fxl_line_instance *of, const fxl_face *face)
+{
+    return of->faces[0] == face   ? &of->planes[0]
+           : of->faces[1] == face ? &of->planes[1]
+           : of->faces[2] == face ? &of->planes[2]
+           : of->faces[3] == face ? &of->planes[3]
+                                  : new_plane(of, face);
+}
+
+static FXL_COLD __attribute__((noinline)) bool test_front(fxl_line_instance *of, uint32_t number)
+{
+    const bool front = fxl_line_face_is_front(of, &of->first_face[number]);
+    if (number < 32) {
+        of->tested |= (uint32_t)1 << number;
+        of->front |= (uint32_t)front << number;
+    }
+    return front;
 }
 
 /* fxl_line_face_is_front of a face of the model, kept from one line of the instance to the next of
@@ -99,13 +114,7 @@ static fxl_line_plane *plane_of(fxl_line_instance *of, const fxl_face *face)
 static inline bool is_front(fxl_line_instance *of, uint32_t number)
 {
     const uint32_t bit = number < 32 ? (uint32_t)1 << number : 0;
-    if ((of->tested & bit) == 0) {
-        const bool front = fxl_line_face_is_front(of, &of->first_face[number]);
-        of->tested |= bit;
-        of->front |= front ? bit : 0;
-        return front;
-    }
-    return (of->front & bit) != 0;
+    return (of->front & bit) != 0 || ((of->tested & bit) == 0 && test_front(of, number));
 }
 
 /* The faces of a line that face the eye. Returns how many; false in *visible: it has faces, and
@@ -153,44 +162,58 @@ static FXL_COLD bool append(const fxl_line_instance *of, const fxl_painted_line 
     return fits;
 }
 
-/* lines 1.1 */
-static inline __attribute__((always_inline)) fxl_line_outcome draw_on(fxl_line_instance *of,
-                                                                      const fxl_line *line,
-                                                                      const fxl_face *const faces[],
-                                                                      uint32_t count, bool *fits)
+static inline __attribute__((always_inline)) void paint(fxl_line_instance *of, const fxl_line *line,
+                                                        const fxl_face *const faces[],
+                                                        uint32_t count, fxl_painted_line *painted)
 {
-    const fxl_traversal *traversal = of->traversal;
-    fxl_painted_line painted;
-    const fxl_line_outcome outcome = fxl_place_model_line(of, line, &painted);
-    if (outcome < FXL_LINE_DRAWN) {
-        return outcome;
+    if (count > 0) {
+        painted->planes[0] = plane_of(of, faces[0]);
     }
-    painted.colour = line->colour;
-    painted.width = line->width;
-    painted.is_point = line->from == line->to;
-    painted.plane_count = 0;
-    if (traversal->display_list != NULL) {
-        *fits = append(of, &painted);
-        return outcome;
+    if (count > 1) {
+        painted->planes[1] = plane_of(of, faces[1]);
     }
-    const fxl_band *band = traversal->band;
-    if (!fxl_line_meets_rows(&painted, band->first_row, band->rows)) {
-        return outcome;
+    painted->plane_count = (uint8_t)count;
+    painted->colour = line->colour;
+    painted->width = line->width;
+    fxl_paint_wide_line(of->canvas, painted);
+}
+
+/* Into a whole screen that has a depth buffer, by a lens with an eye. */
+/* lines 1.1 */
+static inline __attribute__((always_inline)) fxl_line_outcome
+draw_simple(fxl_line_instance *of, const fxl_line *line, const fxl_face *const faces[],
+            uint32_t count)
+{
+    fxl_painted_line *painted = &of->painted;
+    const fxl_line_outcome outcome = fxl_place_model_line(of, line, painted);
+    if (outcome >= FXL_LINE_DRAWN) {
+        painted->is_point = line->from == line->to;
+        paint(of, line, faces, count, painted);
     }
-    if (of->canvas.head != NULL) {
-        for (uint32_t i = 0; i < count; i++) {
-            painted.planes[i] = plane_of(of, faces[i]);
-        }
-        painted.plane_count = (uint8_t)count;
-    }
-    fxl_paint_wide_line(&of->canvas, &painted);
     return outcome;
 }
 
+/* lines 1.1 */
 fxl_line_outcome fxl_draw_line_on(fxl_line_instance *of, const fxl_line *line,
                                   const fxl_face *const faces[], uint32_t count, bool *fits)
 {
-    return draw_on(of, line, faces, count, fits);
+    fxl_painted_line *painted = &of->painted;
+    const fxl_line_outcome outcome = of->flat != NULL ? fxl_place_any_line(of, line, painted)
+                                                      : fxl_place_model_line(of, line, painted);
+    painted->is_point = line->from == line->to;
+    if (outcome < FXL_LINE_DRAWN) {
+        return outcome;
+    }
+    painted->width = line->width;
+    if (of->canvas == NULL) {
+        painted->colour = line->colour;
+        painted->plane_count = 0;
+        *fits = append(of, painted);
+    } else if (fxl_line_meets_rows(painted, of->traversal->band->first_row,
+                                   of->traversal->band->rows)) {
+        paint(of, line, faces, of->canvas->head != NULL ? count : 0, painted);
+    }
+    return outcome;
 }
 
 static inline fxl_line_outcome draw_line(fxl_line_instance *of, const fxl_line *line, bool *fits)
@@ -198,7 +221,9 @@ static inline fxl_line_outcome draw_line(fxl_line_instance *of, const fxl_line *
     const fxl_face *faces[2];
     bool visible;
     const uint32_t count = front_faces(of, line, faces, &visible);
-    return visible ? draw_on(of, line, faces, count, fits) : FXL_LINE_BACKFACING;
+    return !visible        ? FXL_LINE_BACKFACING
+           : of->is_simple ? draw_simple(of, line, faces, count)
+                           : fxl_draw_line_on(of, line, faces, count, fits);
 }
 
 /* Of each outcome so many. */
@@ -228,9 +253,10 @@ static bool is_pick(const fxl_renderer *renderer)
     return renderer->shader->rank > FXL_SHADER_LINES;
 }
 
-/* All lines of an instance, added to *counters. False where the display list has no room: then none
- * of them is in it, and none is counted. */
-static bool draw_lines(const fxl_traversal *traversal, uint32_t number, fxl_line_counters *counters)
+/* All lines of an instance, added to *counters; canvas: null for a display list. False where that has no
+ * room: then none of them is in it, and none is counted. */
+static bool draw_lines(const fxl_traversal *traversal, uint32_t number, fxl_line_canvas *canvas,
+                       fxl_line_counters *counters)
 {
     const fxl_renderer *renderer = traversal->renderer;
     const fxl_line_set *set = &lines_of(renderer)->set;
@@ -243,9 +269,10 @@ static bool draw_lines(const fxl_traversal *traversal, uint32_t number, fxl_line
     fxl_line_instance of;
     const uint32_t used = renderer->frame.display_list.used;
     bool fits = true;
-    fxl_begin_line_instance(traversal, number, &view, &of);
-    for (uint32_t i = map[0]; i < map[1]; i++) {
-        outcomes[draw_line(&of, &set->lines[i], &fits)]++;
+    fxl_begin_line_instance(traversal, number, &view, canvas, &of);
+    const fxl_line *const end = &set->lines[map[1]];
+    for (const fxl_line *line = &set->lines[map[0]]; line < end; line++) {
+        outcomes[draw_line(&of, line, &fits)]++;
         if (!fits) {
             traversal->display_list->used = used;
             return false;
@@ -276,7 +303,12 @@ static bool submit_one(const fxl_traversal *traversal, const fxl_draw_entry *ent
         return false;
     }
     const bool counts = traversal->counters == &renderer->workspace.counters;
-    if (!draw_lines(traversal, entry->index, counts ? &lines_of(renderer)->counters : &uncounted)) {
+    fxl_line_canvas canvas;
+    if (traversal->display_list == NULL) {
+        fxl_find_line_canvas(renderer, traversal->workspace, traversal->band, &canvas);
+    }
+    if (!draw_lines(traversal, entry->index, traversal->display_list == NULL ? &canvas : NULL,
+                    counts ? &lines_of(renderer)->counters : &uncounted)) {
         traversal->resume->faces = FACES_DONE;
         return false;
     }
@@ -318,32 +350,16 @@ static void draw_record(fxl_workspace *workspace, const fxl_screen_polygon *reco
 
 /* --- over the faces of a band, with a depth buffer ------------------------------------------ */
 
-/* lines 2.6 */
-void fxl_draw_over_instances(const fxl_renderer *renderer, fxl_workspace *workspace,
-                             const fxl_band *band, fxl_instance_overdraw *draw, void *with)
-{
-    const fxl_frame *frame = &renderer->frame;
-    fxl_resume_point resume = {0, 0};
-    const fxl_traversal traversal = {.renderer = renderer,
-                                     .clipper = renderer->clipper,
-                                     .workspace = workspace,
-                                     .display_list = NULL,
-                                     .band = band,
-                                     .resume = &resume,
-                                     .counters = &workspace->counters,
-                                     .mode = FXL_SUBMIT_ANY,
-                                     .draw = NULL};
-    fxl_depth_clear_rest(workspace, band, renderer->target->depth_bits / 8u);
-    for (uint32_t i = 0; i < frame->visible_count; i++) {
-        const uint32_t place = renderer->near_first ? frame->visible_count - 1u - i : i;
-        draw(&traversal, frame->draw_list[place].index, with);
-    }
-}
+typedef struct {
+    fxl_line_canvas canvas;
+    fxl_line_counters sums;
+} band_of_lines;
 
 /* fxl_instance_overdraw. */
 static void draw_over_one(const fxl_traversal *traversal, uint32_t number, void *with)
 {
-    (void)draw_lines(traversal, number, (fxl_line_counters *)with);
+    band_of_lines *of = (band_of_lines *)with;
+    (void)draw_lines(traversal, number, &of->canvas, &of->sums);
 }
 
 /* fxl_overdraw.draw_over. */
@@ -351,10 +367,12 @@ static void draw_over_one(const fxl_traversal *traversal, uint32_t number, void 
 static void draw_over(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
 {
     fxl_lines *lines = lines_of(renderer);
-    fxl_line_counters sums = {0};
-    fxl_draw_over_instances(renderer, workspace, band, draw_over_one, &sums);
+    band_of_lines of;
+    memset(&of.sums, 0, sizeof of.sums);
+    fxl_find_line_canvas(renderer, workspace, band, &of.canvas);
+    fxl_draw_over_instances(renderer, workspace, band, draw_over_one, &of);
     if (workspace == &renderer->workspace && lines->frame != renderer->frame.view.frame) {
-        lines->counters = sums;
+        lines->counters = of.sums;
         lines->frame = renderer->frame.view.frame;
     }
 }

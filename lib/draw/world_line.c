@@ -69,9 +69,9 @@ fxl_line_outcome fxl_place_line(const fxl_view *view, fxl_clip_line *line,
                : FXL_LINE_REFUSED;
 }
 
-/* A line by vertices that planes may cut, or that an orthographic lens projects. */
-static FXL_COLD fxl_line_outcome place_any(const fxl_line_instance *of, const fxl_line *line,
-                                           fxl_painted_line *painted)
+/* Whose ends planes may cut, or an orthographic lens projects. */
+FXL_COLD fxl_line_outcome fxl_place_any_line(const fxl_line_instance *of, const fxl_line *line,
+                                             fxl_painted_line *painted)
 {
     fxl_clip_line clipped;
     fxl_find_corner(of->model_view, line->from, of->traversal, &clipped.from.position);
@@ -79,18 +79,36 @@ static FXL_COLD fxl_line_outcome place_any(const fxl_line_instance *of, const fx
     return fxl_place_line(&of->traversal->renderer->frame.view, &clipped, painted);
 }
 
+/* A vertex that is inside all planes, from its position. Returns its clip flags. */
+static FXL_COLD uint32_t project(const fxl_model_view *model_view, fxl_cached_vertex *vertex)
+{
+    if (fxl_project_inside(&model_view->view->projection, &vertex->position, &vertex->screen) ==
+        FXL_OK) {
+        vertex->clip_flags = 0;
+    }
+    return vertex->clip_flags;
+}
+
 /* An end that is kept in the cache of vertices. Returns the planes that it is outside of; without
- * any its place is found, or FXL_VERTEX_UNPROJECTED returned. */
-static inline uint32_t place_vertex(const fxl_line_instance *of, uint32_t number,
+ * any its place is found, or FXL_VERTEX_UNPROJECTED returned. No face is drawn from these vertices, so
+ * their clip flags have no place. */
+static inline uint32_t place_vertex(const fxl_model_view *model_view, uint32_t number,
                                     fxl_painted_line *painted, uint32_t end)
 {
-    fxl_cached_vertex *vertex = fxl_fetch_vertex(of->model_view, number);
-    uint32_t flags = vertex->clip_flags & FXL_VERTEX_OUTSIDE;
-    if (flags == FXL_VERTEX_UNPROJECTED &&
-        fxl_project_inside(&of->model_view->view->projection, &vertex->position, &vertex->screen) ==
-            FXL_OK) {
-        vertex->clip_flags = fxl_vertex_place_flags(&vertex->screen);
-        flags = 0;
+    fxl_cached_vertex *vertex = &model_view->entries[number & model_view->mask];
+    if (vertex->tag != model_view->tag + number) {
+#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+        const int32_t status = fxl_transform_and_project(model_view, number, vertex);
+        if (status != -1) {
+            vertex->clip_flags = status == FXL_OK ? 0 : FXL_VERTEX_UNPROJECTED;
+        }
+#else
+        fxl_transform_vertex(model_view, number, vertex);
+#endif
+    }
+    uint32_t flags = vertex->clip_flags;
+    if (flags == FXL_VERTEX_UNPROJECTED) {
+        flags = project(model_view, vertex);
     }
     painted->ends[end] = vertex->screen;
     painted->distances[end] = vertex->position.z;
@@ -103,14 +121,11 @@ static inline uint32_t place_vertex(const fxl_line_instance *of, uint32_t number
 fxl_line_outcome fxl_place_model_line(const fxl_line_instance *of, const fxl_line *line,
                                       fxl_painted_line *painted)
 {
-    if (of->flat != NULL) {
-        return place_any(of, line, painted);
-    }
-    const uint32_t from = place_vertex(of, line->from, painted, 0);
-    const uint32_t to = place_vertex(of, line->to, painted, 1);
-    return (from & to & FXL_PLANES_ALL) != 0 ? FXL_LINE_OUTSIDE
-           : (from | to) != 0                ? place_any(of, line, painted)
-                                             : FXL_LINE_DRAWN;
+    const uint32_t from = place_vertex(of->model_view, line->from, painted, 0);
+    const uint32_t to = place_vertex(of->model_view, line->to, painted, 1);
+    return (from | to) == 0                    ? FXL_LINE_DRAWN
+           : (from & to & FXL_PLANES_ALL) != 0 ? FXL_LINE_OUTSIDE
+                                               : fxl_place_any_line(of, line, painted);
 }
 
 void fxl_find_line_canvas(const fxl_renderer *renderer, const fxl_workspace *workspace,
@@ -120,6 +135,30 @@ void fxl_find_line_canvas(const fxl_renderer *renderer, const fxl_workspace *wor
     const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
     fxl_line_canvas_begin(canvas, band, bits != 0 ? head : NULL, renderer->frame.view.lens.near_z,
                           bits == 32);
+}
+
+/* --- over the faces of a band --------------------------------------------------------------- */
+
+/* lines 2.6 */
+void fxl_draw_over_instances(const fxl_renderer *renderer, fxl_workspace *workspace,
+                             const fxl_band *band, fxl_instance_overdraw *draw, void *with)
+{
+    const fxl_frame *frame = &renderer->frame;
+    fxl_resume_point resume = {0, 0};
+    const fxl_traversal traversal = {.renderer = renderer,
+                                     .clipper = renderer->clipper,
+                                     .workspace = workspace,
+                                     .display_list = NULL,
+                                     .band = band,
+                                     .resume = &resume,
+                                     .counters = &workspace->counters,
+                                     .mode = FXL_SUBMIT_ANY,
+                                     .draw = NULL};
+    fxl_depth_clear_rest(workspace, band, renderer->target->depth_bits / 8u);
+    for (uint32_t i = 0; i < frame->visible_count; i++) {
+        const uint32_t place = renderer->near_first ? frame->visible_count - 1u - i : i;
+        draw(&traversal, frame->draw_list[place].index, with);
+    }
 }
 
 /* --- a line of the world -------------------------------------------------------------------- */

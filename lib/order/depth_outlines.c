@@ -19,10 +19,16 @@ static void draw_face(fxl_line_instance *of, const fxl_face *face, uint8_t colou
     }
 }
 
+typedef struct {
+    fxl_line_canvas canvas;
+    uint8_t colour;
+} outlined_band;
+
 /* fxl_instance_overdraw. An instance that shows a billboard has no outlines. */
 /* wire 3.5 */
 static void draw_instance(const fxl_traversal *traversal, uint32_t number, void *with)
 {
+    outlined_band *of_band = (outlined_band *)with;
     const fxl_renderer *renderer = traversal->renderer;
     const fxl_scene *scene = renderer->scene;
     const fxl_model *model = &scene->models[scene->instances[number].model];
@@ -32,11 +38,11 @@ static void draw_instance(const fxl_traversal *traversal, uint32_t number, void 
     if (billboards != NULL && billboards->set->model_map[scene->instances[number].model] != 0) {
         return;
     }
-    fxl_begin_line_instance(traversal, number, &view, &of);
+    fxl_begin_line_instance(traversal, number, &view, &of_band->canvas, &of);
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
         if (fxl_line_face_is_front(&of, face)) {
-            draw_face(&of, face, *(const uint8_t *)with);
+            draw_face(&of, face, of_band->colour);
         }
     }
 }
@@ -50,7 +56,10 @@ static fxl_outlines *outlines_of(const fxl_shader *shader)
 static void draw_over(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
 {
     fxl_outlines *outlines = outlines_of(fxl_renderer_shader(renderer, FXL_SHADER_OUTLINES));
-    fxl_draw_over_instances(renderer, workspace, band, draw_instance, &outlines->style.line);
+    outlined_band of;
+    of.colour = outlines->style.line;
+    fxl_find_line_canvas(renderer, workspace, band, &of.canvas);
+    fxl_draw_over_instances(renderer, workspace, band, draw_instance, &of);
 }
 
 /* --- faces of one colour -------------------------------------------------------------------- */

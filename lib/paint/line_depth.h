@@ -25,69 +25,80 @@ static inline uint32_t fxl_line_word_of(uint64_t value)
     return (uint32_t)(value >> 32);
 }
 
-/* The code of column x of a row where the gradient in column 0 is `depth`, in the octave. */
-static inline uint32_t fxl_line_code_in_octave(const fxl_depth_octave *octave, int64_t depth,
-                                               int32_t x)
-{
-    return octave->bias + fxl_depth_shifted(depth, octave->drop) + octave->step * (uint32_t)x;
-}
-
-/* How the codes of an octave go on from row to row: exact, as no bit below the code's is lost, nor
- * one above it: where they are shifted, mantissas have 12 bits at most, and codes without the bias
- * fewer than 30. */
-static inline void fxl_line_find_rows(fxl_line_plane *face)
+/* How the codes of an octave go on from pixel to pixel: exact, as no bit below the code's is lost,
+ * nor one above it: where they are shifted, mantissas have 12 bits at most, and codes without the
+ * bias fewer than 30. */
+static inline void fxl_line_find_steps(fxl_line_plane *face, const fxl_depth_octave *octave)
 {
     const fxl_gradient *gradient = &face->plane.gradient;
-    const fxl_depth_octave *octave = &face->octave;
     const int32_t up = octave->drop < 32 ? 32 - octave->drop : 0; /* below 64 */
-    face->shift = (uint8_t)(octave->drop > 32 ? octave->drop - 32 : 0);
+    face->shift = (uint32_t)(octave->drop > 32 ? octave->drop - 32 : 0);
     face->added = face->shift != 0 ? octave->bias : 0;
-    face->right = (int32_t)fxl_line_word_of(fxl_line_worded(face, gradient->along));
-    face->down = (int32_t)fxl_line_word_of(fxl_line_worded(face, gradient->down));
-    face->row = fxl_bits_64(gradient->down) << up;
     face->start =
         (fxl_bits_64(gradient->at) << up) + ((uint64_t)(octave->bias - face->added) << 32);
+    face->steps[0] = (uint64_t)(octave->step << face->shift) << 32;
+    face->steps[1] = fxl_bits_64(gradient->down) << up;
 }
 
-/* The same of a worded value that the octave that was found last does not hold: finds another one. All
- * depths of an upper word are in an octave if its low end, rounded up to 2^32, is not above them, and
- * its high end, rounded down, is. One whose code is constant holds none. */
-static __attribute__((noinline)) uint32_t fxl_line_code_in_other(fxl_depth_scale scale,
-                                                                 fxl_line_plane *face,
-                                                                 int64_t depth, uint64_t value,
-                                                                 int32_t x)
+/* The same of most octaves: that of depths of so many bits. False: it is another one. As
+ * fxl_depth_octave_of finds it. */
+static inline bool fxl_line_find_most_steps(fxl_depth_scale scale, fxl_line_plane *face,
+                                            int32_t length)
 {
-    fxl_depth_octave *octave = &face->octave;
-    if (fxl_depth_is_in_words(&face->plane)) {
-        fxl_depth_octave_of_word(scale, &face->plane, fxl_line_word_of(value), octave);
-        face->first = (uint32_t)octave->low;
-        face->span = (uint32_t)(octave->high - octave->low - 1); /* from 65535 on */
-        fxl_line_find_rows(face);
-        return fxl_line_code_in_octave(octave, depth, x);
-    }
-    face->span = 0;
-    const uint32_t upper = fxl_line_word_of(value);
-    const int32_t length = 64 - (int32_t)fxl_leading_zeros(upper | 1u);
+    const fxl_gradient *gradient = &face->plane.gradient;
+    const int32_t drop = length - 17 - scale.mantissa;
     const uint32_t number = (uint32_t)(face->plane.one - length);
-    if (!FXL_IS_COMPACT && length > 33 && length < 64 && number < scale.octaves) {
-        octave->drop = length - 17 - scale.mantissa; /* 2..34: as fxl_depth_octave_of finds it */
-        octave->bias = ((scale.octaves - 2u - number) << (scale.mantissa + 16)) + 65536u;
-        octave->step = fxl_depth_shifted(face->plane.gradient.along, octave->drop);
-        octave->is_constant = false;
+    if (number >= scale.octaves || drop < 1 || drop > 31) {
+        return false;
+    }
+    const uint32_t bias = ((scale.octaves - 2u - number) << (scale.mantissa + 16)) + 65536u;
+    face->shift = face->added = 0;
+    face->start = (fxl_bits_64(gradient->at) << (32 - drop)) + ((uint64_t)bias << 32);
+    face->steps[0] = (uint64_t)fxl_depth_shifted(gradient->along, drop) << 32;
+    face->steps[1] = fxl_bits_64(gradient->down) << (32 - drop);
+    return true;
+}
+
+/* The octave of a worded value. All depths of an upper word are in an octave if its low end, rounded
+ * up to 2^32, is not above them, and its high end, rounded down, is. One whose code is constant holds
+ * none. */
+static __attribute__((noinline)) void fxl_line_find_other(fxl_depth_scale scale,
+                                                          fxl_line_plane *face, uint64_t value)
+{
+    const uint32_t word = fxl_line_word_of(value);
+    const int32_t length = 64 - (int32_t)fxl_leading_zeros(word | 1u);
+    const bool is_in_words = fxl_depth_is_in_words(&face->plane);
+    face->held = face->plane.one == FXL_DEPTH_IS_LINEAR ? 1 : 0;
+    if (!is_in_words && length > 33 && length < 64 &&
+        fxl_line_find_most_steps(scale, face, length)) {
         face->first = face->span = (uint32_t)1 << (length - 33);
-        fxl_line_find_rows(face);
-        return fxl_line_code_in_octave(octave, depth, x);
+        return;
     }
-    fxl_depth_octave_of(scale, &face->plane, (int64_t)value, octave);
-    if (octave->is_constant) {
-        return octave->bias;
+    fxl_depth_octave octave;
+    if (is_in_words) {
+        fxl_depth_octave_of_word(scale, &face->plane, word, &octave);
+        face->first = (uint32_t)octave.low;
+        face->span = (uint32_t)(octave.high - octave.low - 1); /* from 65535 on */
+    } else {
+        fxl_depth_octave_of(scale, &face->plane, (int64_t)value, &octave);
+        const int32_t low = (int32_t)((octave.low + UINT32_MAX) >> 32);
+        const int32_t high = (int32_t)(octave.high >> 32);
+        face->first = fxl_bits_32(low);
+        face->span = !octave.is_constant && high > low ? fxl_bits_32(high) - fxl_bits_32(low) : 0;
     }
-    const int32_t low = (int32_t)((octave->low + UINT32_MAX) >> 32);
-    const int32_t high = (int32_t)(octave->high >> 32);
-    face->first = fxl_bits_32(low);
-    face->span = high > low ? fxl_bits_32(high) - fxl_bits_32(low) : 0;
-    fxl_line_find_rows(face);
-    return fxl_line_code_in_octave(octave, depth, x);
+    fxl_line_find_steps(face, &octave);
+    if (octave.is_constant) {
+        face->start = (uint64_t)octave.bias << 32;
+        face->steps[0] = face->steps[1] = face->shift = face->added = 0;
+    }
+}
+
+/* The worded value of a face at the centre of a pixel. */
+static inline uint64_t fxl_line_value_of(const fxl_line_plane *face, int32_t x, int32_t y)
+{
+    const fxl_gradient *gradient = &face->plane.gradient;
+    return fxl_line_worded(face, gradient->at + fxl_multiply_s64_u16(gradient->down, (uint32_t)y) +
+                                     fxl_multiply_s64_u16(gradient->along, (uint32_t)x));
 }
 
 /* The code that a face has at the centre of a pixel. */
@@ -95,30 +106,60 @@ static __attribute__((noinline)) uint32_t fxl_line_code_in_other(fxl_depth_scale
 static uint32_t fxl_line_code_of_face(fxl_depth_scale scale, fxl_line_plane *face, int32_t x,
                                       int32_t y)
 {
-    const fxl_gradient *gradient = &face->plane.gradient;
-    const int64_t depth = gradient->at + fxl_multiply_s64_u16(gradient->down, (uint32_t)y);
-    const uint64_t value =
-        fxl_line_worded(face, depth + fxl_multiply_s64_u16(gradient->along, (uint32_t)x));
-    return fxl_line_holds(face, fxl_line_word_of(value))
-               ? fxl_line_code_in_octave(&face->octave, depth, x)
-               : fxl_line_code_in_other(scale, face, depth, value, x);
+    const uint64_t value = fxl_line_value_of(face, x, y);
+    if (!fxl_line_holds(face, fxl_line_word_of(value))) {
+        fxl_line_find_other(scale, face, value);
+    }
+    const uint64_t code = face->start + face->steps[0] * (uint32_t)x + face->steps[1] * (uint32_t)y;
+    return face->added + (fxl_line_word_of(code) >> face->shift);
+}
+
+static inline bool fxl_line_has_words(const fxl_line_plane *face, uint32_t first, uint32_t last)
+{
+    return first - face->low < face->held && last - face->low < face->held;
+}
+
+/* The octave of a line on a face whose ends have these words: that of the first one. False: it may not
+ * hold all pixels. */
+static __attribute__((noinline)) bool
+fxl_line_find_octave(fxl_depth_scale scale, fxl_line_plane *face, uint32_t first, uint32_t last)
+{
+    const int32_t bits = 32 - (int32_t)fxl_leading_zeros(first | 1u);
+    const uint32_t size = (uint32_t)1 << (bits - 1);
+    if (bits > 31 || size / 2u <= face->margin ||
+        !fxl_line_find_most_steps(scale, face, bits + face->drop + 16)) {
+        return false;
+    }
+    face->low = size + face->margin;
+    face->held = size - 2u * face->margin;
+    face->span = 0;
+    return fxl_line_has_words(face, first, last);
 }
 
 /* The depth of a line without planes from place to place along its major axis. */
 typedef struct {
-    int32_t one;       /* as that of a fxl_depth_plane: what depths are counted in */
-    int64_t at, step;  /* at the first place, and what a place adds */
-    int64_t low, high; /* the depths of the ends */
+    int32_t one;      /* as that of a fxl_depth_plane: what depths are counted in */
+    int64_t at, step; /* at the first place, and what a place adds */
 } fxl_line_depth;
 
 /* lines 3.3 */
 static inline uint32_t fxl_line_code_of_depth(fxl_depth_scale scale, const fxl_line_depth *depth)
 {
-    const int64_t value = depth->at < depth->low    ? depth->low
-                          : depth->at > depth->high ? depth->high
-                                                    : depth->at;
     const fxl_depth_plane unit = {{0, 0, 0}, depth->one};
-    return fxl_depth_code_at(scale, &unit, value, 0);
+    return fxl_depth_code_at(scale, &unit, depth->at, 0);
+}
+
+/* The same without the lower 16 bits, as a cell of 16 bits has it: of most depths the upper word has
+ * them all. */
+static inline uint32_t fxl_line_cell_of_depth(fxl_depth_scale scale, const fxl_line_depth *depth)
+{
+    const uint32_t upper = fxl_line_word_of(fxl_bits_64(depth->at));
+    const int32_t zeros = (int32_t)fxl_leading_zeros(upper | 1u), bits = 31 - zeros;
+    const uint32_t number = (uint32_t)(depth->one - 33 - bits);
+    return bits >= scale.mantissa && number < scale.octaves
+               ? ((scale.octaves - 2u - number) << scale.mantissa) + 1u +
+                     (upper >> (bits - scale.mantissa))
+               : fxl_line_code_of_depth(scale, depth) >> 16;
 }
 
 /* near_z / distance as mantissa * 2^-one, off by less than 2^-28 of it, is what the canvas then has.
@@ -134,95 +175,78 @@ static void fxl_line_find_end(fxl_line_canvas *canvas, fxl_q18_46 distance)
     }
 }
 
-/* mantissa 2^shift, rounded down. A mantissa is below 2^32, and a shift at most 29. */
-static int64_t fxl_line_scaled(uint32_t mantissa, int32_t shift)
+/* The depths of both ends in one unit, in which the nearer one is below 2^61. */
+typedef struct {
+    int32_t one;
+    int64_t first, second;
+} fxl_line_end_depths;
+
+/* mantissa 2^(29 - drop), rounded down. */
+static inline int64_t fxl_line_scaled(uint32_t mantissa, int32_t drop)
 {
-    return shift >= 0 ? (int64_t)((uint64_t)mantissa << shift)
-                      : (int64_t)(shift > -32 ? mantissa >> -shift : 0);
+    const uint64_t scaled = (uint64_t)mantissa << 29;
+    return drop == 0 ? (int64_t)scaled : drop < 64 ? (int64_t)(scaled >> drop) : 0;
 }
 
-/* The depths of both ends in one unit, in which the nearer one is below 2^61. */
-static void fxl_line_find_ends(fxl_line_canvas *canvas, const fxl_painted_line *line,
-                               int64_t ends[2], fxl_line_depth *depth)
+static inline fxl_line_end_depths fxl_line_find_ends(fxl_line_canvas *canvas,
+                                                     const fxl_q18_46 distances[2])
 {
-    fxl_line_find_end(canvas, line->distances[0]);
+    fxl_line_end_depths ends;
+    fxl_line_find_end(canvas, distances[0]);
     const uint32_t first = canvas->mantissa;
     const int32_t first_one = canvas->one;
-    fxl_line_find_end(canvas, line->distances[1]);
-    const uint32_t second = canvas->mantissa;
-    const int32_t second_one = canvas->one;
-    const int32_t one = (first_one < second_one ? first_one : second_one) + 29;
-    ends[0] = fxl_line_scaled(first, one - first_one);
-    ends[1] = fxl_line_scaled(second, one - second_one);
-    depth->one = one;
-    depth->low = ends[0] < ends[1] ? ends[0] : ends[1];
-    depth->high = ends[0] < ends[1] ? ends[1] : ends[0];
-    depth->at = ends[0];
-    depth->step = 0;
+    fxl_line_find_end(canvas, distances[1]);
+    const int32_t least = first_one < canvas->one ? first_one : canvas->one;
+    ends.one = least + 29;
+    ends.first = fxl_line_scaled(first, first_one - least);
+    ends.second = fxl_line_scaled(canvas->mantissa, canvas->one - least);
+    return ends;
 }
 
-/* whole / length of a depth and a length on the screen. */
+/* A line between its ends, as they are along and across: the lower end, and how far the other one is
+ * from it. */
 typedef struct {
-    int64_t quotient;
-    uint32_t remainder, length;
-} fxl_line_slope;
+    fxl_q16_16 from, side, length, rise; /* |rise| <= length < 2^30 */
+} fxl_line_ends;
 
-/* Requires whole < 2^61 and 0 < length < 2^30. */
-static fxl_line_slope fxl_line_slope_of(uint64_t whole, uint32_t length)
+/* value 2^shift, rounded down. Requires a shift above -64, and a result below 2^63. */
+static inline int64_t fxl_line_shifted(uint64_t value, int32_t shift)
 {
-    fxl_line_slope slope;
-    uint32_t remainder;
-    const uint32_t high = fxl_divide_u64(whole >> 32, length, &remainder);
-    const uint32_t low =
-        fxl_divide_u64((uint64_t)remainder << 32 | fxl_low_32(whole), length, &slope.remainder);
-    slope.quotient = (int64_t)((uint64_t)high << 32 | low);
-    slope.length = length;
-    return slope;
+    return (int64_t)(shift >= 0 ? value << shift : value >> -shift);
 }
 
-/* whole * part / length, off by less than 2. Requires part <= length, or part = 65536 < length:
- * products of the quotient are at most whole, and those of the remainder are below 2^60. */
-static int64_t fxl_line_share(const fxl_line_slope *slope, uint32_t part)
-{
-    uint32_t remainder;
-    const uint32_t rest =
-        fxl_divide_u64(fxl_multiply_u32(slope->remainder, part), slope->length, &remainder);
-    return fxl_multiply_s64(slope->quotient, part) + rest;
-}
-
-/* A line from place to place: the pixel across is exact, as is fxl_line_pixels, whose parts are
- * multiples of 2^16 but for the last 16 bits of what is left. These stay as they are and decide no
- * comparison: they are left out. Where the line falls, what is left is that to the pixel's other
- * edge, so that it never becomes negative. */
-typedef struct {
-    int32_t first, end;         /* places along */
-    int32_t across;             /* at the first one */
-    int32_t change;             /* of the pixel across, where it changes: -1 or 1 */
-    uint32_t left, pixel, step; /* left < pixel < 2^30, step <= pixel */
-    bool upright;
-} fxl_line_places;
-
-/* Sets the depth at the first place, and its step; begin: the first place of the whole line. The first place of the whole line
- * does not depend on the band, so neither do the depths. A line of at most a pixel has one place. */
+/* The depth of a line at place `first`, and its step; swapped: its first end is not the lower one. The
+ * first place of the whole line does not depend on the band, so neither do the depths. What the depth of
+ * a place is more than that of the more distant end is off by 2^-29 of it, as the ratio is, and by a
+ * unit for each of two numbers that are rounded down. So it is from 0 to the whole, and this is below
+ * 2^61. */
 /* lines 3.3 */
-static void fxl_line_find_depth(const fxl_painted_line *line, const fxl_line_places *places,
-                                int32_t begin, const int64_t ends[2], fxl_line_depth *depth)
+static inline void fxl_line_find_depth(fxl_line_canvas *canvas, const fxl_painted_line *line,
+                                       const fxl_line_ends *ends, bool swapped, int32_t first,
+                                       fxl_line_depth *depth)
 {
-    const bool upright = places->upright;
-    const int32_t a = upright ? line->ends[0].y : line->ends[0].x;
-    const int32_t b = upright ? line->ends[1].y : line->ends[1].x;
-    const bool swapped = b < a;
-    const uint32_t length = (uint32_t)(swapped ? a - b : b - a); /* below 2^30 */
-    const int64_t from = ends[swapped], to = ends[!swapped];
-    const uint64_t whole = (uint64_t)(from < to ? to - from : from - to);
-    const uint32_t before = (uint32_t)(fxl_centre_of(begin) - (swapped ? b : a));
-    const fxl_line_slope slope = fxl_line_slope_of(whole, length);
-    const int64_t rise = fxl_line_share(&slope, before);
-    const int64_t step =
-        length > 65536 && places->end - begin > 1 ? fxl_line_share(&slope, 65536) : 0;
-    depth->step = from < to ? step : -step;
-    depth->at = (from < to ? from + rise : from - rise) +
-                fxl_multiply_s64(depth->step, places->first - begin);
+    const fxl_line_end_depths depths = fxl_line_find_ends(canvas, line->distances);
+    const int64_t more = depths.second - depths.first;
+    depth->one = depths.one;
+    depth->at = more < 0 ? depths.second : depths.first;
+    depth->step = 0;
+    if (more != 0) {
+        const bool rises = (more > 0) != swapped;
+        const int32_t begin = (ends->from + 32767) >> 16;
+        const uint32_t length = (uint32_t)ends->length;
+        const uint32_t before = (uint32_t)(fxl_centre_of(begin) - ends->from);
+        const fxl_real whole = fxl_real_of((uint64_t)(more < 0 ? -more : more), 0);
+        const fxl_real divisor = fxl_real_of(length, 0);
+        const uint32_t ratio = fxl_mantissa_ratio(&whole, &divisor);
+        const int32_t shift = whole.exponent - divisor.exponent - 31; /* from -61 on */
+        const uint32_t part = rises ? before : length - before;
+        depth->at += fxl_line_shifted(fxl_multiply_u32(ratio, part), shift);
+        if (length - before > 65536) {
+            const int64_t step = fxl_line_shifted(ratio, shift + 16);
+            depth->step = rises ? step : -step;
+            depth->at += fxl_multiply_s64(depth->step, first - begin);
+        }
+    }
 }
 
 #endif

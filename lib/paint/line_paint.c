@@ -5,49 +5,23 @@
 
 /* --- pixels --------------------------------------------------------------------------------- */
 
-/* Where pixels are painted, and by what. */
-typedef struct {
-    fxl_line_canvas *canvas;
-    const fxl_painted_line *line;
-} painting;
+#define INLINED  static inline __attribute__((always_inline))
+#define OUTLINED static __attribute__((noinline))
 
-#define INLINED static inline __attribute__((always_inline))
-
-/* To the next place. Returns whether the pixel across changes. */
-INLINED bool step_place(fxl_line_places *places)
+/* A colour, as it is written. */
+INLINED uint32_t colour_of(const fxl_line_canvas *canvas, const fxl_painted_line *line)
 {
-    places->first++;
-    places->left += places->step;
-    if (places->left < places->pixel) {
-        return false;
-    }
-    places->left -= places->pixel;
-    places->across += places->change;
-    return true;
-}
-
-/* At a pixel of the band. */
-INLINED fxl_line_way run_at(const painting *of, int32_t x, int32_t y)
-{
-    const fxl_line_canvas *canvas = of->canvas;
-    const fxl_band *band = canvas->band;
-    const int32_t row = y - canvas->box.first_row;
-    fxl_line_way run;
-    run.cell = (uint8_t *)(uintptr_t)(canvas->head + 1) + row * canvas->cell_row +
-               x * (int32_t)canvas->cell;
-    run.pixel = band->pixels + row * canvas->pixel_row + x * (int32_t)canvas->pixel;
-    run.colour = (canvas->format & FXL_LINE_COLOURS) != 0 ? band->palette[of->line->colour]
-                                                          : of->line->colour;
-    return run;
+    return (canvas->format & FXL_LINE_COLOURS) != 0 ? canvas->band->palette[line->colour]
+                                                    : line->colour;
 }
 
 /* A pixel of the band; code: of a line without planes. */
 /* lines 3.2 */
-static void paint_pixel(const painting *of, int32_t x, int32_t y, uint32_t code)
+static void paint_pixel(const fxl_line_canvas *canvas, const fxl_painted_line *line, int32_t x,
+                        int32_t y, uint32_t code)
 {
-    const fxl_line_canvas *canvas = of->canvas;
-    const fxl_painted_line *line = of->line;
     const fxl_band *band = canvas->band;
+    const fxl_line_axes *axes = &canvas->axes[0];
     if (canvas->head == NULL) {
         fxl_set_pixel(band, (size_t)(y - band->first_row) * band->stride + (size_t)x, line->colour);
         return;
@@ -56,23 +30,28 @@ static void paint_pixel(const painting *of, int32_t x, int32_t y, uint32_t code)
         const uint32_t other = fxl_line_code_of_face(canvas->head->scale, line->planes[i], x, y);
         code = i == 0 || other > code ? other : code;
     }
-    const fxl_line_way run = run_at(of, x, y);
-    fxl_line_paint_place(&run, code, of->canvas->format);
+    fxl_line_paint_place(
+        canvas->cells + (x * axes->cell_along + y * axes->cell_across - canvas->cells_before),
+        canvas->pixels + (x * axes->pixel_along + y * axes->pixel_across - canvas->pixels_before),
+        colour_of(canvas, line), code, canvas->format);
 }
 
+/* Pixels: first <= column < end, and so rows. */
+typedef struct {
+    int32_t first_column, end_column, first_row, end_row;
+} pixel_box;
+
 /* Those pixels of a box that the band has. */
-static void paint_box(const painting *of, const fxl_pixel_box *box, uint32_t code)
+static void paint_box(const fxl_line_canvas *canvas, const fxl_painted_line *line,
+                      const pixel_box *box, uint32_t code)
 {
-    const fxl_pixel_box *band = &of->canvas->box;
-    const int32_t end_row = box->end_row < band->end_row ? box->end_row : band->end_row;
-    const int32_t end_column =
-        box->end_column < band->end_column ? box->end_column : band->end_column;
-    for (int32_t y = box->first_row > band->first_row ? box->first_row : band->first_row;
-         y < end_row; y++) {
-        for (int32_t x = box->first_column > band->first_column ? box->first_column
-                                                                : band->first_column;
+    const fxl_line_axes *axes = &canvas->axes[0];
+    const int32_t end_row = box->end_row < axes->high ? box->end_row : axes->high;
+    const int32_t end_column = box->end_column < axes->end ? box->end_column : axes->end;
+    for (int32_t y = box->first_row > axes->low ? box->first_row : axes->low; y < end_row; y++) {
+        for (int32_t x = box->first_column > axes->first ? box->first_column : axes->first;
              x < end_column; x++) {
-            paint_pixel(of, x, y, code);
+            paint_pixel(canvas, line, x, y, code);
         }
     }
 }
@@ -80,217 +59,323 @@ static void paint_box(const painting *of, const fxl_pixel_box *box, uint32_t cod
 /* place fill-rule: the pixels of a line with a width, and of a point */
 /* The first of `width` pixels about a coordinate. */
 /* lines 2.2, 2.3 */
-static fxl_q16_16 first_of(fxl_q16_16 coordinate, uint32_t width)
+INLINED fxl_q16_16 first_of(fxl_q16_16 coordinate, uint32_t width)
 {
     return coordinate - (int32_t)(width - 1) * 32768;
 }
 
 /* lines 2.3 */
-static void paint_point(const painting *of, uint32_t code)
+static FXL_COLD void paint_point(fxl_line_canvas *canvas, const fxl_painted_line *line)
 {
-    const fxl_painted_line *line = of->line;
     const int32_t left = first_of(line->ends[0].x, line->width) >> 16;
     const int32_t top = first_of(line->ends[0].y, line->width) >> 16;
-    const fxl_pixel_box box = {left, left + line->width, top, top + line->width};
-    paint_box(of, &box, code);
+    const pixel_box box = {left, left + line->width, top, top + line->width};
+    uint32_t code = 0;
+    if (canvas->head != NULL && line->plane_count == 0) {
+        const fxl_line_end_depths ends = fxl_line_find_ends(canvas, line->distances);
+        const fxl_line_depth depth = {ends.one, ends.first, 0};
+        code = fxl_line_code_of_depth(canvas->head->scale, &depth);
+    }
+    paint_box(canvas, line, &box, code);
 }
 
 /* Without a depth buffer: a column or a row after the other. */
 /* lines 2.2 */
-static void paint_plain(const painting *of, fxl_line_places *places)
+static FXL_COLD void paint_plain(const fxl_line_canvas *canvas, const fxl_painted_line *line,
+                                 fxl_line_way *way)
 {
-    const int32_t width = of->line->width;
-    while (places->first < places->end) {
-        const int32_t along = places->first, across = places->across;
-        const fxl_pixel_box row = {across, across + width, along, along + 1};
-        const fxl_pixel_box column = {along, along + 1, across, across + width};
-        paint_box(of, places->upright ? &row : &column, 0);
-        (void)step_place(places);
+    const int32_t width = line->width;
+    const fxl_line_axes *axes = way->axes;
+    for (; way->count > 0; way->count--, way->first++) {
+        const int32_t along = way->first, across = way->across;
+        const pixel_box row = {across, across + width, along, along + 1};
+        const pixel_box column = {along, along + 1, across, across + width};
+        paint_box(canvas, line, axes->upright != 0 ? &row : &column, 0);
+        way->across += fxl_line_step_behind(way) ? axes->change : 0;
     }
 }
 
 /* --- a pixel a place, with a depth buffer ---------------------------------------------------- */
 
-/* A line from its first place on, whose pixel is one of the band. */
-INLINED fxl_line_way run_of(const painting *of, const fxl_line_places *places)
-{
-    const fxl_line_canvas *canvas = of->canvas;
-    const fxl_pixel_box *box = &canvas->box;
-    const bool upright = places->upright, falls = places->change < 0;
-    const int32_t cell = (int32_t)canvas->cell, pixel = (int32_t)canvas->pixel;
-    const int32_t cell_row = canvas->cell_row, pixel_row = canvas->pixel_row;
-    const int32_t cell_across = upright ? cell : cell_row;
-    const int32_t pixel_across = upright ? pixel : pixel_row;
-    fxl_line_way run = run_at(of, upright ? places->across : places->first,
-                              upright ? places->first : places->across);
-    run.cell_along = upright ? cell_row : cell;
-    run.pixel_along = upright ? pixel_row : pixel;
-    run.cell_across = falls ? -cell_across : cell_across;
-    run.pixel_across = falls ? -pixel_across : pixel_across;
-    run.count = (uint32_t)(places->end - places->first);
-    run.room = (uint32_t)(falls ? places->across - (upright ? box->first_column : box->first_row)
-                                : (upright ? box->end_column : box->end_row) - 1 - places->across);
-    run.behind = (int32_t)places->left - (int32_t)places->pixel;
-    run.step = (int32_t)places->step;
-    run.size = (int32_t)places->pixel;
-    return run;
-}
+/* A line on the screen, one pixel of its width. */
+typedef struct {
+    fxl_line_way way;   /* what the band has of it */
+    fxl_line_ends ends; /* of the whole line */
+    bool swapped;       /* the first end is the higher one */
+} one_line;
 
-/* With the line's own depth, which is at the first place. */
+/* With the line's own depth. */
 /* lines 3.3 */
-static void paint_with_depth(const painting *of, const fxl_line_places *places,
-                             fxl_line_depth *depth)
+OUTLINED void paint_own(fxl_line_canvas *canvas, const fxl_painted_line *line, const one_line *of)
 {
-    const fxl_line_way run = run_of(of, places);
-    const fxl_depth_scale scale = of->canvas->head->scale;
-    const uint32_t format = of->canvas->format;
+    const fxl_depth_scale scale = canvas->head->scale;
+    const uint32_t format = canvas->format;
+    fxl_line_depth depth;
+    fxl_line_find_depth(canvas, line, &of->ends, of->swapped, of->way.first, &depth);
     if (format == FXL_LINE_NARROW) {
-        fxl_line_paint_own(&run, scale, depth, FXL_LINE_NARROW);
+        fxl_line_paint_own(&of->way, scale, &depth, FXL_LINE_NARROW);
     } else {
-        fxl_line_paint_own(&run, scale, depth, format);
+        fxl_line_paint_own(&of->way, scale, &depth, format);
     }
 }
 
-static void paint_stretch(fxl_line_way *run, const fxl_line_codes codes[2], uint32_t places,
-                          uint32_t faces, uint32_t format)
-{
-    if (format != FXL_LINE_NARROW || codes[0].shift != 0 || codes[faces - 1].shift != 0) {
-        if (faces == 1) {
-            fxl_line_paint_stretch(run, codes, places, 1, true, format);
-        } else {
-            fxl_line_paint_stretch(run, codes, places, 2, true, format);
-        }
-    } else if (faces == 1) {
-        fxl_line_paint_stretch(run, codes, places, 1, false, FXL_LINE_NARROW);
-    } else {
-        fxl_line_paint_stretch(run, codes, places, 2, false, FXL_LINE_NARROW);
-    }
-}
-
+/* By stretches in which each face has one octave. */
 /* lines 3.2 */
-static void paint_on_faces(const painting *of, fxl_line_places *places)
+OUTLINED void paint_stretches(const fxl_line_canvas *canvas, const fxl_painted_line *line,
+                              const fxl_line_way *whole)
 {
-    const uint32_t faces = of->line->plane_count, format = of->canvas->format;
-    const fxl_depth_scale scale = of->canvas->head->scale;
-    fxl_line_way run = run_of(of, places);
-    const int32_t across = places->across, room = (int32_t)run.room;
-    uint32_t rest;
-    const uint32_t rate = /* 4096 at most */
-        fxl_divide_u32(places->step, (places->pixel >> 12) + 1u, &rest);
+    const fxl_depth_scale scale = canvas->head->scale;
+    const fxl_line_axes *axes = whole->axes;
+    fxl_line_way way = *whole;
     for (;;) {
-        fxl_line_codes codes[2];
-        uint32_t count = run.count;
-        for (uint32_t i = 0; i < faces; i++) {
-            count =
-                fxl_line_codes_begin(scale, of->line->planes[i], places, rate, count, &codes[i]);
+        int32_t changes;
+        int32_t count = fxl_line_find_stretch(scale, line->planes[0], &way, way.count, &changes);
+        if (line->plane_count > 1) {
+            count = fxl_line_find_stretch(scale, line->planes[1], &way, count, &changes);
         }
-        paint_stretch(&run, codes, count, faces, format);
-        if (run.count == 0) {
+        fxl_line_paint_faces(canvas->format, line, &way, count);
+        way.count -= count;
+        if (way.count == 0) {
             return;
         }
-        places->first = places->end - (int32_t)run.count;
-        places->left = (uint32_t)(run.behind + run.size);
-        places->across = across + places->change * (room - (int32_t)run.room);
+        way.first += count;
+        way.across += changes * axes->change;
+        way.behind += count * way.step - changes * way.size;
+        way.cell += count * axes->cell_along + changes * axes->cell_across;
+        way.pixel += count * axes->pixel_along + changes * axes->pixel_across;
     }
 }
 
-/* To the first place whose pixel is one of the band. False: there is none. */
-INLINED bool enter_band(const fxl_pixel_box *band, fxl_line_places *places, fxl_line_depth *depth)
+/* On faces. Most octaves hold a whole line. */
+/* lines 3.2 */
+OUTLINED void paint_on_faces(const fxl_line_canvas *canvas, const fxl_painted_line *line,
+                             const one_line *of)
 {
-    const bool upright = places->upright;
-    const int32_t begin = upright ? band->first_column : band->first_row;
-    const uint32_t size = (uint32_t)((upright ? band->end_column : band->end_row) - begin);
-    while ((uint32_t)(places->across - begin) >= size) {
-        depth->at += depth->step;
-        (void)step_place(places);
-        if (places->first >= places->end) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/* One pixel of the width. */
-static void paint_row(const painting *of, fxl_line_places *places, fxl_line_depth *depth)
-{
-    if (!enter_band(&of->canvas->box, places, depth)) {
-        return;
-    }
-    if (of->line->plane_count == 0) {
-        paint_with_depth(of, places, depth);
+    const fxl_depth_scale scale = canvas->head->scale;
+    const uint32_t upright = of->way.axes->upright;
+    if (!fxl_line_is_held(scale, line->planes[0], &of->ends, upright) ||
+        (line->plane_count > 1 && !fxl_line_is_held(scale, line->planes[1], &of->ends, upright))) {
+        paint_stretches(canvas, line, &of->way);
     } else {
-        paint_on_faces(of, places);
+        fxl_line_paint_faces(canvas->format, line, &of->way, of->way.count);
     }
+}
+
+/* Where the first place is; up: the axes of a line that does not fall. */
+INLINED void find_cell(const fxl_line_canvas *canvas, const fxl_line_axes *up, fxl_line_way *way)
+{
+    way->cell = canvas->cells + (way->first * up->cell_along + way->across * up->cell_across -
+                                 canvas->cells_before);
+    way->pixel = canvas->pixels + (way->first * up->pixel_along + way->across * up->pixel_across -
+                                   canvas->pixels_before);
+}
+
+/* Some of whose pixels may lie outside of the band, across. */
+OUTLINED void paint_within(fxl_line_canvas *canvas, const fxl_painted_line *line,
+                           const one_line *whole)
+{
+    one_line of = *whole;
+    fxl_line_way *way = &of.way;
+    const fxl_line_axes *axes = way->axes;
+    while (way->across < axes->low || way->across >= axes->high) {
+        if (--way->count == 0) {
+            return;
+        }
+        way->first++;
+        way->across += fxl_line_step_behind(way) ? axes->change : 0;
+    }
+    /* It leaves the band where the pixel across has changed so often, and once more. */
+    const int32_t room = axes->change < 0 ? way->across - axes->low : axes->high - 1 - way->across;
+    const uint64_t rest = fxl_multiply_u32((uint32_t)room, (uint32_t)way->size) +
+                          (uint64_t)-way->behind; /* below 2^43 */
+    const uint32_t step = (uint32_t)way->step;
+    if (rest >> 32 < step) {
+        uint32_t left;
+        const uint32_t places = fxl_divide_u64(rest, step, &left) + (left != 0 ? 1u : 0u);
+        way->count = places < (uint32_t)way->count ? (int32_t)places : way->count;
+    }
+    find_cell(canvas, &canvas->axes[axes->upright * 2u], way);
+    if (line->plane_count == 0) {
+        paint_own(canvas, line, &of);
+    } else {
+        paint_stretches(canvas, line, way);
+    }
+}
+
+/* The pixel across at a place, for a line that does not begin in the band; *left becomes what is left
+ * to the next one. As fxl_find_line_pixels finds it, from a whole pixel near the line instead of one
+ * above the screen: the sum is (side + steps * 65536) length + centre rise, at least 0 since |rise| <=
+ * length, and at most what 3 * 2^59 is. */
+static FXL_COLD int32_t find_pixel(fxl_q16_16 side, fxl_q16_16 centre, int32_t length, int32_t rise,
+                                   int32_t *left)
+{
+    const int32_t steps = rise < 0 ? (centre >> 16) + 1 : 0;
+    const int64_t sum = fxl_multiply_s32(side & 0xFFFF, length) + fxl_multiply_s32(centre, rise) +
+                        fxl_multiply_s32(steps, length) * 65536;
+    uint32_t rest;
+    const uint32_t pixel = fxl_divide_u64((uint64_t)sum >> 16, (uint32_t)length, &rest);
+    *left = (int32_t)rest;
+    return (side >> 16) - steps + (int32_t)pixel;
 }
 
 /* place fill-rule: the pixels of a line, whose places begin with the first centre that is not before it */
-/* The places of a line within the band. Returns the first of the whole line, within the band or before
- * it. As fxl_find_line_pixels finds them, from a whole pixel near the line instead of one above the
- * screen: the sum is (across + steps * 65536) length + (centre - from) rise, at least 0 since |rise|
- * <= length, and at most what 3 * 2^59 is. */
+/* The first centre of a whole line is less than a pixel behind its end, so that the sum of find_pixel
+ * is below 2^17 length. */
 /* lines 2.2, wire 2.2, 2.3 */
-INLINED int32_t find_places(const painting *of, fxl_line_places *places)
+static void paint_line(fxl_line_canvas *canvas, const fxl_painted_line *line)
 {
-    const fxl_screen_point *a = &of->line->ends[0], *b = &of->line->ends[1];
-    const int32_t width = b->x - a->x, height = b->y - a->y; /* below 2^30 */
-    const bool upright = (height < 0 ? -height : height) > (width < 0 ? -width : width);
-    const bool swapped = (upright ? height : width) < 0;
-    const fxl_screen_point *start = swapped ? b : a;
-    const int32_t from = upright ? start->y : start->x;
-    const int32_t across = first_of(upright ? start->x : start->y, of->line->width);
-    const int32_t along = upright ? height : width, other = upright ? width : height;
-    const int32_t length = swapped ? -along : along, rise = swapped ? -other : other;
-    const int32_t begin = (from + 32767) >> 16, behind = (from + length + 32767) >> 16;
-    const int32_t low = upright ? of->canvas->box.first_row : of->canvas->box.first_column;
-    const int32_t high = upright ? of->canvas->box.end_row : of->canvas->box.end_column;
-    places->first = begin > low ? begin : low;
-    places->end = behind < high ? behind : high;
-    if (places->first < places->end) {
-        const int32_t centre = fxl_centre_of(places->first) - from;
-        const int32_t steps = rise < 0 ? (centre >> 16) + 1 : 0;
-        const int64_t sum = fxl_multiply_s32(across & 0xFFFF, length) +
-                            fxl_multiply_s32(centre, rise) +
-                            fxl_multiply_s32(steps, length) * 65536;
-        uint32_t left;
-        const uint32_t pixel = fxl_divide_u64((uint64_t)sum >> 16, (uint32_t)length, &left);
-        places->across = (across >> 16) - steps + (int32_t)pixel;
-        places->change = rise < 0 ? -1 : 1;
-        places->pixel = (uint32_t)length;
-        places->left = rise < 0 ? (uint32_t)length - 1 - left : left;
-        places->step = (uint32_t)(rise < 0 ? -rise : rise);
-        places->upright = upright;
+    const fxl_screen_point *a = &line->ends[0], *b = &line->ends[1];
+    one_line of;
+    fxl_q16_16 from = a->x, side = a->y;
+    int32_t length = b->x - from, rise = b->y - side; /* below 2^30 */
+    const fxl_line_axes *up = canvas->axes;
+    if ((rise < 0 ? -rise : rise) > (length < 0 ? -length : length)) {
+        const int32_t width = length;
+        from = a->y;
+        side = a->x;
+        length = rise;
+        rise = width;
+        up += 2;
     }
-    return begin;
+    of.swapped = length < 0;
+    if (length < 0) {
+        from += length;
+        side += rise;
+        length = -length;
+        rise = -rise;
+    }
+    side = first_of(side, line->width);
+    of.ends.from = from;
+    of.ends.side = side;
+    of.ends.length = length;
+    of.ends.rise = rise;
+    const int32_t begin = (from + 32767) >> 16, behind = (from + length + 32767) >> 16;
+    const int32_t first = begin > up->first ? begin : up->first;
+    const int32_t end = behind < up->end ? behind : up->end;
+    if (first >= end) {
+        return;
+    }
+    int32_t across = side >> 16, left;
+    const fxl_q16_16 centre = fxl_centre_of(first) - from;
+    if (first == begin) {
+        const int64_t sum =
+            fxl_multiply_s32(side & 0xFFFF, length) + fxl_multiply_s32(centre, rise);
+        left = (int32_t)(sum >> 16);
+        if (rise < 0) {
+            across--;
+            left += length;
+        }
+        if (left >= length) {
+            across++;
+            left -= length;
+        }
+    } else {
+        across = find_pixel(side, centre, length, rise, &left);
+    }
+    of.way.first = first;
+    of.way.count = end - first;
+    of.way.across = across;
+    of.way.size = length;
+    of.way.step = rise;
+    of.way.behind = left - length;
+    of.way.axes = up;
+    if (rise < 0) {
+        of.way.axes = up + 1;
+        of.way.step = -rise;
+        of.way.behind = -1 - left;
+    }
+    if (canvas->head == NULL) {
+        paint_plain(canvas, line, &of.way);
+        return;
+    }
+    of.way.colour = colour_of(canvas, line);
+    for (uint32_t row = line->width;;) {          /* in any sequence */
+        const int32_t last = (side + rise) >> 16; /* or a pixel beside it */
+        if ((uint32_t)(across - up->inner) < up->inner_count &&
+            (uint32_t)(last - up->inner) < up->inner_count) {
+            find_cell(canvas, up, &of.way);
+            if (line->plane_count == 0) {
+                paint_own(canvas, line, &of);
+            } else {
+                paint_on_faces(canvas, line, &of);
+            }
+        } else {
+            paint_within(canvas, line, &of);
+        }
+        if (--row == 0) {
+            return;
+        }
+        of.way.across = ++across;
+        of.ends.side = side += 65536;
+    }
 }
 
-/* lines 2.2 */
-static void paint_line(const painting *of)
+/* By whether a line is upright, and whether it falls. */
+static void find_axes(fxl_line_canvas *canvas, bool upright, bool falls)
 {
-    const fxl_painted_line *line = of->line;
-    fxl_line_places places;
-    fxl_line_depth depth;
-    const int32_t begin = find_places(of, &places);
-    if (places.first >= places.end) {
-        return;
-    }
-    if (of->canvas->head == NULL) {
-        paint_plain(of, &places);
-        return;
-    }
-    if (line->plane_count == 0) {
-        int64_t ends[2];
-        fxl_line_find_ends(of->canvas, line, ends, &depth);
-        fxl_line_find_depth(line, &places, begin, ends, &depth);
+    fxl_line_axes *axes = &canvas->axes[(upright ? 2 : 0) + (falls ? 1 : 0)];
+    const fxl_band *band = canvas->band;
+    const int32_t first_column = band->first_column, first_row = band->first_row;
+    const int32_t end_column = (int32_t)fxl_band_end_column(band);
+    const int32_t end_row = first_row + band->rows;
+    const int32_t cell = (canvas->format & FXL_LINE_WIDE) != 0 ? 4 : 2;
+    const int32_t pixel = (canvas->format & FXL_LINE_COLOURS) != 0 ? 2 : 1;
+    const int32_t cell_row = cell * band->width, pixel_row = pixel * band->stride;
+    const int32_t change = falls ? -1 : 1;
+    axes->upright = upright;
+    axes->change = change;
+    axes->first = upright ? first_row : first_column;
+    axes->end = upright ? end_row : end_column;
+    axes->low = upright ? first_column : first_row;
+    axes->high = upright ? end_column : end_row;
+    axes->inner = axes->low + 1;
+    axes->inner_count = axes->high - axes->low > 2 ? (uint32_t)(axes->high - axes->low - 2) : 0;
+    axes->cell_along = upright ? cell_row : cell;
+    axes->pixel_along = upright ? pixel_row : pixel;
+    axes->cell_across = (upright ? cell : cell_row) * change;
+    axes->pixel_across = (upright ? pixel : pixel_row) * change;
+}
+
+static int64_t shifted(int64_t value, int32_t right)
+{
+    return right < 0 ? (int64_t)(fxl_bits_64(value) << -right) : value >> right;
+}
+
+/* near_z is counted as at most 2^46, and what a pixel adds is below 2^30. So sums are below 2^63, and
+ * their upper words off by less than 2. The centres of a line's pixels lie within half a pixel of the
+ * straight line between its ends, across. A plane in words without a border has one octave, and of one
+ * with a border nothing is said. */
+void fxl_line_plane_begin(fxl_line_plane *face)
+{
+    const fxl_gradient *gradient = &face->plane.gradient;
+    face->span = face->held = 0;
+    if (!fxl_depth_is_in_words(&face->plane)) {
+        const uint64_t right = fxl_magnitude(gradient->along);
+        const uint64_t down = fxl_magnitude(gradient->down);
+        const uint64_t most = right > down ? right : down;
+        const int32_t upper = (int32_t)fxl_bit_length(most | 1u) - 30, near = face->plane.one - 46;
+        const int32_t least = upper > near ? upper : near, drop = least > -16 ? least : -16;
+        face->drop = drop;
+        face->margin = fxl_low_32(most >> (drop + 17)) + 4u; /* at most 2^14 */
+        face->words[0] = (int32_t)shifted(gradient->along, drop);
+        face->words[1] = (int32_t)shifted(gradient->down, drop);
+        /* The centre of the first pixel is half a pixel behind its corner. */
+        face->at = (int64_t)(fxl_bits_64(shifted(gradient->at, drop - 16)) -
+                             fxl_bits_64(((int64_t)face->words[0] + face->words[1]) * 32768));
     } else {
-        depth.at = depth.step = 0;
+        face->words[0] = face->words[1] = 0;
+        face->at = 0;
+        face->drop = 64; /* no octave */
+        face->margin = 0;
+        if (face->plane.one == FXL_DEPTH_IS_LINEAR) {
+            face->low = 0;
+            face->held = 1;
+            face->shift = face->added = 0;
+            face->start = fxl_bits_64(gradient->at) << 32;
+            face->steps[0] = fxl_bits_64(gradient->along) << 32;
+            face->steps[1] = fxl_bits_64(gradient->down) << 32;
+        }
     }
-    for (int32_t i = line->width - 1; i > 0; i--) { /* in any sequence */
-        fxl_line_places other = places;
-        fxl_line_depth other_depth = depth;
-        other.across += i;
-        paint_row(of, &other, &other_depth);
-    }
-    paint_row(of, &places, &depth);
 }
 
 /* place pixel-format: the bytes of a pixel of lines */
@@ -304,36 +389,23 @@ void fxl_line_canvas_begin(fxl_line_canvas *canvas, const fxl_band *band,
     canvas->distance = 0;
     canvas->mantissa = 0;
     canvas->one = 0;
-    canvas->box.first_column = band->first_column;
-    canvas->box.end_column = (int32_t)fxl_band_end_column(band);
-    canvas->box.first_row = band->first_row;
-    canvas->box.end_row = band->first_row + band->rows;
     canvas->format =
         (wide ? (uint32_t)FXL_LINE_WIDE : 0u) | (is_colour ? (uint32_t)FXL_LINE_COLOURS : 0u);
-    canvas->cell = 2;
-    if (wide) {
-        canvas->cell = 4;
+    canvas->cells = head != NULL ? (uint8_t *)(uintptr_t)(head + 1) : NULL;
+    for (uint32_t i = 0; i < 4; i++) {
+        find_axes(canvas, i > 1, i % 2 != 0);
     }
-    canvas->pixel = 1;
-    if (is_colour) {
-        canvas->pixel = 2;
-    }
-    canvas->cell_row = (int32_t)(canvas->cell * band->width);
-    canvas->pixel_row = (int32_t)(canvas->pixel * band->stride);
+    canvas->pixels = band->pixels;
+    canvas->cells_before = band->first_row * canvas->axes[2].cell_along;
+    canvas->pixels_before = band->first_row * canvas->axes[2].pixel_along;
 }
 
 void fxl_paint_wide_line(fxl_line_canvas *canvas, const fxl_painted_line *line)
 {
-    const painting of = {canvas, line};
-    if (!line->is_point) {
-        paint_line(&of);
-    } else if (canvas->head != NULL && line->plane_count == 0) {
-        fxl_line_depth depth;
-        int64_t ends[2];
-        fxl_line_find_ends(canvas, line, ends, &depth);
-        paint_point(&of, fxl_line_code_of_depth(canvas->head->scale, &depth));
+    if (line->is_point) {
+        paint_point(canvas, line);
     } else {
-        paint_point(&of, 0);
+        paint_line(canvas, line);
     }
 }
 

@@ -10,20 +10,30 @@
 extern "C" {
 #endif
 
-/* The depth of a face on which lines lie, and the octave that was found last. It holds the depths
- * whose word is one of those from first on, so many: of a plane in words the lower one of 64 bits,
- * else the upper one. */
+/* The depth of a face on which lines lie, and the octave of its codes that was found last. */
 typedef struct {
     fxl_depth_plane plane;
-    fxl_depth_octave octave;
-    uint32_t first, span; /* span 0: it holds none */
-    /* A code of the octave is what `added` is to the upper word of start + row y, and 2^shift
-     * octave.step x more, shifted right by shift: 0, or to 2. */
-    uint8_t shift;
-    uint32_t added;
-    uint64_t start, row;
-    int32_t right, down; /* words of the gradient, rounded down: what a pixel adds to a word */
+    /* About the depth of a place on the screen, counted in 2^drop: that of its corner, and what 2^-16
+     * of a column and of a row add. Words are the upper ones of 64 bits. `margin`: how far, in words,
+     * pixels of a line may be from the straight line between its ends. */
+    int64_t at;
+    int32_t words[2];
+    int32_t drop;
+    uint32_t margin;
+    /* Where the words of both ends of a line are some of those from low on, so many, the octave holds
+     * all its pixels. held 0: nothing is known. */
+    uint32_t low, held;
+    /* A code of the octave is what `added` is to the upper word of start + x steps[0] + y steps[1],
+     * shifted right by shift: 0, or to 2. */
+    uint32_t shift, added;
+    uint64_t start, steps[2];
+    /* The octave, if fxl_line_find_other found it last, holds the depths whose word is one of those
+     * from first on, so many. The word of a plane in words is the lower one. span 0: it holds none. */
+    uint32_t first, span;
 } fxl_line_plane;
+
+/* After `plane` was set. */
+void fxl_line_plane_begin(fxl_line_plane *face);
 
 /* A line or a point on the screen. */
 typedef struct {
@@ -35,10 +45,18 @@ typedef struct {
     fxl_line_plane *planes[2];
 } fxl_painted_line;
 
-/* Pixels: first <= column < end, and so rows. */
+/* The band as a line goes through it: along its rows or its columns, and across them up or down. */
 typedef struct {
-    int32_t first_column, end_column, first_row, end_row;
-} fxl_pixel_box;
+    uint32_t upright;   /* 1: places along are rows, 0: they are columns */
+    int32_t change;     /* of the pixel across, where it changes: -1 or 1 */
+    int32_t first, end; /* places along that the band has, from first on */
+    int32_t low, high;  /* pixels across that it has, from low on */
+    int32_t inner;      /* those but the first and the last one: from inner on, so many */
+    uint32_t inner_count;
+    /* How far the cell and the pixel of a place are from those of the next place along, and from those
+     * of the pixel across to which it changes: bytes. */
+    int32_t cell_along, pixel_along, cell_across, pixel_across;
+} fxl_line_axes;
 
 /* What it is painted into: pixels from column 0 on, and, unless head is null, the cells behind it,
  * all of whose rows are those of the band. */
@@ -51,10 +69,10 @@ typedef struct {
     fxl_q18_46 distance;
     uint32_t mantissa;
     int32_t one;
-    fxl_pixel_box box;           /* the pixels of the band */
-    uint32_t format;             /* FXL_LINE_COLOURS and so on */
-    uint32_t cell, pixel;        /* their bytes */
-    int32_t cell_row, pixel_row; /* bytes of a row */
+    uint32_t format;                     /* FXL_LINE_COLOURS and so on */
+    fxl_line_axes axes[4];               /* by fxl_line_axes_of */
+    uint8_t *cells, *pixels;             /* of column 0 of the band's first row */
+    int32_t cells_before, pixels_before; /* bytes of the screen's rows before it */
 } fxl_line_canvas;
 
 /* What cells and pixels are. */

@@ -68,6 +68,13 @@ static inline fxl_point fxl_model_view_vertex(const fxl_model_view *model_view, 
 void fxl_transform_vertex(const fxl_model_view *model_view, uint32_t number,
                           fxl_cached_vertex *entry);
 
+#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+/* The same, and fxl_project_inside of a vertex that is inside all planes: FXL_OK or FXL_E_RANGE, and
+ * then no clip flags are set. -1: it is outside of one. */
+int32_t fxl_transform_and_project(const fxl_model_view *model_view, uint32_t number,
+                                  fxl_cached_vertex *entry);
+#endif
+
 /* Returns a vertex of the model in the view, from the cache or transformed. The pointer is valid
  * until the next fetch. The caller may change clip_flags and screen, and nothing else. */
 /* SPEC 4.10 */
