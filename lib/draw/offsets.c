@@ -235,16 +235,16 @@ AT(fxl_depth_rows, resumed, DEPTH_ROWS_RESUMED);
 AT(fxl_depth_head, clear_from, DEPTH_HEAD_CLEAR_FROM);
 AT(fxl_depth_head, clear_to, DEPTH_HEAD_CLEAR_TO);
 
-AT(fxl_smooth_outline, code, SMOOTH_OUTLINE_CODE);
-AT(fxl_smooth_outline, code_down, SMOOTH_OUTLINE_CODE_DOWN);
-AT(fxl_smooth_outline, down, SMOOTH_OUTLINE_DOWN);
-AT(fxl_smooth_outline, light, SMOOTH_OUTLINE_LIGHT);
-AT(fxl_smooth_outline, along, SMOOTH_OUTLINE_ALONG);
-AT(fxl_smooth_outline, by, SMOOTH_OUTLINE_BY);
-AT(fxl_smooth_outline, mixture, SMOOTH_OUTLINE_MIXTURE);
-AT(fxl_smooth_outline, cells, SMOOTH_OUTLINE_CELLS);
-AT(fxl_smooth_outline, code_along, SMOOTH_OUTLINE_CODE_ALONG);
 AT(fxl_smooth_outline, limit, SMOOTH_OUTLINE_LIMIT);
+AT(fxl_smooth_outline, words.code_along, SMOOTH_OUTLINE_CODE_ALONG);
+AT(fxl_smooth_outline, words.code, SMOOTH_OUTLINE_CODE);
+AT(fxl_smooth_outline, words.code_down, SMOOTH_OUTLINE_CODE_DOWN);
+AT(fxl_smooth_outline, words.light_down, SMOOTH_OUTLINE_LIGHT_DOWN);
+AT(fxl_smooth_outline, words.light, SMOOTH_OUTLINE_LIGHT);
+AT(fxl_smooth_outline, words.light_along, SMOOTH_OUTLINE_LIGHT_ALONG);
+AT(fxl_smooth_outline, by, SMOOTH_OUTLINE_BY);
+AT(fxl_smooth_outline, cells, SMOOTH_OUTLINE_CELLS);
+AT(fxl_smooth_outline, pixels, SMOOTH_OUTLINE_PIXELS);
 AT(fxl_smooth_outline, last, SMOOTH_OUTLINE_LAST);
 AT(fxl_smooth_outline, border, SMOOTH_OUTLINE_BORDER);
 
@@ -267,10 +267,9 @@ AT(fxl_lit_run, mixture.green_step, LIT_RUN_PALETTE + 20);
 AT(fxl_colour_values, limit, COLOUR_VALUES_LIMIT);
 #endif
 
-AT(fxl_smooth_words, light_down, 8);
-AT(fxl_smooth_words, code, SMOOTH_WORDS_CODE);
-AT(fxl_smooth_words, code_along, SMOOTH_WORDS_CODE + 8);
-AT(fxl_smooth_words, one, SMOOTH_WORDS_CODE + 12);
+AT(fxl_smooth_words, code_down, 8);
+AT(fxl_smooth_words, light_down, SMOOTH_WORDS_LIGHT_DOWN);
+AT(fxl_smooth_words, light_along, SMOOTH_WORDS_LIGHT_DOWN + 8);
 
 AT(fxl_colour_outline, code, COLOUR_OUTLINE_CODE);
 AT(fxl_colour_outline, code_down, COLOUR_OUTLINE_CODE_DOWN);

@@ -231,10 +231,11 @@ draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
     const fxl_depth_head *head = (const fxl_depth_head *)traversal->workspace->target_memory;
     fxl_smooth_outline *smooth = &run->outline.smooth;
     int32_t light[3];
-    fxl_smooth_words words;
     surfaces->light_code->light_corners(surfaces, traversal->renderer, model_view->instance, of,
                                         light);
-    if (!fxl_find_smooth_words(corners, &model_view->view->lens, light, &words)) {
+    const int32_t one =
+        fxl_find_smooth_words(corners, &model_view->view->lens, light, &smooth->words);
+    if (one == 0) {
         return FXL_DEPTH_NOT_DRAWN;
     }
     if (face->material != run->colour) {
@@ -243,7 +244,7 @@ draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
         find_light_paint(surfaces, band, &paint);
         fxl_smooth_outline_of_colour(&paint, face->material, FXL_PIXEL_BITS / 8, smooth);
     }
-    fxl_smooth_outline_of_words(head, &words, band, FXL_PIXEL_BITS / 8, smooth);
+    fxl_smooth_outline_of_words(head, one, FXL_PIXEL_BITS / 8, smooth);
     return FXL_DRAW_SMOOTH(corners->points, 3, band, smooth);
 }
 

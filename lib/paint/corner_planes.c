@@ -318,7 +318,8 @@ bool fxl_find_smooth_planes(const fxl_screen_corners *corners, const fxl_lens *l
 {
     static const fxl_gradient constant = {FXL_CONSTANT_WEIGHT, 0, 0};
     fxl_smooth_words words;
-    if (!fxl_find_smooth_words(corners, lens, light, &words)) {
+    const int32_t one = fxl_find_smooth_words(corners, lens, light, &words);
+    if (one == 0) {
         return false;
     }
     const fxl_gradient of_light = {of_word(words.light), of_word(words.light_along),
@@ -331,7 +332,7 @@ bool fxl_find_smooth_planes(const fxl_screen_corners *corners, const fxl_lens *l
     gradients->weight = constant;
     gradients->weight_min[0] = gradients->weight_min[1] = 1;
     depth->gradient = of_depth;
-    depth->one = words.one;
+    depth->one = one;
     return true;
 }
 

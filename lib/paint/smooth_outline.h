@@ -19,16 +19,17 @@ extern "C" {
 #endif
 
 /* place light: RGB565: the part of a colour that light leaves of a lit surface */
-/* What the kernel needs of a polygon, and what it keeps from row to row. Cells are counted from the
- * first one of the band. The code and the light of a pixel are those of cell 0 in its row, and a
- * step for each cell. For pixels of 16 bits light is less the half level, and has half a part of
- * 256 more; between -1 part and 0 it is not held, since no part of it is left. */
+/* The lower words of the planes of code and light: in row 0, column 0, what a row adds, and what a column
+ * adds. */
 typedef struct {
-    uint32_t code;      /* of row 0, less its change a row; then of a row: the kernel's own */
-    uint32_t code_down; /* from row to row, a row of cells less */
-    uint32_t down;      /* of light */
-    uint32_t light;     /* as code */
-    uint32_t along;     /* of light */
+    uint32_t code_along, code, code_down, light_down, light, light_along;
+} fxl_smooth_words;
+
+/* What the kernel needs of a polygon. For pixels of 16 bits light is less the half level, and has half
+ * a part of 256 more; between -1 part and 0 it is not held, since no part of it is left. */
+typedef struct {
+    uint32_t limit;         /* light from here on is not of the ramp; 0: codes have a border */
+    fxl_smooth_words words; /* the kernel's own once it draws */
     union {
         const uint8_t *ramp;    /* pixels of 8 bits: the entry of the face's colour in level 0 */
         uint32_t part_of_level; /* of 16 */
@@ -36,23 +37,16 @@ typedef struct {
     fxl_mixture_565 mixture; /* of 16 bits */
     uint16_t *cells;         /* of the band */
     uintptr_t pixels; /* as of fxl_depth_outline; of 16 bits: of the cell after the pixel's */
-    uint32_t code_along;
-    uint32_t limit;  /* light from here on is not of the ramp; 0: codes have a border */
-    uint32_t last;   /* pixels of 8 bits: the last level; of 16: the most light of the ramp */
-    uint32_t border; /* as of fxl_depth_border */
+    uint32_t last;    /* pixels of 8 bits: the last level; of 16: the most light of the ramp */
+    uint32_t border;  /* as of fxl_depth_border */
 } fxl_smooth_outline;
-
-/* The lower words of planes that have such. */
-typedef struct {
-    uint32_t light, light_along, light_down, code, code_down, code_along;
-    int32_t one; /* of the depth plane */
-} fxl_smooth_words;
 
 #if FXL_DRAWS_SMOOTH_OUTLINES
 
-/* Those that fxl_find_smooth_planes finds. */
-bool fxl_find_smooth_words(const fxl_screen_corners *corners, const fxl_lens *lens,
-                           const int32_t light[3], fxl_smooth_words *words);
+/* Those that fxl_find_smooth_planes finds. Returns fxl_depth_plane.one; 0 where it finds none: *words is
+ * undefined then. */
+int32_t fxl_find_smooth_words(const fxl_screen_corners *corners, const fxl_lens *lens,
+                              const int32_t light[3], fxl_smooth_words *words);
 
 /* Draws an outline of count points. Requires fxl_smooth_outline_begin and what fxl_scan_begin
  * requires of outline and band. By the number of a pixel's bits; both write what
@@ -91,23 +85,15 @@ static inline void fxl_smooth_outline_of_colour(const fxl_paint *paint, uint8_t 
     }
 }
 
-/* Sets what follows from its planes, which are words. */
+/* Sets what follows from its planes, whose words are set. one: of the depth plane. */
 static inline __attribute__((always_inline)) void
-fxl_smooth_outline_of_words(const fxl_depth_head *head, const fxl_smooth_words *words,
-                            const fxl_band *band, uint32_t pixel_bytes, fxl_smooth_outline *smooth)
+fxl_smooth_outline_of_words(const fxl_depth_head *head, int32_t one, uint32_t pixel_bytes,
+                            fxl_smooth_outline *smooth)
 {
-    const uint32_t code_row = band->width * words->code_along;
-    smooth->code_along = words->code_along;
-    smooth->code_down = words->code_down - code_row;
-    smooth->code = words->code + band->first_row * code_row - smooth->code_down;
-    const uint32_t row_along = band->width * words->light_along;
-    smooth->along = words->light_along;
-    smooth->down = words->light_down - row_along;
-    smooth->light = words->light + band->first_row * row_along - smooth->down;
     if (pixel_bytes != 1) { /* the half part, less the half level */
-        smooth->light += (smooth->last & 0xFFFFFFu) - (1u << 23);
+        smooth->words.light += (smooth->last & 0xFFFFFFu) - (1u << 23);
     }
-    const uint32_t border = fxl_depth_border_of(head->scale, words->one);
+    const uint32_t border = fxl_depth_border_of(head->scale, one);
     const uint32_t end = (smooth->last + 1u) << (pixel_bytes == 1 ? 24 : 0);
     smooth->border = border;
     smooth->limit = border != 0 ? 0 : end;
@@ -117,13 +103,12 @@ static inline fxl_smooth_words fxl_smooth_words_of(const fxl_depth_plane *plane,
                                                    const fxl_gradients *gradients)
 {
     const fxl_light_plane light = fxl_light_plane_of(gradients);
-    const fxl_smooth_words words = {light.at,
-                                    light.along,
-                                    light.down,
+    const fxl_smooth_words words = {fxl_low_32(fxl_bits_64(plane->gradient.along)),
                                     fxl_low_32(fxl_bits_64(plane->gradient.at)),
                                     fxl_low_32(fxl_bits_64(plane->gradient.down)),
-                                    fxl_low_32(fxl_bits_64(plane->gradient.along)),
-                                    plane->one};
+                                    light.down,
+                                    light.at,
+                                    light.along};
     return words;
 }
 
@@ -134,8 +119,8 @@ static inline void fxl_smooth_outline_set(const fxl_depth_head *head, const fxl_
 {
     fxl_smooth_outline_of_band(head, paint, band, pixel_bytes, smooth);
     fxl_smooth_outline_of_colour(paint, paint->colour, pixel_bytes, smooth);
-    const fxl_smooth_words words = fxl_smooth_words_of(plane, paint->gradients);
-    fxl_smooth_outline_of_words(head, &words, band, pixel_bytes, smooth);
+    smooth->words = fxl_smooth_words_of(plane, paint->gradients);
+    fxl_smooth_outline_of_words(head, plane->one, pixel_bytes, smooth);
 }
 
 /* The same for any polygon. Returns false if the kernel cannot draw it: *smooth is undefined then.

@@ -9,14 +9,30 @@
 #include "../raster/draw_frame_armv7m.h"
 #include "cell_edges_armv7m.h"
 
-/* At the first row, r6: its words, less the change from row to row. */
+/* Where the words of a row are, from those of the outline on. */
+#define ROW_WORDS SMOOTH_OUTLINE_CODE
+
+/* The words become those of the row above the first one, r6, at cell 0 of the band, and what a row adds
+ * less a row of cells. r12: the band's first row. */
     .macro begin_filling
     test_clear SMOOTH_OUTLINE_CELLS
-    ldm     r3, {r4, r5, r8, r10}
-    mla     r4, r5, r6, r4
-    mla     r10, r8, r6, r10
-    str     r4, [r3, #SMOOTH_OUTLINE_CODE]
-    str     r10, [r3, #SMOOTH_OUTLINE_LIGHT]
+    ldrh    lr, [r2, #BAND_WIDTH]
+    sub     r10, r6, #1
+    ldr     r4, [r3, #SMOOTH_OUTLINE_CODE_ALONG]
+    ldrd    r5, r8, [r3, #SMOOTH_OUTLINE_CODE]
+    mul     r4, r4, lr
+    sub     r8, r8, r4
+    mla     r5, r12, r4, r5
+    mla     r5, r10, r8, r5
+    strd    r5, r8, [r3, #SMOOTH_OUTLINE_CODE]
+    ldrd    r8, r5, [r3, #SMOOTH_OUTLINE_LIGHT_DOWN]
+    ldr     r4, [r3, #SMOOTH_OUTLINE_LIGHT_ALONG]
+    mul     r4, r4, lr
+    sub     r8, r8, r4
+    mla     r5, r12, r4, r5
+    mla     r5, r10, r8, r5
+    strd    r8, r5, [r3, #SMOOTH_OUTLINE_LIGHT_DOWN]
+    adds    r3, r3, #ROW_WORDS
     .endm
 
     .macro fill_rows
@@ -42,7 +58,7 @@
 /* The same where codes may have a border. */
     .macro  test_bent_pixel text
     ldr     r1, [sp, #OUTLINE_OF_ROW]
-    ldr     r1, [r1, #SMOOTH_OUTLINE_BORDER]
+    ldr     r1, [r1, #SMOOTH_OUTLINE_BORDER - ROW_WORDS]
     subs    r1, r3, r1
     ite     lo
     addlo   r1, r1, r3
@@ -93,23 +109,27 @@
 #if PIXEL_BITS == 16
 
 /* In the stack frame: the edge functions at the first centre of a row, their changes from row to row,
- * columns, the last row plus 1, cells a row, and what the survey has found. Below it are the spans:
- * the end of the cells, code, cell and light, after a word that is 0. */
+ * columns, the last row plus 1, cells a row, what the survey has found, and the last column plus 1. Below
+ * it are the spans: the end of the cells, code, cell and light, after a word that is 0. */
 #define SMALL_CHANGES 12
 #define SMALL_COLUMN  24
 #define SMALL_END     28
 #define SMALL_WIDTH   32
 #define SMALL_SURVEY  36
+#define SMALL_RIGHT   64
 
     /* r0: points, r2: band, r3: outline, r6: first row, r7: last row plus 1, r8: rows, r11: 32767 */
 .Lsmall:
     small_box SMALL_COLUMNS, SMALL_CENTRES
-    mla     lr, lr, r5, r10         /* the first cell */
+    mul     lr, lr, r5              /* the first cell of the row */
     add     r4, sp, #SMALL_SURVEY
     stm     r4, {r0-r2, r6-r9}
     strd    r12, r7, [sp, #SMALL_COLUMN]
     str     r5, [sp, #SMALL_WIDTH]
+    add     r12, r12, r10
+    str     r12, [sp, #SMALL_RIGHT]
     test_clear SMOOTH_OUTLINE_CELLS
+    add     lr, r4, lr, lsl #1
     lsl     r10, r10, #16
     lsl     r11, r6, #16
 /* place fill-rule: small triangles for Armv7-M */
@@ -123,12 +143,12 @@
     ldr     r8, [sp, #SMALL_SURVEY + 12]
     mov     r9, sp
     movs    r5, #0
-    add     r8, r8, #1
     str     r5, [sp, #-16]!
     mov     r12, lr
+    adds    r3, r3, #SMOOTH_OUTLINE_CODE_ALONG
 
     /* A row. r1, r2, r7: the edge functions, r10, r11, r0: their change a column, r4: columns that are
-     * left, r8: the row plus 1, r9: the frame, r12: the row's first cell */
+     * left, r3: the words, r8: the row, r9: the frame, r12: the cell of column 0 */
 .Lsmall_row:
     ldr     r4, [r9, #SMALL_COLUMN]
 .Lsmall_outside:
@@ -153,34 +173,31 @@
     orrs    r5, r5, r7
     bpl     .Lsmall_inside
 .Lsmall_last:
-    ldr     lr, [r9, #SMALL_COLUMN]
-    sub     lr, lr, r6
+    ldr     lr, [r9, #SMALL_RIGHT]
+    sub     lr, lr, r6              /* the first one's column */
     sub     r6, r6, r4              /* pixels */
-    add     lr, lr, r12             /* the first one's cell */
-    ldm     r3, {r1, r2, r4, r5}    /* code, its change, that of light, light */
-    mla     r2, r2, r8, r1
-    mla     r5, r4, r8, r5
-    ldr     r1, [r3, #SMOOTH_OUTLINE_CODE_ALONG]
-    ldr     r4, [r3, #SMOOTH_OUTLINE_ALONG]
+    ldm     r3, {r1, r2, r4, r5, r7} /* code: along, at, down; light: down, at */
+    mla     r2, r4, r8, r2
+    ldr     r4, [r3, #SMOOTH_OUTLINE_LIGHT_ALONG - SMOOTH_OUTLINE_CODE_ALONG]
+    mla     r5, r5, r8, r7
     mla     r2, r1, lr, r2
     mla     r5, r4, lr, r5
     subs    r1, r6, #1
     mla     r1, r4, r1, r5
-    ldr     r4, [r3, #SMOOTH_OUTLINE_LIMIT]
+    ldr     r4, [r3, #SMOOTH_OUTLINE_LIMIT - SMOOTH_OUTLINE_CODE_ALONG]
     cmp     r5, r4
     it      lo
     cmplo   r1, r4
     bhs     .Lsmall_held            /* light of other rows is as above */
-    ldr     r4, [r3, #SMOOTH_OUTLINE_CELLS]
-    add     r4, r4, lr, lsl #1
+    add     r4, r12, lr, lsl #1
     add     r1, r4, r6, lsl #1
     push    {r1, r2, r4, r5}
 .Lsmall_next:
     ldrd    r5, r6, [r9, #SMALL_END]
+    add     r8, r8, #1
     cmp     r8, r5
     beq     .Lsmall_rows_done
-    add     r8, r8, #1
-    add     r12, r12, r6
+    add     r12, r12, r6, lsl #1
     ldm     r9, {r1, r2, r4-r7}
     add     r1, r1, r5
     add     r2, r2, r6
@@ -190,8 +207,9 @@
     b       .Lsmall_row
 
 .Lsmall_rows_done:
-    ldrd    r5, lr, [r3, #SMOOTH_OUTLINE_CELLS + 4]
-    adds    r3, r3, #SMOOTH_OUTLINE_ALONG
+    ldr     lr, [r3]
+    ldr     r5, [r3, #SMOOTH_OUTLINE_PIXELS - SMOOTH_OUTLINE_CODE_ALONG]
+    adds    r3, r3, #SMOOTH_OUTLINE_LIGHT_ALONG - SMOOTH_OUTLINE_CODE_ALONG
     ldm     r3, {r7-r12}            /* along, by, mixture */
 .Lsmall_span:
     pop     {r2, r3, r4, r6}
@@ -209,6 +227,7 @@
 
 .Lsmall_held:
     mov     sp, r9
+    subs    r3, r3, #SMOOTH_OUTLINE_CODE_ALONG
 .Lsmall_not:
     add     r4, sp, #SMALL_SURVEY
     ldm     r4, {r0-r2, r6-r9}
@@ -228,12 +247,12 @@
 .Lempty:
     step_edges
     ldr     r1, [sp, #FRAME_OUTLINE]
-    ldrd    r0, r2, [r1, #SMOOTH_OUTLINE_CODE]
-    ldrd    r3, lr, [r1, #SMOOTH_OUTLINE_DOWN]
+    ldrd    r0, r2, [r1]
+    ldrd    r3, lr, [r1, #SMOOTH_OUTLINE_LIGHT_DOWN - ROW_WORDS]
     add     r0, r0, r2
     add     lr, lr, r3
-    str     r0, [r1, #SMOOTH_OUTLINE_CODE]
-    str     lr, [r1, #SMOOTH_OUTLINE_LIGHT]
+    str     r0, [r1]
+    str     lr, [r1, #SMOOTH_OUTLINE_LIGHT - ROW_WORDS]
     b       .Lnext_row
 
 .Lrow_done:
@@ -253,14 +272,14 @@
     ldm     r1, {r3-r12}            /* code, its change, that of light, light, along, by, mixture */
 #else
     ldm     r1, {r3-r8}
-    ldr     r9, [r1, #SMOOTH_OUTLINE_LAST]
+    ldr     r9, [r1, #SMOOTH_OUTLINE_LAST - ROW_WORDS]
 #endif
     add     r3, r3, r4
     add     r6, r6, r5
-    str     r3, [r1, #SMOOTH_OUTLINE_CODE]
-    str     r6, [r1, #SMOOTH_OUTLINE_LIGHT]
-    ldrd    r4, r5, [r1, #SMOOTH_OUTLINE_CELLS]
-    ldrd    lr, r1, [r1, #SMOOTH_OUTLINE_CODE_ALONG]
+    str     r3, [r1]
+    str     r6, [r1, #SMOOTH_OUTLINE_LIGHT - ROW_WORDS]
+    ldrd    r4, r5, [r1, #SMOOTH_OUTLINE_CELLS - ROW_WORDS]
+    ldrd    r1, lr, [r1, #SMOOTH_OUTLINE_LIMIT - ROW_WORDS]
     mla     r3, lr, r2, r3
     add     r4, r4, r2, lsl #1
     mla     r6, r7, r2, r6
@@ -287,7 +306,7 @@
 .Lpixel_held:
     test_bent_pixel _held
     ldr     r1, [sp, #OUTLINE_OF_ROW]
-    ldr     r1, [r1, #SMOOTH_OUTLINE_LAST]
+    ldr     r1, [r1, #SMOOTH_OUTLINE_LAST - ROW_WORDS]
     bic     r0, r6, r6, asr #31
     cmp     r0, r1
     it      gt

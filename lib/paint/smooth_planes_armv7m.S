@@ -255,10 +255,8 @@
     .endif
     .ifc    \kind, _light
     ldr     r7, [sp, #WORDS]
-    ldr     r12, [sp, #CROSSED]
-    orr     r12, r12, #1 << 31      /* FXL_DEPTH_IS_LINEAR, or FXL_DEPTH_IS_BENT and the octave */
-    strd    r0, r5, [r7, #SMOOTH_WORDS_CODE]
-    strd    r2, r12, [r7, #SMOOTH_WORDS_CODE + 8]
+    strd    r2, r0, [r7]
+    str     r5, [r7, #8]
     find_light
     .endif
 .Lreturn\kind:

@@ -99,8 +99,10 @@
 .Lbalanced_light:
     words_of_values 8, .Lrefused_light
     ldr     r5, [sp, #WORDS]
-    stm     r5, {r0, r4, r12}
-    movs    r0, #1
+    strd    r12, r0, [r5, #SMOOTH_WORDS_LIGHT_DOWN]
+    ldr     r0, [sp, #CROSSED]
+    str     r4, [r5, #SMOOTH_WORDS_LIGHT_DOWN + 8]
+    orr     r0, r0, #1 << 31        /* FXL_DEPTH_IS_LINEAR, or FXL_DEPTH_IS_BENT and the octave */
     .endm
 
 /* Light at corner 0 gets the mean of the error, as mean_of_error finds it. r12:r7: the product. */
