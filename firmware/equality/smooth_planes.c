@@ -167,7 +167,8 @@ void test_colour_planes(uint32_t rounds)
         any_corners(&lens, &corners);
         any_colours(&values);
         again = values;
-        const bool found = fxl_find_colour_planes(&corners, &lens, &values, &by_core);
+        const fxl_words_lens words_lens = fxl_words_lens_of(&lens);
+        const bool found = fxl_find_colour_planes(&corners, &words_lens, &values, &by_core);
         const bool expected =
             corners.width <= FXL_WORDS_SIDE_MAX && corners.height <= FXL_WORDS_SIDE_MAX &&
             fxl_corner_planes_begin(&corners, &lens, FXL_COLOURS_SIDE_MAX, &planes) &&

@@ -196,17 +196,6 @@ AT(fxl_screen_corners, is_triangle, SCREEN_CORNERS_IS_TRIANGLE);
 AT(fxl_lens, near_z, LENS_NEAR_Z);
 AT(fxl_lens, far_z, LENS_NEAR_Z + 4);
 
-AT(fxl_gradient, at, GRADIENT_AT);
-AT(fxl_gradient, along, GRADIENT_ALONG);
-AT(fxl_gradient, down, GRADIENT_DOWN);
-SIZE(fxl_gradient, GRADIENT_SIZE);
-
-AT(fxl_gradients, weight, 0);
-AT(fxl_gradients, attributes, GRADIENTS_ATTRIBUTES);
-AT(fxl_gradients, shifts, GRADIENTS_SHIFTS);
-AT(fxl_gradients, count, GRADIENTS_COUNT);
-AT(fxl_gradients, weight_min, GRADIENTS_WEIGHT_MIN);
-
 AT(fxl_depth_plane, one, DEPTH_PLANE_ONE);
 
 AT(fxl_depth_outline, plane.gradient.at, DEPTH_OUTLINE_VALUE);
@@ -266,6 +255,9 @@ AT(fxl_lit_run, mixture.green_step, LIT_RUN_PALETTE + 20);
 
 AT(fxl_colour_values, limit, COLOUR_VALUES_LIMIT);
 #endif
+
+AT(fxl_words_lens, near_z, 0);
+AT(fxl_words_lens, octaves, WORDS_LENS_OCTAVES);
 
 AT(fxl_smooth_words, code_down, 8);
 AT(fxl_smooth_words, light_down, SMOOTH_WORDS_LIGHT_DOWN);

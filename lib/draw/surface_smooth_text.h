@@ -130,7 +130,8 @@ static inline __attribute__((always_inline)) fxl_depth_drawn
 draw_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
                  const fxl_corner *const of[3], const fxl_screen_corners *corners,
                  const fxl_model_view *model_view, const fxl_screen_point *points, uint32_t count,
-                 const fxl_traversal *traversal, fxl_colour_outline *outline)
+                 const fxl_traversal *traversal, const fxl_words_lens *words_lens,
+                 fxl_colour_outline *outline)
 {
     fxl_workspace *workspace = traversal->workspace;
     const fxl_lens *lens = &model_view->view->lens;
@@ -146,7 +147,7 @@ draw_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
                        ? FXL_BEND_ANY
                    : surface->division == FXL_DIVIDE_8 ? FXL_BEND_FINE
                                                        : FXL_BEND_NONE;
-    if (!fxl_find_colour_planes(corners, lens, &values, outline)) {
+    if (!fxl_find_colour_planes(corners, words_lens, &values, outline)) {
         return FXL_DEPTH_NOT_DRAWN;
     }
     return draw_colours(workspace, outline, points, count, traversal->band);
@@ -172,6 +173,7 @@ typedef struct {
     uint32_t number; /* of the surface */
     inside_result result; /* of the face that was not drawn */
     int32_t colour; /* of faces of one colour: that of the face before; below 0: there is none */
+    fxl_words_lens lens;
     union {
         fxl_smooth_outline smooth;
         fxl_colour_outline colours;
@@ -234,7 +236,7 @@ draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
     surfaces->light_code->light_corners(surfaces, traversal->renderer, model_view->instance, of,
                                         light);
     const int32_t one =
-        fxl_find_smooth_words(corners, &model_view->view->lens, light, &smooth->words);
+        fxl_find_smooth_words(corners, &run->lens, light, &smooth->words);
     if (one == 0) {
         return FXL_DEPTH_NOT_DRAWN;
     }
@@ -278,7 +280,7 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                                    &run->outline.texels);
     } else if (run->surface->flags & FXL_SURFACE_COLOURS) {
         drawn = draw_colour_face(surfaces, run->surface, of, &corners, model_view, corners.points,
-                                 3, traversal, &run->outline.colours);
+                                 3, traversal, &run->lens, &run->outline.colours);
     } else
 #endif
     {

@@ -260,6 +260,7 @@ static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *
         return false;
     }
     run.drawn = run.without_rows = 0;
+    run.lens = fxl_words_lens_of(&model_view->view->lens);
     begin_run(surfaces, set->faces[first - 1].surface, traversal, &run);
     if (run.corners == NULL) {
         return false;

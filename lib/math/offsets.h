@@ -195,18 +195,6 @@
 /* fxl_lens */
 #define LENS_NEAR_Z 8 /* then far_z */
 
-/* fxl_gradient */
-#define GRADIENT_AT    0
-#define GRADIENT_ALONG 8
-#define GRADIENT_DOWN  16
-#define GRADIENT_SIZE  24
-
-/* fxl_gradients: first the weight */
-#define GRADIENTS_ATTRIBUTES 24
-#define GRADIENTS_SHIFTS     96
-#define GRADIENTS_COUNT      99
-#define GRADIENTS_WEIGHT_MIN 120
-
 /* fxl_lit_run: its numbers come first */
 #define LIT_RUN_STEPS        32
 #define LIT_RUN_FROM         64
@@ -264,6 +252,8 @@
 #define SMOOTH_OUTLINE_BORDER      60
 
 #define SMOOTH_WORDS_LIGHT_DOWN 12
+
+#define WORDS_LENS_OCTAVES 4 /* near_z is the first */
 
 #define COLOUR_OUTLINE_CODE       0
 #define COLOUR_OUTLINE_CODE_DOWN  4

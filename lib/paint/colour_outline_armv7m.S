@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_draw_colour_outline for Armv7-M and Armv8-M Mainline. It finds the rows of an outline first, and then fills
  * them, so that neither keeps what the other has in registers. A row takes 11 instructions where it is
- * found and 21 before its pixels, a visible pixel 15, and a hidden one 8. */
+ * found and 18 before its pixels, a visible pixel 15, and a hidden one 8. */
 #include "../math/family.h"
 
 #if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT

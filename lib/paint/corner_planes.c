@@ -318,7 +318,8 @@ bool fxl_find_smooth_planes(const fxl_screen_corners *corners, const fxl_lens *l
 {
     static const fxl_gradient constant = {FXL_CONSTANT_WEIGHT, 0, 0};
     fxl_smooth_words words;
-    const int32_t one = fxl_find_smooth_words(corners, lens, light, &words);
+    const fxl_words_lens words_lens = fxl_words_lens_of(lens);
+    const int32_t one = fxl_find_smooth_words(corners, &words_lens, light, &words);
     if (one == 0) {
         return false;
     }

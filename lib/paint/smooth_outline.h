@@ -43,9 +43,23 @@ typedef struct {
 
 #if FXL_DRAWS_SMOOTH_OUTLINES
 
+/* What words of depth depend on beside the corners. octaves: 0 where the lens has a single one, and codes
+ * of 15 bits. */
+typedef struct {
+    int32_t near_z;
+    uint32_t octaves;
+} fxl_words_lens;
+
+static inline fxl_words_lens fxl_words_lens_of(const fxl_lens *lens)
+{
+    const uint32_t octaves = fxl_depth_scale_of(lens).octaves;
+    const fxl_words_lens of = {lens->near_z, octaves == 1 ? 0 : octaves};
+    return of;
+}
+
 /* Those that fxl_find_smooth_planes finds. Returns fxl_depth_plane.one; 0 where it finds none: *words is
  * undefined then. */
-int32_t fxl_find_smooth_words(const fxl_screen_corners *corners, const fxl_lens *lens,
+int32_t fxl_find_smooth_words(const fxl_screen_corners *corners, const fxl_words_lens *lens,
                               const int32_t light[3], fxl_smooth_words *words);
 
 /* Draws an outline of count points. Requires fxl_smooth_outline_begin and what fxl_scan_begin
@@ -163,7 +177,7 @@ typedef struct {
  * fxl_corner_planes_depth_words, fxl_colour_outline_of_words and fxl_colour_outline_of_plane at once, of
  * a face with sides up to FXL_WORDS_SIDE_MAX. Returns false where one of the first three does: what
  * they set of *outline is undefined then. *values is always. */
-bool fxl_find_colour_planes(const fxl_screen_corners *corners, const fxl_lens *lens,
+bool fxl_find_colour_planes(const fxl_screen_corners *corners, const fxl_words_lens *lens,
                             fxl_colour_values *values, fxl_colour_outline *outline);
 
 /* Draws an outline of count points, as fxl_draw_smooth_outline_16 does. Writes what

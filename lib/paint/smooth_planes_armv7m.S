@@ -30,8 +30,25 @@
 #include "smooth_words_armv7m.h"
 #include "colour_channels_armv7m.h"
 
+/* The octaves of the lens r1, in r1. Goes to .Lrefused_texels where it has one: codes have 15 bits. */
+    .macro octaves_of_lens
+    ldrd    r5, r7, [r1, #LENS_NEAR_Z]
+    add     r7, r7, r7, lsr #8
+    add     r7, r7, #1
+    clz     r1, r5
+    clz     r2, r7
+    sub     r1, r1, r2
+    lsl     r5, r5, r1
+    cmp     r5, r7
+    it      lo
+    addlo   r1, r1, #1
+    cmp     r1, #1
+    bls     .Lrefused_texels
+    .endm
+
 /* The planes of a face; kind: _light, _colours or _texels; range: the longest side less the least; thin:
- * 0: it may be neither thin nor steep. r0: corners, r1: lens, r2: light or values, r3: words, of
+ * 0: it may be neither thin nor steep. r0: corners, r1: lens, of texels fxl_lens, of
+ * others fxl_words_lens, r2: light or values, r3: words, of
  * colours outline; of texels on the stack: count, is_affine. */
     .macro find_planes kind, range, thin
     push    {r0-r11, lr}
@@ -134,7 +151,11 @@
     lsr     r6, r6, #1
     lsr     r12, r12, #1
     ldr     r7, [sp, #LENS]
+    .ifc    \kind, _texels
     ldr     r7, [r7, #LENS_NEAR_Z]
+    .else
+    ldr     r7, [r7]
+    .endif
     clz     lr, r7
     lsl     r7, r7, lr
     sub     r0, lr, r0
@@ -168,19 +189,12 @@
     addeq   r7, r0, #1
     movne   r7, #0
     str     r7, [sp, #CROSSED]
-    ldr     r7, [sp, #LENS]
-    ldrd    r5, r7, [r7, #LENS_NEAR_Z]
-    add     r7, r7, r7, lsr #8
-    add     r7, r7, #1
-    clz     r1, r5
-    clz     r2, r7
-    sub     r1, r1, r2
-    lsl     r5, r5, r1
-    cmp     r5, r7
-    it      lo
-    addlo   r1, r1, #1
-    cmp     r1, #1                  /* a single octave: codes of 15 bits */
-    bls     .Lrefused\kind
+    ldr     r1, [sp, #LENS]
+    .ifc    \kind, _texels
+    octaves_of_lens
+    .else
+    ldr     r1, [r1, #WORDS_LENS_OCTAVES]
+    .endif
     cmp     r0, r1
     bhs     .Lrefused\kind
     ldr     r2, [sp, #CROSSED]
