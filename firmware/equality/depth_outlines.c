@@ -7,6 +7,7 @@
 
 #include <string.h>
 
+#include "clip/clip_by_view.h"
 #include "equality.h"
 #include "paint/depth_rows.h"
 #include "paint/smooth_outline.h"
@@ -174,6 +175,62 @@ static bool draw_by_kernel(const polygon *of, const fxl_band *band)
 
 #if FXL_DRAWS_SMOOTH_OUTLINES
 
+/* A triangle of a model view, whose vertices are projected. */
+static struct {
+    fxl_view view;
+    fxl_cached_vertex entries[4];
+    fxl_model_view model_view;
+    fxl_face face;
+} drawn_face;
+
+static int32_t any_tilt(void)
+{
+    return (int32_t)any_32() >> (3u + (any_32() >> 9 & 15u));
+}
+
+/* Of the points, with a plane before the eye. */
+static void any_face(const fxl_band *band, polygon *of)
+{
+    fxl_view *view = &drawn_face.view;
+    const int32_t near_z = (int32_t)(1024u + (any_32() >> 8 >> (any_32() >> 9 & 7u)));
+    const int64_t z = ((int64_t)near_z << 30) * (int32_t)(1u + (any_32() >> 9) % 64u);
+    const uint32_t tag = any_32() | 1u << 31;
+    const fxl_direction normal = {any_tilt(), any_tilt(), 900000000};
+    view->lens.near_z = near_z;
+    view->projection.factor = 4u * ((20u + (any_32() >> 9) % 400u) << 16);
+    view->projection.centre_x = (int32_t)(band->width << 15);
+    view->projection.centre_y = (int32_t)(band->first_row + band->rows) << 15;
+    for (uint32_t i = 0; i < 3; i++) {
+        fxl_screen_point *point = &of->points[i];
+        point->y = point->y < 0 ? 0 : point->y;
+        drawn_face.entries[i] = (fxl_cached_vertex){
+            .tag = tag + i, .clip_flags = fxl_vertex_place_flags(point), .screen = *point};
+        drawn_face.face.indices[i] = (uint16_t)i;
+    }
+    drawn_face.entries[0].position =
+        (fxl_view_point){z >> (any_32() >> 9 & 7u), -(z >> (any_32() >> 9 & 7u)), z};
+    drawn_face.face.normal = normal;
+    drawn_face.face.count = 3;
+    drawn_face.model_view =
+        (fxl_model_view){.view = view, .entries = drawn_face.entries, .mask = 3, .tag = tag};
+    portable_find_depth_plane(&normal, NULL, &drawn_face.entries[0].position, view, &of->plane);
+}
+
+/* Draws nothing where the triangle covers no row or column, or is not the kernel's. */
+static bool draw_face(const polygon *of, const fxl_band *band)
+{
+    static fxl_screen_polygon screen;
+    fxl_depth_outline outline;
+    (void)of;
+    if (!fxl_depth_outline_can_draw(&by_core.head, band, 2)) {
+        return false;
+    }
+    fxl_depth_outline_of_band(&by_core.head, band, 2, &outline);
+    outline.filling = COLOUR * 65537u;
+    return fxl_draw_depth_face_16(&drawn_face.model_view, &drawn_face.face, &outline, band,
+                                  &screen) != FXL_DEPTH_FACE_IS_OTHER;
+}
+
 /* Paints the runs of a list, and empties it. *row: that of the run before. */
 static void paint_list(const polygon *of, const fxl_band *band, uint32_t *list,
                        fxl_depth_rows *rows, row_of_pixels *row)
@@ -250,7 +307,8 @@ enum {
     SMOOTH,
     COLOURED,
     TEXTURED,
-    BLENDED
+    BLENDED,
+    FROM_VERTICES
 };
 
 static void compare(bool (*draw)(const polygon *of, const fxl_band *band), uint32_t kind)
@@ -270,10 +328,11 @@ static void compare(bool (*draw)(const polygon *of, const fxl_band *band), uint3
                    left = (any_32() >> 9) % (width - narrow + 1);
     of.count = (any_32() & 1u) != 0 ? 3u : 3u + (any_32() >> 11 & 3u);
     of.pixel_bits = 8u + (any_32() >> 9 & 8u);
+    of.count = kind == FROM_VERTICES ? 3u : of.count;
     of.is_smooth = kind == SMOOTH;
     of.has_colours = kind == COLOURED;
     of.has_texels = kind == TEXTURED;
-    of.pixel_bits = of.has_colours || of.has_texels ? 16u : of.pixel_bits;
+    of.pixel_bits = of.has_colours || of.has_texels || kind == FROM_VERTICES ? 16u : of.pixel_bits;
     for (uint32_t i = 0; i < of.count; i++) {
         of.points[i].x = (int32_t)(left << 16) + any_place(narrow);
         of.points[i].y = top + any_place(height);
@@ -289,6 +348,11 @@ static void compare(bool (*draw)(const polygon *of, const fxl_band *band), uint3
     if (of.is_smooth || of.has_colours || of.has_texels) {
         any_linear_plane(&band, &of.plane);
     }
+#if FXL_DRAWS_SMOOTH_OUTLINES
+    if (kind == FROM_VERTICES) {
+        any_face(&band, &of);
+    }
+#endif
     any_cells(&band, &of.plane);
     if (of.is_smooth) {
         any_light(&band, &of);
@@ -318,6 +382,13 @@ static void fill_ramp(void)
 {
     for (uint32_t i = 0; i < sizeof ramp; i++) {
         ramp[i] = (uint8_t)(any_32() >> 9);
+    }
+}
+
+void test_depth_faces(uint32_t rounds)
+{
+    for (uint32_t i = 0; i < rounds; i++) {
+        compare(draw_face, FROM_VERTICES);
     }
 }
 

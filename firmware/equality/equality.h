@@ -53,6 +53,7 @@ extern const equality_test equality_tests[];
     TEST("depth-planes", test_depth_planes, LARGE)              \
     TEST("depth-rows", test_depth_rows, LARGE)                  \
     TEST("depth-outlines", test_depth_outlines, OUTLINES)       \
+    TEST("depth-faces", test_depth_faces, SMOOTH)               \
     TEST("smooth-outlines", test_smooth_outlines, SMOOTH)       \
     TEST("colour-outlines", test_colour_outlines, SMOOTH)       \
     TEST("texel-outlines", test_texel_outlines, SMOOTH)         \

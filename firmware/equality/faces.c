@@ -234,9 +234,60 @@ static void compare_inside(const fxl_face *face)
                   memcmp(by_core.entries, by_portable.entries, sizeof by_core.entries) == 0);
 }
 
+/* A triangle that is drawn from its vertices, below the band: so only its points, its plane and the entries
+ * are found. */
+static void compare_drawn(const fxl_face *face)
+{
+    static fxl_depth_head head[2];
+    static fxl_screen_polygon screen;
+    static const fxl_band below = {.width = 2000, .first_row = 3000, .rows = 1};
+    fxl_depth_outline outline;
+    fxl_depth_plane plane;
+    fxl_face drawn = *face;
+    if (face->count != 3) {
+        return;
+    }
+    drawn.normal = any_normal();
+    head[0].scale = (fxl_depth_scale){(uint8_t)(1u + (any_32() >> 9) % 24u), 11};
+    outline.cells = (uint16_t *)(void *)&head[1];
+    const fxl_depth_face core =
+        fxl_draw_depth_face_16(&by_core.placed, &drawn, &outline, &below, &screen);
+    const fxl_clip_result portable =
+        portable_clip_by_view(&by_portable.placed, &drawn, &by_portable.work, &by_portable.screen);
+    const bool is_inside = portable == FXL_CLIP_INSIDE;
+    bool has_plane = false;
+    if (is_inside) {
+        const uint32_t number = face->indices[0];
+        const fxl_cached_vertex *entry = &by_portable.entries[number & by_portable.placed.mask];
+        if (entry->tag == by_portable.placed.tag + number) {
+            portable_find_depth_plane(&drawn.normal, by_portable.placed.axes, &entry->position,
+                                      by_portable.placed.view, &plane);
+            has_plane = plane.one >= 32 + head[0].scale.octaves;
+        }
+    }
+    if (core == FXL_DEPTH_FACE_IS_OTHER) {
+        equality_case(portable != FXL_CLIP_BETWEEN && !has_plane);
+        (void)fxl_clip_by_view(&by_core.placed, &drawn, &by_core.work, &by_core.screen);
+    } else {
+        equality_case(
+            core == FXL_DEPTH_FACE_IS_BETWEEN
+                ? portable == FXL_CLIP_BETWEEN
+                : core == FXL_DEPTH_FACE_HAS_NO_ROW && has_plane &&
+                      memcmp(&plane.gradient, &outline.plane.gradient, sizeof plane.gradient) == 0);
+        equality_case(
+            memcmp(screen.points, by_portable.screen.points, 3 * sizeof screen.points[0]) == 0);
+    }
+    equality_case(memcmp(by_core.entries, by_portable.entries, sizeof by_core.entries) == 0);
+}
+
 #else
 
 static void compare_inside(const fxl_face *face)
+{
+    (void)face;
+}
+
+static void compare_drawn(const fxl_face *face)
 {
     (void)face;
 }
@@ -267,8 +318,8 @@ static void compare_walk(const fxl_face *face)
         same = same && found == portable_next_front_face(&by_portable.placed, &portable) &&
                core.left == portable.left && core.outside == portable.outside;
     } while (found != NULL && same);
-    equality_case(
-        same && memcmp(by_core.entries, by_portable.entries, sizeof by_core.entries) == 0);
+    equality_case(same &&
+                  memcmp(by_core.entries, by_portable.entries, sizeof by_core.entries) == 0);
 }
 
 #else
@@ -301,6 +352,9 @@ void test_clip_by_view(uint32_t rounds)
                 fxl_face_take_indices(&face, corners, first);
                 if ((any_32() & 512u) != 0) {
                     compare_inside(&face);
+                }
+                if ((any_32() & 512u) != 0) {
+                    compare_drawn(&face);
                 }
                 compare(&face);
                 compare_walk(&face);

@@ -330,7 +330,7 @@ def test_the_command(tmp_path):
 
 
 @pytest.mark.parametrize("workload, kernels", [("vcold", {"fxl_draw_colour_outline": 1000}), ("head", {"fxl_draw_smooth_outline_16": 60}),
-                                               ("c500-depth", {"fxl_draw_depth_outline_16": 400})])
+                                               ("c500-depth", {"fxl_draw_depth_face_16": 400})])
 def test_the_kernel_of_a_scene_draws_its_faces(tmp_path, workload, kernels):
     """Where a face takes another way its pixels are the same, so no other test sees that a kernel is not called: so often a frame at least."""
     plan = bench_plan.Plan(CHECKOUT / "build")

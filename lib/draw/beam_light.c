@@ -37,7 +37,7 @@ static uint32_t table_bytes(uint32_t corners, uint32_t pieces)
            rounded_up(FXL_POLYGON_CAPACITY * sizeof(fxl_point));
 }
 
-uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_count)
+FXL_COLD uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_count)
 {
     if (beams == NULL || beam_count < 1 || beam_count > FXL_BEAMS_MAX ||
         !fxl_beams_fit(beams, beam_count, 3)) {
@@ -163,8 +163,8 @@ static fxl_status check(const fxl_scene *scene, const fxl_beam *beams, uint32_t 
     return FXL_OK;
 }
 
-fxl_status fxl_attach_beams(fxl_renderer *renderer, const fxl_beam_set *set, void *memory,
-                            uint32_t size)
+FXL_COLD fxl_status fxl_attach_beams(fxl_renderer *renderer, const fxl_beam_set *set, void *memory,
+                                     uint32_t size)
 {
     fxl_shader *shader = NULL;
     if (renderer == NULL) {

@@ -33,16 +33,25 @@ void fxl_renderer_attach(fxl_renderer *renderer, uint32_t rank, fxl_shader *shad
 /* place pixel-format: what cannot be drawn together */
 /* The first that a renderer has is named. */
 static const fxl_conflict conflicts[] = {
-    {FXL_HAS_TREE, FXL_HAS_DEPTH},       {FXL_HAS_STUDY, FXL_HAS_SURFACES},
-    {FXL_HAS_STUDY, FXL_HAS_BILLBOARDS}, {FXL_HAS_STUDY, FXL_HAS_OUTLINES},
-    {FXL_HAS_FLAT_OUTLINES, FXL_HAS_DEPTH}, {FXL_HAS_OUTLINES, FXL_HAS_BEAMS},
-    {FXL_HAS_OUTLINES, FXL_HAS_MOVERS},  {FXL_HAS_TREE, FXL_HAS_LINES},
-    {FXL_HAS_STUDY, FXL_HAS_LINES},      {FXL_HAS_BEAMS, FXL_HAS_LINES},
-    {FXL_HAS_LINES, FXL_HAS_WORLD_CLIPPER}, {FXL_HAS_DEEP_OUTLINES, FXL_HAS_WORLD_CLIPPER},
+    {FXL_HAS_TREE, FXL_HAS_DEPTH},
+    {FXL_HAS_STUDY, FXL_HAS_SURFACES},
+    {FXL_HAS_STUDY, FXL_HAS_BILLBOARDS},
+    {FXL_HAS_STUDY, FXL_HAS_OUTLINES},
+    {FXL_HAS_FLAT_OUTLINES, FXL_HAS_DEPTH},
+    {FXL_HAS_OUTLINES, FXL_HAS_BEAMS},
+    {FXL_HAS_OUTLINES, FXL_HAS_MOVERS},
+    {FXL_HAS_TREE, FXL_HAS_LINES},
+    {FXL_HAS_STUDY, FXL_HAS_LINES},
+    {FXL_HAS_BEAMS, FXL_HAS_LINES},
+    {FXL_HAS_LINES, FXL_HAS_WORLD_CLIPPER},
+    {FXL_HAS_DEEP_OUTLINES, FXL_HAS_WORLD_CLIPPER},
     {FXL_HAS_TEXELS_565, FXL_HAS_BEAMS},
-    {FXL_HAS_COLOURS, FXL_HAS_BEAMS},    {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET},
-    {FXL_HAS_TREE, FXL_HAS_ORTHOGRAPHIC}, 
-    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_HORIZON}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_SPLIT}, {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_OTHER_CLIPPER},
+    {FXL_HAS_COLOURS, FXL_HAS_BEAMS},
+    {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET},
+    {FXL_HAS_TREE, FXL_HAS_ORTHOGRAPHIC},
+    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_HORIZON},
+    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_SPLIT},
+    {FXL_HAS_ORTHOGRAPHIC, FXL_HAS_OTHER_CLIPPER},
 };
 
 /* Whether another instance is on the layer of the tree's, which cuts it. */
@@ -137,7 +146,7 @@ FXL_COLD const fxl_conflict *fxl_find_conflict(const fxl_renderer *renderer)
 /* --- what goes together --------------------------------------------------------------------- */
 
 /* combinations 1.2 */
-fxl_status fxl_check_combination(fxl_renderer *renderer)
+FXL_COLD fxl_status fxl_check_combination(fxl_renderer *renderer)
 {
     fxl_surfaces *surfaces = (fxl_surfaces *)(uintptr_t)fxl_surfaces_of(renderer);
     const fxl_light *light = (const fxl_light *)fxl_find_shader(renderer, FXL_SHADER_LIGHT);

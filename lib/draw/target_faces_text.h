@@ -274,42 +274,87 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face,
 
 #if FXL_WALKS_FACES && FXL_TARGET_DEPTH_BITS == 16
 
-/* Draws the polygon that the clipper has left of a face by the kernel of outlines, of which *outline
- * has what all faces of a band share. As draw_polygon, whose usual case this is. */
-static inline __attribute__((always_inline)) bool
-draw_by_outline(const fxl_model_view *model_view, const fxl_face *face, fxl_workspace *workspace,
-                const fxl_band *band, fxl_depth_outline *outline)
+#if FXL_PIXEL_BITS == 16
+
+/* Draws a face that faces the eye, of which *outline has what all faces of a band share and the
+ * filling: fxl_draw_depth_face_16, and what that does not draw, as draw_face does. Returns false if it has
+ * counted the face. */
+static inline __attribute__((always_inline)) bool draw_walked(const fxl_model_view *model_view,
+                                                              const fxl_face *face,
+                                                              const fxl_traversal *traversal,
+                                                              fxl_depth_outline *outline)
 {
+    fxl_screen_polygon *screen = &traversal->workspace->screen;
+    fxl_depth_face drawn = FXL_DEPTH_FACE_IS_OTHER;
+    if (face->count == 3) {
+        drawn = fxl_draw_depth_face_16(model_view, face, outline, traversal->band, screen);
+        if (drawn == FXL_DEPTH_FACE_IS_DRAWN) {
+            return true;
+        }
+    }
+    if (drawn == FXL_DEPTH_FACE_IS_OTHER) {
+        (void)draw_face(model_view, face, traversal);
+        return false;
+    }
+    if (drawn == FXL_DEPTH_FACE_IS_BETWEEN) {
+        (void)fxl_count_outcome(traversal, (fxl_outcome)1 << FXL_CLIP_BETWEEN, 0);
+        return false;
+    }
+    screen->count = 3;
+    if (!fxl_outline_has_rows(screen, model_view->view->lens.height)) {
+        traversal->counters->drawn++;
+        return false;
+    }
+    return true;
+}
+
+#else
+
+/* The same of all faces, from the clipper. */
+static inline __attribute__((always_inline)) bool draw_walked(const fxl_model_view *model_view,
+                                                              const fxl_face *face,
+                                                              const fxl_traversal *traversal,
+                                                              fxl_depth_outline *outline)
+{
+    fxl_workspace *workspace = traversal->workspace;
     const fxl_screen_polygon *screen = &workspace->screen;
-    const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
+    const fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
+    if (cut > FXL_CLIP_CUT) {
+        (void)fxl_count_outcome(traversal, (fxl_outcome)1 << cut, 0);
+        return false;
+    }
+    traversal->counters->clipped += cut;
     fxl_depth_drawn drawn = FXL_DEPTH_NOT_DRAWN;
     fxl_find_depth_plane(&face->normal, model_view->axes,
                          &fxl_fetch_vertex(model_view, face->indices[0])->position,
                          model_view->view, &outline->plane);
-    const uint8_t colour = face->material;
-    const uint8_t shade = FXL_PIXEL_IS_MIXED ? screen->shade : 0;
-    if (fxl_depth_outline_of_plane(head, outline)) {
-        outline->filling = fxl_filling_word(fxl_filling_of(band, colour, shade, workspace->dark));
-        drawn = FXL_DRAW_DEPTH_OUTLINE(screen->points, screen->count, band, outline);
+    if (fxl_depth_outline_of_plane((const fxl_depth_head *)workspace->target_memory, outline)) {
+        drawn = FXL_DRAW_DEPTH_OUTLINE(screen->points, screen->count, traversal->band, outline);
     }
     if (drawn == FXL_DEPTH_NOT_DRAWN) {
-        paint_by_rows(workspace, &outline->plane, screen->points, screen->count, colour, shade,
-                      band);
+        paint_by_rows(workspace, &outline->plane, screen->points, screen->count, face->material, 0,
+                      traversal->band);
     }
-    return drawn == FXL_DEPTH_DRAWN || fxl_outline_has_rows(screen, model_view->view->lens.height);
+    if (drawn != FXL_DEPTH_DRAWN && !fxl_outline_has_rows(screen, model_view->view->lens.height)) {
+        traversal->counters->drawn++;
+        return false;
+    }
+    return true;
 }
 
-/* fxl_shader_code.faces: straight from the clipper to the kernel of outlines. */
+#endif
+
+/* fxl_shader_code.faces: straight from the vertices, or from the clipper, to the kernels. */
 static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *traversal,
                          fxl_face_walk *walk)
 {
     fxl_workspace *workspace = traversal->workspace;
-    const fxl_clipper *clipper = traversal->clipper;
     const fxl_band *band = traversal->band;
-    uint32_t submitted = 0, others = 0, without_rows = 0;
+    uint32_t submitted = 0, counted = 0;
     fxl_depth_outline outline;
-    if (!traversal->draws_one || !workspace->draws_outlines || !clipper->by_clip_flags ||
-        model_view->view->lens.off_centre != NULL) {
+    if (!traversal->draws_one || !workspace->draws_outlines || !traversal->clipper->by_clip_flags ||
+        model_view->view->lens.off_centre != NULL ||
+        (FXL_PIXEL_IS_MIXED && workspace->screen.shade != 0)) {
         return false;
     }
     const fxl_face *face = walk->next(model_view, walk);
@@ -319,24 +364,15 @@ static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *
                                   FXL_PIXEL_BITS / 8, &outline);
     }
     for (; face != NULL; face = walk->next(model_view, walk)) {
-        const fxl_clip_result cut =
-            clipper->clip(model_view, face, &workspace->work.clip, &workspace->screen);
         submitted++;
-        if (cut != FXL_CLIP_INSIDE) {
-            if (cut != FXL_CLIP_CUT) {
-                others++;
-                (void)fxl_count_outcome(traversal, (fxl_outcome)1 << cut, 0);
-                continue;
-            }
-            traversal->counters->clipped++;
-        }
-        if (!draw_by_outline(model_view, face, workspace, band, &outline)) {
-            without_rows++;
+        outline.filling = fxl_filling_word(fxl_filling_of(band, face->material, 0, 0));
+        if (!draw_walked(model_view, face, traversal, &outline)) {
+            counted++;
         }
     }
     walk->submitted = submitted;
-    traversal->counters->drawn += submitted - others;
-    traversal->counters->spilled += submitted - others - without_rows;
+    traversal->counters->drawn += submitted - counted;
+    traversal->counters->spilled += submitted - counted;
     return true;
 }
 

@@ -234,6 +234,8 @@
 #define DEPTH_ROWS_RESUMED  140
 
 /* fxl_smooth_outline */
+#define DEPTH_HEAD_OCTAVES    0
+#define DEPTH_HEAD_MANTISSA   1
 #define DEPTH_HEAD_CLEAR_FROM 4
 #define DEPTH_HEAD_CLEAR_TO   6
 #define DEPTH_HEAD_SIZE       8
@@ -296,6 +298,8 @@
 #define DEPTH_NOT_DRAWN    0
 #define DEPTH_NO_ROW       2
 #define DEPTH_NOT_CLEAR    3
+#define DEPTH_FACE_IS_OTHER   0
+#define DEPTH_FACE_IS_BETWEEN 3
 #define CLIP_INSIDE        0
 #define CLIP_CUT           1
 #define CLIP_OUTSIDE       2

@@ -62,6 +62,27 @@ fxl_depth_drawn fxl_draw_depth_outline_16(const fxl_screen_point *points, uint32
 
 #endif
 
+/* What became of a triangle. The second and third are those of fxl_depth_drawn. */
+typedef enum {
+    FXL_DEPTH_FACE_IS_OTHER = 0, /* a vertex is outside a plane, out of range or no longer in the
+                                    cache, or the kernel cannot draw the plane or the outline */
+    FXL_DEPTH_FACE_IS_DRAWN = 1,
+    FXL_DEPTH_FACE_HAS_NO_ROW = 2, /* in the band */
+    FXL_DEPTH_FACE_IS_BETWEEN = 3  /* FXL_CLIP_BETWEEN */
+} fxl_depth_face;
+
+#if FXL_DRAWS_SMOOTH_OUTLINES
+
+/* Draws a triangle of a model view in pixels of 16 bits: fxl_clip_by_view, fxl_find_depth_plane, and
+ * fxl_draw_depth_outline_16. Unless it is FXL_DEPTH_FACE_IS_OTHER, screen->points are its. Requires
+ * fxl_depth_outline_of_band, the filling, and what fxl_draw_depth_outline_16 requires of the band.
+ * Changes the rest of *outline. */
+fxl_depth_face fxl_draw_depth_face_16(const fxl_model_view *model_view, const fxl_face *face,
+                                      fxl_depth_outline *outline, const fxl_band *band,
+                                      fxl_screen_polygon *screen);
+
+#endif
+
 /* Whether the kernels can draw there, whatever is drawn: all columns of a band without gaps, whose
  * first pixel is where two can be stored at once. */
 static inline bool fxl_depth_outline_can_draw(const fxl_depth_head *head, const fxl_band *band,

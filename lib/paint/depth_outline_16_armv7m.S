@@ -21,4 +21,8 @@ fxl_draw_depth_outline_16:
 
     .size fxl_draw_depth_outline_16, . - fxl_draw_depth_outline_16
 
+#include "depth_face_armv7m.h"
+
+    .size fxl_draw_depth_face_16, . - fxl_draw_depth_face_16
+
 #endif

@@ -94,6 +94,7 @@
     cmp     r5, #3
     beq     .Ltriangle
 #endif
+.Lsurvey:
     survey
 .Ltwo_chains:
     cmp     r8, #OUTLINE_ROWS_MAX

@@ -86,7 +86,7 @@ static bool is_near(int64_t offset, uint16_t extent, fxl_q16_16 focal)
     return fxl_within(offset, extent * (int64_t)98304) && fxl_within(offset, 4 * (int64_t)focal);
 }
 
-bool fxl_off_centre_is_valid(const fxl_lens *lens)
+FXL_COLD bool fxl_off_centre_is_valid(const fxl_lens *lens)
 {
     return lens->inset == 0 && focal_in_range(lens->focal, lens->width) &&
            is_near(lens->centre_x - lens->width * (int64_t)32768, lens->width, lens->focal) &&
@@ -95,7 +95,8 @@ bool fxl_off_centre_is_valid(const fxl_lens *lens)
 
 /* *lens = *made with the centre (x, y), if that is a valid lens. An orthographic one stays so. */
 /* orthographic 1.2 */
-static fxl_status set_if_valid(const fxl_lens *made, fxl_q16_16 x, fxl_q16_16 y, fxl_lens *lens)
+static FXL_COLD fxl_status set_if_valid(const fxl_lens *made, fxl_q16_16 x, fxl_q16_16 y,
+                                        fxl_lens *lens)
 {
     fxl_lens moved = *made;
     moved.centre_x = x;

@@ -27,14 +27,15 @@ planes      .req lr         /* in the lowest byte */
     strd    r10, \upper, [entry, #CACHED_VERTEX_POSITION + 8 * \number]
     .endm
 
-/* Transforms a vertex. r0: model_view, r1: number, r2: entry. \at is the end of these names. Continues
+/* Transforms a vertex. r0: model_view, r1: number, r2: entry. \quick: 12 instructions less for a vertex
+ * inside, and 7 more for another. \at is the end of these names. Continues
  *
  *   at .Linside     if it is inside all planes; view is the frustum in the view
  *   at .Lwithin     if no vertex is outside a plane; view is the view
  *   at .Ldecided    with its clip flags in r1, if they may be 0
  *   at .Lundecided  if fxl_outcode must find its clip flags
  *   at .Lscaled     if the instance is scaled */
-    .macro  transform at
+    .macro  transform at, quick=1
     push    {r0, r4-r11, lr}
     ldm     r0, {r3-r7}                     /* view, -, -, tag, vertices */
     add     r6, r6, r1
@@ -53,18 +54,42 @@ planes      .req lr         /* in the lowest byte */
     adds    view, view, #VIEW_FRUSTUM
     ldm     view, {r4-r7}
     ldr     r9, [view, #FRUSTUM_INSET_UPPER]
-    subs    r9, r9, #16                     /* distances become 4 larger: 0..7 is undecided */
     smull   r1, r4, r4, r11
     smull   r1, r5, r5, r0
-    sub     r5, r5, r9, asr #2
-    add     r8, r5, r4                      /* left */
-    sub     r11, r5, r4                     /* right */
     smull   r1, r6, r6, r12
     smull   r1, r7, r7, r0
+    .if     \quick
+    adds    r9, r9, #20
+    .else
+    subs    r9, r9, #16
+    .endif
+    sub     r5, r5, r9, asr #2
     sub     r7, r7, r9, asr #2
+    .if     \quick
+
+    /* Most are inside: both distances of a pair are at least the depth's term less the magnitude of the
+     * side's. They are 5 smaller here, not 4 larger. Upper words of z that differ decide. All of these are
+     * negative then. */
+    eor     r8, r4, r4, asr #31
+    eor     r9, r6, r6, asr #31
+    sub     r8, r8, r5
+    sub     r9, r9, r7
+    ldr     r1, [view, #FRUSTUM_NEAR_Z + 4]
+    ldr     r11, [view, #FRUSTUM_FAR_Z + 4]
+    and     r8, r8, r9
+    sub     r1, r1, r0
+    sub     r11, r0, r11
+    and     r8, r8, r1
+    ands    r8, r8, r11
+    bmi     .Linside\at
+
+    adds    r5, r5, #9
+    adds    r7, r7, #9
+    .endif
+    add     r8, r5, r4                      /* left; 4 larger: 0..7 is undecided */
+    sub     r11, r5, r4                     /* right */
     add     r12, r7, r6                     /* bottom */
     sub     r9, r7, r6                      /* top */
-
     cmp     r8, #8
     ittt    hs
     cmphs   r11, #8
@@ -78,12 +103,6 @@ planes      .req lr         /* in the lowest byte */
     sbc     r5, r0, r5
     subs    r6, r6, r10
     sbc     r7, r7, r0
-    orr     r1, r8, r11
-    orr     r1, r1, r12
-    orr     r1, r1, r9
-    orr     r1, r1, r5
-    orrs    r1, r1, r7
-    bpl     .Linside\at
     lsrs    r1, r5, #31                     /* signs, from the lowest bit upward; adding 4
                                                changes no sign that is decided */
     lsrs    r7, r7, #31
@@ -130,7 +149,7 @@ planes      .req lr         /* in the lowest byte */
 /* r0: model_view, r1: number, r2: entry. For fxl_clip_by_view and fxl_next_front_face r1 returns the clip
  * flags, r2 is kept, and r3 returns the model view. */
 fxl_transform_vertex:
-    transform
+    transform , 0
     b       .Ldecided
 .Lwithin:
 .Linside:

@@ -130,7 +130,7 @@ static int64_t sum(const int64_t *factors, const sum_of_products of, unsigned bi
 }
 
 /* SPEC 4.2 */
-fxl_status fxl_camera_from_pose(const fxl_pose *pose, fxl_camera *camera)
+FXL_COLD fxl_status fxl_camera_from_pose(const fxl_pose *pose, fxl_camera *camera)
 {
     if (pose == NULL || camera == NULL) {
         return FXL_E_ARGUMENT;
