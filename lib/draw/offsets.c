@@ -296,7 +296,6 @@ AT(fxl_texel_outline, mixture.red_step, TEXEL_OUTLINE_RED_STEP);
 AT(fxl_texel_outline, mixture.green_dark, TEXEL_OUTLINE_GREEN_DARK);
 AT(fxl_texel_outline, mixture.green_step, TEXEL_OUTLINE_GREEN_STEP);
 AT(fxl_texel_outline, end, TEXEL_OUTLINE_END);
-AT(fxl_texel_outline, rows, TEXEL_OUTLINE_ROWS);
 AT(fxl_texel_outline, resume, TEXEL_OUTLINE_RESUME);
 AT(fxl_texel_outline, rest_resume, TEXEL_OUTLINE_REST_RESUME);
 AT(fxl_texel_outline, rest_code, TEXEL_OUTLINE_REST_RESUME + 4);

@@ -5,6 +5,7 @@
 #define FXL_SURFACE_DEPTH_TEXT_H
 
 #include "../math/memory.h"
+#include "../paint/colour_run.h"
 #include "../paint/depth_rows.h"
 #include "pixel_row.h"
 #include "surface_paint_text.h"
@@ -186,14 +187,9 @@ static inline run_kernel *run_kernel_of(const fxl_paint *paint, const fxl_segmen
 static inline __attribute__((always_inline)) void paint_each_run(const fxl_paint *paint,
                                                                  fxl_plain_runs *runs)
 {
+    int32_t x0, x1;
     for (; runs->next != runs->end; runs->next++) {
-        const uint32_t run = *runs->next;
-        const int32_t x0 = (int32_t)(run & 0xFFFFu), x1 = (int32_t)((run & ~FXL_RUN_BELOW) >> 16);
-        if (run & FXL_RUN_BELOW) {
-            runs->row.pixels += runs->stride;
-            fxl_next_row(paint->gradients, &runs->row);
-        }
-        if (x0 < x1) {
+        if (fxl_take_run(paint->gradients, runs, false, &x0, &x1)) {
             PAINT_PIXELS(paint, &runs->row, x0, x1);
         }
     }
@@ -209,6 +205,10 @@ paint_runs(const fxl_paint *paint, run_kernel *kernel, run_memory *memory, fxl_p
 #if FXL_PIXEL_IS_MIXED
     if (paint->has_colours && paint->opacity == 16 && !fxl_has_colour_words(paint->gradients)) {
         fxl_paint_colour_runs(paint, runs);
+        return;
+    }
+    if (fxl_has_lit_texels(paint)) {
+        fxl_paint_lit_texel_runs(paint, runs);
         return;
     }
 #endif

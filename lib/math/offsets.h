@@ -286,11 +286,10 @@
 #define TEXEL_OUTLINE_GREEN_DARK    88
 #define TEXEL_OUTLINE_GREEN_STEP    92
 #define TEXEL_OUTLINE_END           96
-#define TEXEL_OUTLINE_ROWS          100
-#define TEXEL_OUTLINE_RESUME        104
-#define TEXEL_OUTLINE_REST_RESUME   108
-#define TEXEL_OUTLINE_REST_END      116
-#define TEXEL_OUTLINE_BORDER        120
+#define TEXEL_OUTLINE_RESUME        100
+#define TEXEL_OUTLINE_REST_RESUME   104
+#define TEXEL_OUTLINE_REST_END      112
+#define TEXEL_OUTLINE_BORDER        116
 
 /* FXL_VERTEX_UNPROJECTED, FXL_PLANES_ALL, some of fxl_depth_drawn and of fxl_clip_result */
 #define PLANES_ALL         0x3F

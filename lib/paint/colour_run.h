@@ -8,7 +8,10 @@
 #include "fixel/types.h"
 
 #include "../math/core.h"
+#include "plain_rows.h"
 #include "rgb565_colour.h"
+#include "texel_place.h"
+#include "texture_level.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -56,6 +59,17 @@ typedef struct {
  * Requires 0 <= x0 < x1, and log from 2 to 4. Safe for any other number: no texel is read that is
  * not of the table. */
 int32_t fxl_paint_lit_columns(fxl_lit_run *run, uint16_t *pixels, int32_t x0, int32_t x1);
+
+/* Whether texels are those of paint_repeated, opaque, with light that is an attribute. */
+static inline bool fxl_has_lit_texels(const fxl_paint *paint)
+{
+    return !fxl_is_mixed_565(paint) && paint->of_565.part_of_level != 0 && !paint->is_evenly_lit &&
+           paint->level.texels != NULL && paint->opacity == 16 && paint->level.colours == NULL &&
+           (paint->level.flags & ~FXL_LEVEL_565) == 0;
+}
+
+/* fxl_paint_pixels_565 of all runs of a face with such texels, which finds what they share once. */
+void fxl_paint_lit_texel_runs(const fxl_paint *paint, fxl_plain_runs *runs);
 
 #ifdef __cplusplus
 }

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_paint_colour_run and fxl_paint_lit_columns for Armv7-M and Armv8-M Mainline. A run takes 7
  * instructions a pixel, and 2 for each eight of them; compilers take 9. A lit texel takes 33, of the
- * palette 35, and 4 less if the dark colour is 0; a segment of them takes 95. */
+ * palette 35, and 7 less if the dark colour is 0; a segment of them takes 95. */
 #include "../math/family.h"
+#include "black_texels_armv7m.h"
 
 #if FXL_KERNELS_ARMV7M
 
@@ -96,35 +97,55 @@ fxl_paint_colour_run:
     asr     \value, r5, r6
     .endm
 
-/* The pixels of a segment. r3: the pixel; r4-r6: u, v, where a row of texels is 2^16, and light, r8-r10:
- * their steps; r7: texels, r11, r12: their masks. The colour is in r0, the part in r1. */
-    .macro  paint_lit text, wide, dark
-.Llit\text:
+/* A texel of a segment in r0, and the part of it in r1. r3: the pixel; r4-r6: u, v, where a row of texels is
+ * 2^16, and light; r7: texels, r11, r12: their masks. Overwrites r2. */
+    .macro  find_lit wide
     and     r0, r11, r4, lsr #16
     and     r1, r12, r5, lsr #16
     add     r0, r0, r1
     .if     \wide
     ldrh    r0, [r7, r0, lsl #1]
     .else
-    ldr     lr, [sp, #LIT_PALETTE]
+    ldr     r2, [sp, #LIT_PALETTE]
     ldrb    r0, [r7, r0]
-    ldrh    r0, [lr, r0, lsl #1]
+    ldrh    r0, [r2, r0, lsl #1]
     .endif
-    ldr     lr, [sp, #LIT_PART]
+    ldr     r2, [sp, #LIT_PART]
     lsr     r1, r6, #8
-    mul     r1, r1, lr
+    mul     r1, r1, r2
     add     r1, r1, #32768
     lsr     r1, r1, #16
+    .endm
+
+/* Writes r0, and goes on; r8-r10: steps, lr: the end of the pixels. */
+    .macro  keep_lit text
+    strh    r0, [r3], #2
+    add     r4, r4, r8
+    add     r5, r5, r9
+    add     r6, r6, r10
+    cmp     r3, lr
+    bne     .Llit\text
+    b       .Llit_painted
+    .endm
+
+    .macro  paint_black text, wide
+.Llit\text:
+    find_lit \wide
+    mix_black
+    keep_lit \text
+    .endm
+
+    .macro  paint_lit text, wide
+.Llit\text:
+    find_lit \wide
     and     r2, r0, #0x7E0
     lsr     lr, r0, #11
     and     r0, r0, #31
     orr     r0, r0, lr, lsl #19
-    .if     \dark
     ldr     lr, [sp, #LIT_GREEN_STEP]
     add     r2, r2, lr
     ldr     lr, [sp, #LIT_RED_STEP]
     add     r0, r0, lr
-    .endif
     ldr     lr, [sp, #LIT_GREEN_DARK]
     mla     r2, r2, r1, lr
     ldr     lr, [sp, #LIT_RED_DARK]
@@ -135,13 +156,7 @@ fxl_paint_colour_run:
     lsr     r0, r0, #8
     bfi     r0, r2, #11, #5
     ldr     lr, [sp, #LIT_END]
-    strh    r0, [r3], #2
-    add     r4, r4, r8
-    add     r5, r5, r9
-    add     r6, r6, r10
-    cmp     r3, lr
-    bne     .Llit\text
-    b       .Llit_painted
+    keep_lit \text
     .endm
 
 /* r0: run, r1: pixels, r2: x0, r3: x1 */
@@ -218,6 +233,7 @@ fxl_paint_lit_columns:
     add     r3, r1, r2, lsl #1
     add     r1, r1, r12, lsl #1
     str     r1, [sp, #LIT_END]
+    mov     lr, r1
     ldrd    r11, r12, [r0, #LIT_RUN_MASKS]
     ldrd    r1, r7, [r0, #LIT_RUN_MASKS + 8]
     lsl     r5, r5, r1
@@ -229,13 +245,13 @@ fxl_paint_lit_columns:
     bne     .Llit_dark
     cmp     r0, #0
     beq     .Llit_wide
-    paint_lit _narrow, 0, 0
-    paint_lit _wide, 1, 0
+    paint_black _narrow, 0
+    paint_black _wide, 1
 .Llit_dark:
     cmp     r0, #0
     beq     .Llit_dark_wide
-    paint_lit _dark_narrow, 0, 1
-    paint_lit _dark_wide, 1, 1
+    paint_lit _dark_narrow, 0
+    paint_lit _dark_wide, 1
 
 .Llit_painted:
     add     r0, sp, #LIT_RUN

@@ -6,6 +6,7 @@
 
 #include "colour_run.h"
 #include "light_row.h"
+#include "paint_polygon.h"
 #include "paint_row.h"
 #include "rgb565_colour.h"
 
@@ -55,17 +56,17 @@ static void paint_lights(const fxl_paint *paint, const fxl_paint_row *row, int32
 
 #if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
 
-/* Whether texels are those of paint_repeated, with light that is an attribute. */
-static inline bool has_lit_texels(const fxl_paint *paint)
-{
-    return paint->of_565.part_of_level != 0 && !paint->is_evenly_lit &&
-           paint->level.texels != NULL && paint->opacity == 16 && paint->level.colours == NULL &&
-           (paint->level.flags & ~FXL_LEVEL_565) == 0;
-}
+/* What the runs of a face share. */
+typedef struct {
+    fxl_lit_run run;
+    uint32_t least[3];
+    uint32_t log_of_steps; /* 0: none are found */
+} lit_face;
 
 /* place sampling: the kernel's masks */
-static inline void set_lit_run(const fxl_paint *paint, fxl_lit_run *run)
+static inline void set_lit_face(const fxl_paint *paint, lit_face *face)
 {
+    fxl_lit_run *run = &face->run;
     const fxl_texture_level *level = &paint->level;
     for (uint32_t i = 0; i < FXL_ATTRIBUTES; i++) {
         run->lefts[i] = 30 - paint->gradients->shifts[i];
@@ -80,37 +81,51 @@ static inline void set_lit_run(const fxl_paint *paint, fxl_lit_run *run)
     run->palette = level->flags & FXL_LEVEL_565 ? NULL : paint->of_565.palette;
     run->part_of_level = paint->of_565.part_of_level;
     run->mixture = fxl_mixture_of_565(0, paint->of_565.dark);
+    face->log_of_steps = 0;
+    fxl_find_least_weights(paint->gradients, paint->division, face->least);
+}
+
+/* A number of the row at column `begin`, less a step. */
+static inline int64_t number_before(int64_t first, const fxl_gradient *gradient, int32_t begin,
+                                    int64_t step)
+{
+    const int64_t there = sum_64(first, fxl_multiply_s64_u16(gradient->along, (uint32_t)begin));
+    return fxl_signed_64(fxl_bits_64(there) - fxl_bits_64(step));
 }
 
 /* Segments of 2^log columns, from that of x0 on. The numbers are those of the segment before it. */
 static inline void begin_lit_run(const fxl_paint *paint, const fxl_paint_row *row, uint32_t log,
-                                 int32_t x0, fxl_lit_run *run)
+                                 int32_t x0, lit_face *face)
 {
     const fxl_gradients *gradients = paint->gradients;
+    const fxl_gradient *of = gradients->attributes;
     const int32_t begin = x0 >> log << log;
-    for (uint32_t i = 0; i < 1u + FXL_ATTRIBUTES; i++) {
-        const int64_t first = i == 0 ? row->weight : row->attributes[i - 1];
-        const int64_t along = i == 0 ? gradients->weight.along : gradients->attributes[i - 1].along;
-        const int64_t there = sum_64(first, fxl_multiply_s64_u16(along, (uint32_t)begin));
-        run->steps[i] = shifted_left(along, log);
-        run->numbers[i] = fxl_signed_64(fxl_bits_64(there) - fxl_bits_64(run->steps[i]));
+    fxl_lit_run *run = &face->run;
+    if (log != face->log_of_steps) {
+        run->steps[0] = shifted_left(gradients->weight.along, log);
+        for (uint32_t i = 0; i < FXL_ATTRIBUTES; i++) {
+            run->steps[1 + i] = shifted_left(of[i].along, log);
+        }
+        face->log_of_steps = log;
     }
+    run->numbers[0] = number_before(row->weight, &gradients->weight, begin, run->steps[0]);
+    run->numbers[1] = number_before(row->attributes[0], &of[0], begin, run->steps[1]);
+    run->numbers[2] = number_before(row->attributes[1], &of[1], begin, run->steps[2]);
+    run->numbers[3] = number_before(row->attributes[2], &of[2], begin, run->steps[3]);
     run->log = log;
     run->begin = begin - (1 << log);
 }
 
-/* All of a run, by the kernel but for segments that it does not paint. Not inline: what it has would
- * be on the stack of others. */
+/* All of a run, by the kernel but for segments that it does not paint. */
 /* surfaces 2.2 */
-static __attribute__((noinline)) void
-paint_lit_texels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+static inline void paint_lit_run(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
+                                 int32_t x1, lit_face *face)
 {
-    uint32_t least[3];
+    const uint32_t *least = face->least;
+    fxl_lit_run *run = &face->run;
     divided_column at;
-    fxl_lit_run run;
     at.column = -1;
-    fxl_find_least_weights(paint->gradients, paint->division, least);
-    set_lit_run(paint, &run);
+    run->log = 0;
     while (x0 < x1) {
         const uint32_t first = (uint32_t)x0 & ~15u;
         const uint32_t log = fxl_segment_log(least, weight_after(paint, row, first),
@@ -120,18 +135,42 @@ paint_lit_texels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, i
             end = x1; /* the weight is linear */
         }
         if (log != 0) {
-            if (log != run.log || x0 != run.begin) {
-                begin_lit_run(paint, row, log, x0, &run);
+            if (log != run->log || x0 != run->begin) {
+                begin_lit_run(paint, row, log, x0, face);
             }
-            x0 = fxl_paint_lit_columns(&run, (uint16_t *)(void *)row->pixels, x0, end);
+            x0 = fxl_paint_lit_columns(run, (uint16_t *)(void *)row->pixels, x0, end);
         }
         if (x0 < end) {
             end = smaller((x0 & ~15) + 16, end);
             paint_sixteen(paint, row, least, x0, end, &at);
-            run.log = 0;
+            run->log = 0;
             x0 = end;
         }
     }
+}
+
+void fxl_paint_lit_texel_runs(const fxl_paint *paint, fxl_plain_runs *runs)
+{
+    int32_t x0, x1;
+    lit_face face;
+    set_lit_face(paint, &face);
+    for (; runs->next != runs->end; runs->next++) {
+        if (fxl_take_run(paint->gradients, runs, true, &x0, &x1)) {
+            paint_lit_run(paint, &runs->row, x0, x1, &face);
+        }
+    }
+}
+
+/* One run. Not inline: its list would be on the stack of others. */
+static __attribute__((noinline)) void
+paint_lit_texels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+{
+    const uint32_t run = (uint32_t)x0 | (uint32_t)x1 << 16;
+    fxl_plain_runs runs;
+    runs.row = *row;
+    runs.next = &run;
+    runs.end = &run + 1;
+    fxl_paint_lit_texel_runs(paint, &runs);
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "colour_run.h"
 #include "corner_colours.h"
 #include "depth_rows.h"
+#include "paint_polygon.h"
 #include "rgb565_colour.h"
 #include "texel_place.h"
 
@@ -354,22 +355,12 @@ void fxl_paint_colours_565(const fxl_paint *paint, const fxl_paint_row *row, int
 
 void fxl_paint_colour_runs(const fxl_paint *paint, fxl_plain_runs *runs)
 {
-    fxl_paint_row *row = &runs->row;
+    int32_t x0, x1;
     uint32_t least[3];
     fxl_find_least_weights(paint->gradients, paint->division, least);
     for (; runs->next != runs->end; runs->next++) {
-        const uint32_t run = *runs->next;
-        const int32_t x0 = (int32_t)(run & 0xFFFFu), x1 = (int32_t)((run & ~FXL_RUN_BELOW) >> 16);
-        if (run & FXL_RUN_BELOW) {
-            row->pixels += runs->stride;
-            row->y++;
-            row->weight = sum_64(row->weight, runs->downs[0]);
-            row->attributes[0] = sum_64(row->attributes[0], runs->downs[1]);
-            row->attributes[1] = sum_64(row->attributes[1], runs->downs[2]);
-            row->attributes[2] = sum_64(row->attributes[2], runs->downs[3]);
-        }
-        if (x0 < x1) {
-            paint_divided(paint, row, least, x0, x1);
+        if (fxl_take_run(paint->gradients, runs, true, &x0, &x1)) {
+            paint_divided(paint, &runs->row, least, x0, x1);
         }
     }
 }

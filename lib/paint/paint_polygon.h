@@ -6,6 +6,7 @@
 
 #include "../raster/fill.h"
 #include "../raster/scan.h"
+#include "depth_rows.h"
 #include "plain_rows.h"
 
 /* Paints some of the pixels x0 <= x < x1 of a row; with: the painter's own. */
@@ -28,9 +29,14 @@ FXL_APART void fxl_begin_row(const fxl_gradients *gradients, int32_t y, fxl_pain
 }
 
 /* The row below the last one may be beyond what is bounded: then a sum wraps. */
+static inline void fxl_add_down(int64_t *value, int64_t down)
+{
+    *value = (int64_t)((uint64_t)*value + (uint64_t)down);
+}
+
 static inline void fxl_step_down(int64_t *value, const fxl_gradient *gradient)
 {
-    *value = (int64_t)((uint64_t)*value + (uint64_t)gradient->down);
+    fxl_add_down(value, gradient->down);
 }
 
 static inline void fxl_next_row(const fxl_gradients *gradients, fxl_paint_row *row)
@@ -41,6 +47,36 @@ static inline void fxl_next_row(const fxl_gradients *gradients, fxl_paint_row *r
         fxl_step_down(&row->attributes[i], &gradients->attributes[i]);
     }
 }
+
+#if FXL_HAS_DEPTH_ROWS
+
+/* The next run of a list: its columns, and runs->row is its row. Returns whether it has pixels. is_full:
+ * the face has all attributes, and runs->downs are all set. */
+static inline __attribute__((always_inline)) bool fxl_take_run(const fxl_gradients *gradients,
+                                                               fxl_plain_runs *runs, bool is_full,
+                                                               int32_t *x0, int32_t *x1)
+{
+    const uint32_t run = *runs->next;
+    fxl_paint_row *row = &runs->row;
+    *x0 = (int32_t)(run & 0xFFFFu);
+    *x1 = (int32_t)((run & ~FXL_RUN_BELOW) >> 16);
+    if ((run & FXL_RUN_BELOW) == 0) {
+        return *x0 < *x1;
+    }
+    row->pixels += runs->stride;
+    if (is_full) {
+        row->y++;
+        fxl_add_down(&row->weight, runs->downs[0]);
+        fxl_add_down(&row->attributes[0], runs->downs[1]);
+        fxl_add_down(&row->attributes[1], runs->downs[2]);
+        fxl_add_down(&row->attributes[2], runs->downs[3]);
+    } else {
+        fxl_next_row(gradients, row);
+    }
+    return *x0 < *x1;
+}
+
+#endif
 
 /* A polygon of the screen in a band, whose pixels have so many bytes. segments: what the kernel of
  * segments needs; or null. */

@@ -434,7 +434,7 @@ void fxl_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int3
         paint_mixed(paint, row, x0, x1);
     } else {
 #if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
-        if (has_lit_texels(paint)) {
+        if (fxl_has_lit_texels(paint)) {
             paint_lit_texels(paint, row, x0, x1);
             return;
         }

@@ -327,8 +327,7 @@ int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_lens 
 
 /* What the pixels of a polygon depend on, and what the kernel keeps from row to row. */
 typedef struct {
-    fxl_texel_planes planes; /* once the kernel draws: at: of cell 0 of the band, as if it were in
-                                the row; down: a row of cells less */
+    fxl_texel_planes planes;
     uint16_t *cells;         /* of the band */
     uintptr_t pixels;        /* as of fxl_depth_outline: of the cell after the pixel's */
     const uint8_t *texels;
@@ -337,8 +336,8 @@ typedef struct {
     uint32_t part_of_level;           /* 0: unlit */
     uint32_t kind;                    /* FXL_TEXELS_WIDE, _LIT, _BENT, _BLACK */
     fxl_mixture_565 mixture;          /* of the colour 0 */
-    uint32_t end, rows, resume;       /* the kernel's own */
-    uint32_t rest_resume, rest_code, rest_end; /* also; of the rest of a row */
+    uint32_t end, resume;             /* the kernel's own, as the next three, of the rest of a row */
+    uint32_t rest_resume, rest_code, rest_end;
     uint32_t border;                  /* fxl_depth_border */
     bool or_equal;
 } fxl_texel_outline;
@@ -389,7 +388,7 @@ bool fxl_draw_texels(const fxl_paint *paint, const fxl_depth_plane *depth, const
                      const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                      fxl_scan *scan);
 
-/* The same of an outline with all that it draws, whose planes it changes. */
+/* The same of an outline with all that it draws. */
 bool fxl_draw_texel_words(fxl_texel_outline *outline, const void *memory,
                           const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                           fxl_scan *scan);

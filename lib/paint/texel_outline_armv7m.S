@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_draw_texel_outline for Armv7-M and Armv8-M Mainline. lib/paint/smooth_outline.h states what it
- * requires and does; lib/paint/texel_outline.c paints the same pixels, by paint_any. A row takes 40
- * instructions before its pixels, a visible pixel 21, with light 43, and 39 if the dark colour is 0,
- * and a hidden one 9 or 10. */
+ * requires and does; lib/paint/texel_outline.c paints the same pixels, by paint_any. A triangle takes 110
+ * instructions, and a row 48, before the pixels; a visible pixel 21, with light 38, and 34 if the dark colour
+ * is 0; a hidden one 9 or 10. */
 #include "../math/family.h"
 
 #if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
 
 #include "../math/offsets.h"
-#include "../raster/draw_frame_armv7m.h"
+#include "black_texels_armv7m.h"
 #include "cell_edges_armv7m.h"
 
 /* What pixels depend on, from the member `cells` on, and their change. */
@@ -21,40 +21,6 @@
     .global fxl_draw_texel_outline
     .type fxl_draw_texel_outline, %function
     .thumb_func
-
-/* Where the loops of pixels go on after a row; r3: the outline. Overwrites r4. */
-    .macro resume_at place
-    adr     r4, \place
-    adds    r4, r4, #1              /* Thumb */
-    str     r4, [r3, #TEXEL_OUTLINE_RESUME]
-    .endm
-
-/* At the first row, r6: the words of cell 0 of the band, as if it were in that row, less their change
- * from row to row, which is less a row of cells. r12: the band's first row. */
-    .macro begin_filling
-    ldrh    r10, [r2, #BAND_WIDTH]
-    sub     r11, r6, r12
-    mul     r11, r11, r10           /* the row's first cell */
-    add     lr, r3, #TEXEL_OUTLINE_DOWN
-.Lnext_word:
-    ldr     r8, [r3, #TEXEL_OUTLINE_ALONG]
-    ldr     r5, [r3, #TEXEL_OUTLINE_DOWN]
-    ldr     r4, [r3]
-    mla     r4, r5, r6, r4
-    mls     r4, r8, r11, r4
-    mls     r5, r8, r10, r5
-    sub     r4, r4, r5
-    str     r5, [r3, #TEXEL_OUTLINE_DOWN]
-    str     r4, [r3], #4
-    cmp     r3, lr
-    bne     .Lnext_word
-    sub     r3, r3, #TEXEL_OUTLINE_DOWN
-    resume_at .Lpixels_done
-    .endm
-
-    .macro  fill_rows
-    b       .Lrow
-    .endm
 
 /* The pixel is tested. r3: the code, r11: the cell, which becomes the next one. */
     .macro  test_pixel text
@@ -113,7 +79,6 @@
     .endif
     ldr     r1, [lr, #OF(PART_OF_LEVEL)]
     umull   r2, r1, r6, r1
-    and     r2, r0, #0x7E0
     .endm
 
 /* On to the next one. */
@@ -130,6 +95,7 @@
     str     r12, [lr, #OF(END)]
 .Lpixel\text:
     find_lit_texel \text, \wide
+    and     r2, r0, #0x7E0
     lsr     r12, r0, #11
     and     r0, r0, #31
     orr     r0, r0, r12, lsl #19
@@ -152,109 +118,165 @@
     next_lit_pixel \text
     .endm
 
-/* The same where the dark colour is 0: halves of a part are all that is added, and red is from bit 16 on. */
+/* The same where the dark colour is 0. */
     .macro  paint_black_row text, wide
 .Lpixel\text:
     find_lit_texel \text, \wide
-    orr     r0, r0, r0, lsl #5
-    bfc     r0, #5, #11
-    mul     r2, r2, r1
-    mul     r0, r0, r1
-    add     r2, r2, #1 << 12
-    add     r0, r0, #0x00800080
-    lsr     r2, r2, #13
-    lsr     r1, r0, #24
-    orr     r2, r2, r1, lsl #6
-    lsr     r0, r0, #8
-    bfi     r0, r2, #5, #11
+    mix_black
     ldr     r1, [lr, #OF(PIXELS)]
     strh    r0, [r11, r1]
     next_lit_pixel \text
     .endm
 
-/* Triangles with so many rows at most: their rows are found by edge functions. */
-#define SMALL_ROWS 32
+/* Triangles with so many rows at most. */
+#define ROWS_MAX 64
 
-/* In the stack frame of such a triangle, whose points are taken from the highest one, T, on: T, N, P. r0-r11: the
+/* The stack frame. An outline is drawn as triangles from its first point on. The points of each are taken from the
+ * highest one, T, on: T, N, P. r0-r11, from 0 on, are the
  * changes of the edge functions from column to column and row to row, their values in column
- * SMALL_COLUMN - 1 of a row, the outline, the row and its first cell:
+ * FRAME_COLUMN - 1 of a row, the outline, the row and its first cell:
  *
  *         column  row  value
  *   T-N   r10     r5   r1
  *   N-P   r11     r6   r2
  *   P-T   r0      r4   r7
  */
-#define SMALL_END    52 /* the last row plus 1; then bytes of a row of cells */
-#define SMALL_COLUMN 60
+#define FRAME_ROW    32
+#define FRAME_FIRST  48 /* the first point */
+#define FRAME_POINT  52 /* the last one of the triangle; then that of the outline */
+#define FRAME_END    60 /* the last row plus 1; then bytes of a row of cells */
+#define FRAME_COLUMN 68
+#define FRAME_BAND   72
+#define FRAME_ANSWER 76
+#define FRAME_SIZE   80
 
-/* r0: points, r1: count, r2: band, r3: outline; returns whether it was drawn. */
+/* r0: points, r1: count, r2: band, r3: outline; returns whether it was drawn. What is drawn twice
+ * stays as it is, so an outline may be left to others after some of its triangles. */
 fxl_draw_texel_outline:
-#include "../raster/outline_armv7m.h"
+    push    {r4-r11, lr}
+    sub     sp, sp, #FRAME_SIZE
+    add     r12, r0, r1, lsl #3
+    sub     r12, r12, #8
+    str     r2, [sp, #FRAME_BAND]
+    str     r0, [sp, #FRAME_FIRST]
+    str     r12, [sp, #FRAME_POINT + 4]
+    movs    r4, #DEPTH_NO_ROW
+    str     r4, [sp, #FRAME_ANSWER]
+    adr     r4, .Lnext_row
+    adds    r4, r4, #1              /* Thumb */
+    str     r4, [r3, #TEXEL_OUTLINE_RESUME]
+    cmp     r1, #3
+    add     r1, r0, #8
+    bne     .Lfan
 
-    /* r0: points, r1: their end, r2: band, r3: outline, r6: first row, r7: last row plus 1, r8: rows, r9: one past
-     * T. Points are taken relative to a centre of the first row that is 64 columns or more left of T and left of
-     * the others: x is below 2^23, y below 2^21.1, so a function is below 2^29.1. */
-.Lsmall:
-    ldr     r12, [r2, #BAND_FIRST_ROW]
-    uxth    lr, r12
-    add     r12, lr, r12, lsr #16
-    cmp     r6, lr
-    it      ge
-    cmpge   r12, r7
-    blt     .Ltwo_chains
-    cmp     r8, #0
-    beq     .Ltwo_chains
-    stm     sp, {r0-r3, r6-r9}
-    ldrh    r4, [r2, #BAND_WIDTH]
-    sub     r5, r6, lr
-    mul     r5, r5, r4
-    ldr     lr, [r3, #TEXEL_OUTLINE_CELLS]
-    add     lr, lr, r5, lsl #1      /* the row's first cell */
-    lsl     r4, r4, #1
-    strd    r7, r4, [sp, #SMALL_END]
+    /* r0: the first point, r1: the second one of the triangle. */
+.Ltriangle:
+    ldrh    lr, [r2, #BAND_WIDTH]
+    movw    r11, #32767
+    ldrd    r4, r5, [r0]
+    ldrd    r6, r7, [r1], #8
+    ldrd    r8, r9, [r1]
+    str     r1, [sp, #FRAME_POINT]
+    add     r1, lr, #1
+    lsl     r1, r1, #16
+    add     r10, r4, r11
+    add     r12, r6, r11
+    add     r0, r8, r11
+    cmp     r10, r1
+    itt     lo
+    cmplo   r12, r1
+    cmplo   r0, r1
+    bhs     .Lnot_drawn             /* beside the band */
+    mov     r12, r5                 /* the greatest y */
+    cmp     r7, r12
+    it      gt
+    movgt   r12, r7
+    cmp     r9, r12
+    it      gt
+    movgt   r12, r9
+    cmp     r5, r7
+    it      le
+    cmple   r5, r9
+    ble     .Lfrom_highest
+    mov     r10, r4
+    mov     r1, r5
+    cmp     r7, r9
+    bgt     .Lthird_is_highest
+    mov     r4, r6
+    mov     r5, r7
+    mov     r6, r8
+    mov     r7, r9
+    mov     r8, r10
+    mov     r9, r1
+    b       .Lfrom_highest
+.Lthird_is_highest:
+    mov     r4, r8
+    mov     r5, r9
+    mov     r8, r6
+    mov     r9, r7
+    mov     r6, r10
+    mov     r7, r1
+.Lfrom_highest:
 /* place fill-rule: small triangles with texels for Armv7-M */
-    lsl     r11, r6, #16
+    add     r10, r5, r11
+    add     r12, r12, r11
+    asr     r10, r10, #16           /* the first row */
+    asr     r12, r12, #16
+    sub     r0, r12, r10
+    cmp     r0, #ROWS_MAX
+    bhi     .Lnot_drawn
+    ldr     r1, [r2, #BAND_FIRST_ROW]
+    uxth    r0, r1
+    add     r1, r0, r1, lsr #16
+    cmp     r10, r0
+    it      lt
+    movlt   r10, r0
+    cmp     r12, r1
+    it      gt
+    movgt   r12, r1
+    cmp     r10, r12
+    bge     .Ltriangle_done
+    sub     r0, r10, r0
+    mul     r0, r0, lr
+    ldr     r1, [r3, #TEXEL_OUTLINE_CELLS]
+    lsl     r11, lr, #1
+    add     lr, r1, r0, lsl #1      /* the row's first cell */
+    str     r10, [sp, #FRAME_ROW]
+    strd    r12, r11, [sp, #FRAME_END]
+
+    /* Points are taken relative to a centre of the first row that is 64 columns or more left of T and left of
+     * the others: x is below 2^23, y below 2^22.1, so a function is below 2^30.1. */
+    lsl     r11, r10, #16
     add     r11, r11, #32768
-    ldrd    r4, r5, [r9, #-8]
-    cmp     r9, r1
-    it      eq
-    moveq   r9, r0
-    ldrd    r6, r7, [r9], #8
-    cmp     r9, r1
-    it      eq
-    moveq   r9, r0
-    ldrd    r8, r9, [r9]
     sub     r10, r4, #64 << 16
     bfc     r10, #0, #16
     asr     r12, r10, #16
     add     r12, r12, #1
-    str     r12, [sp, #SMALL_COLUMN]
+    str     r12, [sp, #FRAME_COLUMN]
     add     r10, r10, #32768
     relative_points
     cmp     r6, #128 << 16
     it      lo
     cmplo   r8, #128 << 16
-    bhs     .Lsmall_not
+    bhs     .Lnot_drawn
     functions_of_points
     cmp     r10, #0
     itt     ne
     cmpne   r11, #0
     cmpne   r0, #0
-    beq     .Lsmall_not             /* a level edge */
+    beq     .Llevel_edge
+.Lhave_edges:
     mov     r9, lr
-    adr     lr, .Lsmall_next
-    adds    lr, lr, #1
-    str     lr, [r3, #TEXEL_OUTLINE_RESUME]
-    ldr     r8, [sp, #16]
+    ldr     r8, [sp, #FRAME_ROW]
     stm     sp, {r0-r11}
 
     /* A row. T-N is a right edge, P-T a left one, and N-P the second of either kind. Where there is one of a kind, the
      * column is on its outer side in all rows: a left edge is below 0 there, a right one is not. With two of
      * a kind a row may be beyond one of them: then the column may be inside of a left one, which counts as 1; a
      * right one is further right than the other. */
-.Lsmall_row:
+.Lrow:
     cmp     r11, #0
-    bgt     .Lsmall_left
+    bgt     .Ltwo_left
     mvn     r5, r7
     udiv    r5, r5, r0              /* columns outside of left edges, less 1 */
     sdiv    r4, r1, r10             /* columns inside of right edges, less 1, negated */
@@ -262,11 +284,11 @@ fxl_draw_texel_outline:
     cmp     r4, r6
     it      lt
     movlt   r4, r6
-.Lsmall_span:
+.Lspan:
     adds    r0, r4, r5
-    bpl     .Lsmall_next            /* no pixel */
+    bpl     .Lnext_row              /* no pixel */
     rsb     r0, r0, #0              /* pixels */
-    ldr     r2, [sp, #SMALL_COLUMN]
+    ldr     r2, [sp, #FRAME_COLUMN]
     add     r2, r2, r5              /* the first one's column */
     add     r11, r9, r2, lsl #1
     mov     r1, r8
@@ -277,74 +299,6 @@ fxl_draw_texel_outline:
     mla     r5, r9, r1, r5
     mla     r6, r10, r1, r6
     ldm     lr!, {r7-r10}           /* what a pixel adds */
-    b       .Lpixels
-
-.Lsmall_left:
-    mvn     r5, r7
-    mvn     r6, r2
-    bic     r5, r5, r5, asr #31
-    bic     r6, r6, r6, asr #31
-    udiv    r5, r5, r0
-    udiv    r6, r6, r11
-    cmp     r5, r6
-    it      lo
-    movlo   r5, r6
-    sdiv    r4, r1, r10
-    b       .Lsmall_span
-
-.Lsmall_next:
-    ldm     sp, {r0-r11}
-    ldrd    r12, lr, [sp, #SMALL_END]
-    add     r8, r8, #1
-    cmp     r8, r12
-    beq     .Lover
-    add     r1, r1, r5
-    add     r2, r2, r6
-    add     r7, r7, r4
-    add     r9, r9, lr
-    stm     sp, {r0-r9}
-    b       .Lsmall_row
-
-.Lsmall_not:
-    ldm     sp, {r0-r3, r6-r9}
-    movw    r11, #32767
-    b       .Ltwo_chains
-
-    /* The right edge is not right of the left one. */
-.Lexchanged_row:
-    mov     r2, r8
-    rsb     r0, r0, #0
-    b       .Lspan
-
-.Lno_pixel:
-    add     lr, lr, #TEXEL_OUTLINE_CELLS
-.Lpixels_done:                      /* lr: the outline's cells */
-    ldm     sp, {r4-r11}
-    ldr     r12, [lr, #OF(ROWS)]
-    subs    r12, r12, #1
-    bmi     .Lrows_below
-.Lrow:
-    mov     r2, r4
-    subs    r0, r8, r4
-    blt     .Lexchanged_row
-.Lspan:                             /* r0: pixels, r2: the first cell */
-    ldr     lr, [sp, #FRAME_OUTLINE]
-    step_edges
-    stm     sp, {r4-r11}
-    str     r12, [lr, #TEXEL_OUTLINE_ROWS]
-    ldm     lr, {r3-r10}            /* code, u, v, light, and what a row adds */
-    add     r3, r3, r7
-    add     r4, r4, r8
-    add     r5, r5, r9
-    add     r6, r6, r10
-    stm     lr, {r3-r6}
-    cmp     r0, #0
-    beq     .Lno_pixel
-    add     lr, lr, #TEXEL_OUTLINE_ALONG
-    ldm     lr!, {r7-r10}           /* what a pixel adds */
-    ldr     r11, [lr]               /* cells of the band */
-    add     r11, r11, r2, lsl #1
-.Lpixels:                           /* r11: the first cell */
     mla     r3, r7, r2, r3
     mla     r4, r8, r2, r4
     mla     r5, r9, r2, r5
@@ -412,6 +366,93 @@ fxl_draw_texel_outline:
     paint_black_row 10, 0
 .Lkind11:
     paint_black_row 11, 1
+
+.Ltwo_left:
+    mvn     r5, r7
+    mvn     r6, r2
+    bic     r5, r5, r5, asr #31
+    bic     r6, r6, r6, asr #31
+    udiv    r5, r5, r0
+    udiv    r6, r6, r11
+    cmp     r5, r6
+    it      lo
+    movlo   r5, r6
+    sdiv    r4, r1, r10
+    b       .Lspan
+
+.Lnext_row:
+    ldm     sp, {r0-r11}
+    ldrd    r12, lr, [sp, #FRAME_END]
+    add     r8, r8, #1
+    cmp     r8, r12
+    beq     .Lrows_done
+    add     r1, r1, r5
+    add     r2, r2, r6
+    add     r7, r7, r4
+    add     r9, r9, lr
+    stm     sp, {r0-r9}
+    b       .Lrow
+
+.Lrows_done:
+    movs    r0, #1
+    ldrd    r1, r12, [sp, #FRAME_POINT]
+    cmp     r1, r12
+    beq     .Lreturn
+    str     r0, [sp, #FRAME_ANSWER]
+.Ltriangle_done:
+    ldrd    r1, r12, [sp, #FRAME_POINT]
+    cmp     r1, r12
+    beq     .Ldone
+    ldr     r0, [sp, #FRAME_FIRST]
+    ldr     r2, [sp, #FRAME_BAND]
+    b       .Ltriangle
+
+.Lsmall_not:                        /* it does not go clockwise, or has hardly any area */
+.Lnot_drawn:
+    movs    r0, #DEPTH_NOT_DRAWN
+    b       .Lreturn
+.Ldone:
+    ldr     r0, [sp, #FRAME_ANSWER]
+.Lreturn:
+    add     sp, sp, #FRAME_SIZE
+    pop     {r4-r11, pc}
+
+    /* An edge that crosses no centre's row leaves no column out. */
+.Llevel_edge:
+    cmp     r10, #0
+    ittt    eq
+    moveq   r1, #1 << 30
+    mvneq   r10, #0
+    moveq   r5, #0
+    cmp     r11, #0
+    ittt    eq
+    moveq   r2, #1 << 30
+    mvneq   r11, #0
+    moveq   r6, #0
+    cmp     r0, #0
+    ittt    eq
+    mvneq   r7, #0
+    moveq   r0, #1
+    moveq   r4, #0
+    b       .Lhave_edges
+
+    /* More than three points: a pixel is drawn if the outline winds around it, where all triangles go clockwise. */
+.Lfan:
+    ldrd    r4, r5, [r0]
+    ldrd    r6, r7, [r1], #8
+    ldrd    r8, r9, [r1]
+    sub     r6, r6, r4
+    sub     r7, r7, r5
+    sub     r8, r4, r8
+    sub     r9, r9, r5
+    smull   r10, r11, r6, r9
+    smlal   r10, r11, r7, r8
+    cmp     r11, #0
+    blt     .Lnot_drawn
+    cmp     r1, r12
+    bne     .Lfan
+    add     r1, r0, #8
+    b       .Ltriangle
 
     .size fxl_draw_texel_outline, . - fxl_draw_texel_outline
 
