@@ -256,10 +256,9 @@ AT(fxl_lit_run, mixture.red_dark, LIT_RUN_PALETTE + 8);
 AT(fxl_lit_run, mixture.green_step, LIT_RUN_PALETTE + 20);
 
 AT(fxl_colour_values, limit, COLOUR_VALUES_LIMIT);
-#endif
-
 AT(fxl_words_lens, near_z, 0);
 AT(fxl_words_lens, octaves, WORDS_LENS_OCTAVES);
+#endif
 
 AT(fxl_smooth_words, code_down, 8);
 AT(fxl_smooth_words, light_down, SMOOTH_WORDS_LIGHT_DOWN);
