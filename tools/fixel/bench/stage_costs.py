@@ -20,7 +20,7 @@ EACH = 6            # of the scenes of the fit, every sixth one is profiled
 # The others that have counts which these have not.
 # place pixel-format: a scene in the new format
 ALSO = ("scenes/horizon.toml", "bench/costs_parallel.toml", "bench/costs_parallel_textures.toml DEPTH=16", "bench/costs_lines.toml", "bench/costs_lines.toml DEPTH=0", "bench/costs_beams.toml",
-        "bench/costs_tree.toml", "bench/costs_texels.toml", "bench/costs_colours.toml",
+        "bench/costs_lights.toml", "bench/costs_tree.toml", "bench/costs_texels.toml", "bench/costs_colours.toml",
         "bench/costs_glass.toml PIXELS=rgb565", "bench/costs_pane.toml PIXELS=rgb565", "bench/costs_surfaces.toml ORDER=tree DEPTH=0")
 SMALL_EACH = 3      # of these, the program with the least memory draws every third one
 FRAMES = 4          # of each
