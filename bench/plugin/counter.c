@@ -35,6 +35,7 @@ typedef struct block {
     uint32_t count;        /* instructions */
     uint32_t function;
     bool calls, returns; /* what its last instruction may be */
+    bool begins;         /* a function */
     char *sizes;         /* a digit for each instruction */
     tree_visit *visits;
     struct block *next;
@@ -82,14 +83,16 @@ static void end_region(void)
 
 /* Moves to the node that a block runs at, from the one of the block before. A
  * call goes inward, a return outward; any other way into another function is a
- * jump. */
+ * jump. What calls into the middle of its own function is none: in a function of
+ * more than 2 KB, a core without wide branches jumps by BL. */
 static void follow(const block *now)
 {
     const block *before = counter.before;
     tree_node *node = counter.node, *back = NULL;
     if (before == NULL) {
         node = tree_call(&counter.root, now->function, 0);
-    } else if (now->address != before->end && before->calls) {
+    } else if (now->address != before->end && before->calls &&
+               (now->begins || now->function != before->function)) {
         node = tree_call(node, now->function, before->end);
     } else if (now->address != before->end && before->returns &&
                (back = tree_return(node, now->address)) != NULL) {
@@ -171,6 +174,7 @@ static void on_translated(qemu_plugin_id_t id, struct qemu_plugin_tb *translated
     sizes[count] = '\0';
     made->sizes = sizes;
     made->function = map_function(&counter.map, made->address);
+    made->begins = map_holds(&counter.map.starts, made->address);
     made->calls = map_holds(&counter.map.calls, made->end);
     made->returns = map_holds(&counter.map.returns, made->end);
     made->next = counter.blocks;

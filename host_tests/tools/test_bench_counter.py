@@ -115,6 +115,13 @@ def test_follows_calls_jumps_and_returns(tmp_path):
                     (0x106, nodes[0][0]): (3, 3)}
 
 
+@pytest.mark.parametrize("target, functions", [("120", [0]), ("100", [0, 0])])
+def test_a_call_into_the_middle_of_its_own_function_is_a_jump(tmp_path, monkeypatch, target, functions):
+    monkeypatch.setitem(globals(), "BLOCKS", BLOCKS + "block 120 2\n")
+    _, counts = play(tmp_path, double(tmp_path), ["10", "100", target, "20"], "detail=on")
+    assert [function for _, function, _ in counts.nodes.values()] == functions
+
+
 def test_an_instruction_before_the_end_of_a_page_ends_where_the_next_one_begins(tmp_path, monkeypatch):
     monkeypatch.setitem(globals(), "BLOCKS", BLOCKS.replace("block 100 24", "block 100 34"))
     _, counts = play(tmp_path, double(tmp_path), ["10", *WAY, "20"], "detail=on")

@@ -109,6 +109,15 @@ def test_a_load_from_beside_the_code_is_known(tmp_path):
     assert found[:6] == [True, True, True, False, False, False]
 
 
+def test_data_of_a_section_that_is_not_loaded_ends_no_code(tmp_path):
+    (tmp_path / "code.s").write_text(".syntax unified\n.thumb\n.text\n.type f, %function\nf:\nnop\nnop\nbx lr\n"
+                                     '.section .note, ""\n.space 0x102\n.word 0\n.thumb\nnop\n.word 0\n')
+    subprocess.run([f"{CROSS}gcc", "-mcpu=cortex-m3", "-nostdlib", "-Wl,-Ttext=0x100,-e,f", "code.s", "-o", "code.elf"], cwd=tmp_path,
+                   check=True)
+    code = MachineCode(tmp_path / "code.elf")
+    assert code.marks == [(0x100, "t")] and len(list(code.each_instruction())) == 3
+
+
 def test_sizes_are_those_of_the_disassembler():
     elf = CHECKOUT / "build/bench/m3/fixel.elf"
     text = subprocess.run([f"{CROSS}objdump", "-dz", str(elf)], capture_output=True, text=True, check=True).stdout
@@ -241,7 +250,7 @@ FILES = {"frame": "lib/draw/render.c", "outline": "lib/raster/scan.c", "fxl_scan
     (["main", "frame", "outline", "divide"], "spans"),
     (["main", "memset"], places.OTHERS)])
 def test_stages(names, stage):
-    assert places.Stages().of(names, FILES) == stage
+    assert places.Stages().of(reversed(names), FILES) == stage
 
 
 def test_every_file_of_the_library_has_a_stage():

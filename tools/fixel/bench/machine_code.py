@@ -47,9 +47,11 @@ class MachineCode:
         self.sections = [(section["sh_addr"], section.data()) for section in elf.iter_sections()
                          if section["sh_flags"] & SHF_EXECINSTR and section["sh_size"]]
         self.is_riscv = elf["e_machine"] == "EM_RISCV"
-        # "$t" and "$d" mark where code and data begin within a section. RISC-V has functions of a stated size alone.
+        # "$t" and "$d" mark where code and data begin within a section; those of sections that are not loaded have its offsets.
+        # RISC-V has functions of a stated size alone.
+        holds_code = [bool(section["sh_flags"] & SHF_EXECINSTR) for section in elf.iter_sections()]
         self.marks = sorted((symbol["st_value"] & ~1, symbol.name[1]) for symbol in symbols
-                            if symbol.name[:2] in ("$t", "$d"))
+                            if symbol.name[:2] in ("$t", "$d") and isinstance(symbol["st_shndx"], int) and holds_code[symbol["st_shndx"]])
         if self.is_riscv:
             self.marks = sorted(mark for each in self.functions for mark in ((each.start, "t"), (each.end, "d")))
         self.decoded = {}

@@ -68,9 +68,9 @@ class Stages:
         return self.parts.get(stage, next(iter(self.parts.values())))
 
     def of(self, names, files):
-        """The stage of a stack of functions, outermost first. files: {function: its file}."""
+        """The stage of a stack of functions, innermost first; no more of them are asked for than decide. files: {function: its file}."""
         innermost = None
-        for name in reversed(names):
+        for name in names:
             file = pathlib.PurePath(files.get(name, ""))
             stem = stem_of(file)
             if file.suffix == ".h" or stem in self.shared or LIBRARY not in file.parents or PUBLIC in file.parents:
@@ -107,38 +107,53 @@ class Profile:
         self.entered = collections.Counter()
         for function in code.functions:
             lines.file_of(function.name, function.start)
-        paths = self._paths(counts)
+        self.nodes = self._nodes(counts)
+        paths = self._paths() if is_whole else {}
         for node, *executed in cycles.blocks(code, counts):
-            self._add(paths[node], *executed)
+            self._add(node, paths.get(node), *executed)
         self.stages = collections.Counter({stage: each.instructions for stage, each in self.by_stage.items()})
 
-    def _paths(self, counts):
-        """{node: names from the root inward}: functions, and what was inlined about each call."""
-        paths = {0: ()}
+    def _nodes(self, counts):
+        """{node: (its parent, names that it adds to those of that one)}: functions, and what was inlined about each call."""
+        nodes = {}
         for node, (parent, function, back) in counts.nodes.items():
             about = self._inlined_at(back - BEFORE_RETURN) if back else ()
             known = function < len(self.code.functions)
-            paths[node] = (*paths[parent], *about, self.code.functions[function].name if known else "?")
+            nodes[node] = parent, (*about, self.code.functions[function].name if known else "?")
+        return nodes
+
+    def _paths(self):
+        """{node: names from the root inward}."""
+        paths = {0: ()}
+        for node, (parent, names) in self.nodes.items():
+            paths[node] = (*paths[parent], *names)
         return paths
+
+    def _outward(self, node, inlined):
+        """Names of functions from the innermost one to the root: a stack may be as deep as the emulator saw calls without a return."""
+        yield from (name.removesuffix(f" {INLINED}") for name in reversed(inlined))
+        while node:
+            node, names = self.nodes[node]
+            yield from (name.removesuffix(f" {INLINED}") for name in reversed(names))
 
     def _inlined_at(self, address):
         if address not in self.scopes:
             self.scopes[address] = tuple(f"{name} {INLINED}" for name in self.debug.inlined(address))
         return self.scopes[address]
 
-    def _add(self, path, address, instruction, before, times, left):
+    def _add(self, node, path, address, instruction, before, times, left):
         taken = {name: model.cycles(instruction, times, left, before) for name, model in self.models.items()}
-        stack = path + self._inlined_at(address)
+        inlined = self._inlined_at(address)
         self.total.add(times, taken)
-        stage = self._stage(stack)
+        stage = self._stage(node, inlined)
         self.by_stage[stage].add(times, taken)
         if self.is_whole:
-            self._add_place(path, stack, stage, address, instruction, times, left, taken)
+            self._add_place(path, path + inlined, stage, address, instruction, times, left, taken)
 
-    def _stage(self, stack):
-        if stack not in self.stage_of:
-            self.stage_of[stack] = self.pipeline.of([name.removesuffix(f" {INLINED}") for name in stack], self.debug.files)
-        return self.stage_of[stack]
+    def _stage(self, node, inlined):
+        if (node, inlined) not in self.stage_of:
+            self.stage_of[node, inlined] = self.pipeline.of(self._outward(node, inlined), self.debug.files)
+        return self.stage_of[node, inlined]
 
     def _add_place(self, path, stack, stage, address, instruction, times, left, taken):
         self.groups[GROUP_OF.get(instruction.kind, "other")] += times
