@@ -22,7 +22,7 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
 # The room of each public header: that of the code which it declares.
 ROOM_OF = {
     "math": {"config", "types", "version"},
-    "scene": {"camera", "crc", "records", "scene"},
+    "scene": {"camera", "crc", "records", "scene", "tables"},
     "clip": {"line"},
     # These also declare how lib/draw attaches what they describe to a renderer.
     "paint": {"beams", "billboards", "light", "surfaces"},

@@ -27,6 +27,7 @@
 #include "fixel/records.h"
 #include "fixel/setup.h"
 #include "fixel/surfaces.h"
+#include "fixel/tables.h"
 #include "fixel/target.h"
 #include "fixel/wire.h"
 #include "fixel/world.h"
