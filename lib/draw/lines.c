@@ -46,7 +46,7 @@ void fxl_begin_line_instance(const fxl_traversal *traversal, uint32_t number, fx
     memset(of->faces, 0, sizeof of->faces);
 }
 
-bool fxl_line_face_is_front(const fxl_line_instance *of, const fxl_face *face)
+static inline bool face_is_front(const fxl_line_instance *of, const fxl_face *face)
 {
     const fxl_renderer *renderer = of->traversal->renderer;
     const fxl_scene *scene = renderer->scene;
@@ -56,6 +56,11 @@ bool fxl_line_face_is_front(const fxl_line_instance *of, const fxl_face *face)
     }
     return of->turned != NULL ? of->turned->face_is_front(scene, of->number, face, eye)
                               : fxl_face_is_front(scene, of->model_view->instance, face, eye);
+}
+
+bool fxl_line_face_is_front(const fxl_line_instance *of, const fxl_face *face)
+{
+    return face_is_front(of, face);
 }
 
 /* The depth that a face has when it is drawn: to the bit, by the function that draws it. */
@@ -101,7 +106,7 @@ static inline fxl_line_plane *plane_of(fxl_line_instance *of, const fxl_face *fa
 
 static FXL_COLD __attribute__((noinline)) bool test_front(fxl_line_instance *of, uint32_t number)
 {
-    const bool front = fxl_line_face_is_front(of, &of->first_face[number]);
+    const bool front = face_is_front(of, &of->first_face[number]);
     if (number < 32) {
         of->tested |= (uint32_t)1 << number;
         of->front |= (uint32_t)front << number;

@@ -162,7 +162,20 @@ static inline uint32_t fxl_line_cell_of_depth(fxl_depth_scale scale, const fxl_l
                : fxl_line_code_of_depth(scale, depth) >> 16;
 }
 
-/* near_z / distance as mantissa * 2^-one, off by less than 2^-28 of it, is what the canvas then has.
+/* The ratio of two mantissas, times 2^31 and off by less than 2^-27 of it: part / 2 by two digits of 16
+ * bits, as fxl_mantissa_ratio by exact ones. The first is too small by 2 at most, so what is left is
+ * below 2^34. The second is off by less than 2^-15 of it, too large if `more` is 0, or too small if it
+ * is 1, and rounded down by less than 5. */
+static inline uint32_t fxl_line_ratio(uint32_t part, uint32_t whole, uint32_t more)
+{
+    const uint32_t half = part >> 1, upper = whole >> 16;
+    uint32_t rest;
+    const uint32_t high = fxl_divide_u32(half, upper + 1u, &rest);
+    const uint64_t left = ((uint64_t)half << 16) - fxl_multiply_u32(high, whole);
+    return (high << 16) + (fxl_divide_u32((uint32_t)(left >> 2), upper + more, &rest) << 2);
+}
+
+/* near_z / distance as mantissa * 2^-one, off by less than 2^-27 of it, is what the canvas then has.
  * near_z has units of 2^-16 and the distance of 2^-46. */
 static void fxl_line_find_end(fxl_line_canvas *canvas, fxl_q18_46 distance)
 {
@@ -171,7 +184,7 @@ static void fxl_line_find_end(fxl_line_canvas *canvas, fxl_q18_46 distance)
         const fxl_real divisor = fxl_real_of((uint64_t)distance, 0);
         canvas->distance = distance;
         canvas->one = divisor.exponent - near_real.exponent + 1;
-        canvas->mantissa = fxl_mantissa_ratio(&near_real, &divisor);
+        canvas->mantissa = fxl_line_ratio(near_real.mantissa, divisor.mantissa, 0);
     }
 }
 
@@ -217,8 +230,8 @@ static inline int64_t fxl_line_shifted(uint64_t value, int32_t shift)
 
 /* The depth of a line at place `first`, and its step; swapped: its first end is not the lower one. The
  * first place of the whole line does not depend on the band, so neither do the depths. What the depth of
- * a place is more than that of the more distant end is off by 2^-29 of it, as the ratio is, and by a
- * unit for each of two numbers that are rounded down. So it is from 0 to the whole, and this is below
+ * a place is more than that of the more distant end is too small by 2^-27 of it, as the ratio is, and by
+ * a unit for each of two numbers that are rounded down. So it is from 0 to the whole, and this is below
  * 2^61. */
 /* lines 3.3 */
 static inline void fxl_line_find_depth(fxl_line_canvas *canvas, const fxl_painted_line *line,
@@ -237,14 +250,16 @@ static inline void fxl_line_find_depth(fxl_line_canvas *canvas, const fxl_painte
         const uint32_t before = (uint32_t)(fxl_centre_of(begin) - ends->from);
         const fxl_real whole = fxl_real_of((uint64_t)(more < 0 ? -more : more), 0);
         const fxl_real divisor = fxl_real_of(length, 0);
-        const uint32_t ratio = fxl_mantissa_ratio(&whole, &divisor);
+        const uint32_t ratio = fxl_line_ratio(whole.mantissa, divisor.mantissa, 1);
         const int32_t shift = whole.exponent - divisor.exponent - 31; /* from -61 on */
         const uint32_t part = rises ? before : length - before;
         depth->at += fxl_line_shifted(fxl_multiply_u32(ratio, part), shift);
         if (length - before > 65536) {
             const int64_t step = fxl_line_shifted(ratio, shift + 16);
             depth->step = rises ? step : -step;
-            depth->at += fxl_multiply_s64(depth->step, first - begin);
+            if (first != begin) {
+                depth->at += fxl_multiply_s64(depth->step, first - begin);
+            }
         }
     }
 }

@@ -8,6 +8,16 @@
 #define INLINED  static inline __attribute__((always_inline))
 #define OUTLINED static __attribute__((noinline))
 
+/* Where the first place is; up: the axes of a line that does not fall. */
+INLINED void find_cell(const fxl_line_canvas *canvas, const fxl_line_axes *up, fxl_line_way *way)
+{
+    const int32_t first = way->first, across = way->across;
+    way->cell =
+        (uint8_t *)(canvas->cells + (uint32_t)(first * up->cell_along + across * up->cell_across));
+    way->pixel = (uint8_t *)(canvas->pixels +
+                             (uint32_t)(first * up->pixel_along + across * up->pixel_across));
+}
+
 /* A colour, as it is written. */
 INLINED uint32_t colour_of(const fxl_line_canvas *canvas, const fxl_painted_line *line)
 {
@@ -30,10 +40,11 @@ static void paint_pixel(const fxl_line_canvas *canvas, const fxl_painted_line *l
         const uint32_t other = fxl_line_code_of_face(canvas->head->scale, line->planes[i], x, y);
         code = i == 0 || other > code ? other : code;
     }
-    fxl_line_paint_place(
-        canvas->cells + (x * axes->cell_along + y * axes->cell_across - canvas->cells_before),
-        canvas->pixels + (x * axes->pixel_along + y * axes->pixel_across - canvas->pixels_before),
-        colour_of(canvas, line), code, canvas->format);
+    fxl_line_way way;
+    way.first = x;
+    way.across = y;
+    find_cell(canvas, axes, &way);
+    fxl_line_paint_place(way.cell, way.pixel, colour_of(canvas, line), code, canvas->format);
 }
 
 /* Pixels: first <= column < end, and so rows. */
@@ -161,15 +172,6 @@ OUTLINED void paint_on_faces(const fxl_line_canvas *canvas, const fxl_painted_li
     }
 }
 
-/* Where the first place is; up: the axes of a line that does not fall. */
-INLINED void find_cell(const fxl_line_canvas *canvas, const fxl_line_axes *up, fxl_line_way *way)
-{
-    way->cell = canvas->cells + (way->first * up->cell_along + way->across * up->cell_across -
-                                 canvas->cells_before);
-    way->pixel = canvas->pixels + (way->first * up->pixel_along + way->across * up->pixel_across -
-                                   canvas->pixels_before);
-}
-
 /* Some of whose pixels may lie outside of the band, across. */
 OUTLINED void paint_within(fxl_line_canvas *canvas, const fxl_painted_line *line,
                            const one_line *whole)
@@ -199,6 +201,35 @@ OUTLINED void paint_within(fxl_line_canvas *canvas, const fxl_painted_line *line
         paint_own(canvas, line, &of);
     } else {
         paint_stretches(canvas, line, way);
+    }
+}
+
+/* One pixel of the width; up: the axes of a line that does not fall. */
+INLINED void paint_places(fxl_line_canvas *canvas, const fxl_painted_line *line,
+                          const fxl_line_axes *up, one_line *of)
+{
+    const int32_t last = (of->ends.side + of->ends.rise) >> 16; /* or a pixel beside it */
+    if ((uint32_t)(of->way.across - up->inner) >= up->inner_count ||
+        (uint32_t)(last - up->inner) >= up->inner_count) {
+        paint_within(canvas, line, of);
+        return;
+    }
+    find_cell(canvas, up, &of->way);
+    if (line->plane_count == 0) {
+        paint_own(canvas, line, of);
+    } else {
+        paint_on_faces(canvas, line, of);
+    }
+}
+
+/* The others of the width, in any sequence. */
+OUTLINED void paint_others(fxl_line_canvas *canvas, const fxl_painted_line *line,
+                           const fxl_line_axes *up, one_line *of)
+{
+    for (int32_t row = line->width; row > 1; row--) {
+        of->way.across++;
+        of->ends.side += 65536;
+        paint_places(canvas, line, up, of);
     }
 }
 
@@ -250,8 +281,11 @@ static void paint_line(fxl_line_canvas *canvas, const fxl_painted_line *line)
     of.ends.length = length;
     of.ends.rise = rise;
     const int32_t begin = (from + 32767) >> 16, behind = (from + length + 32767) >> 16;
-    const int32_t first = begin > up->first ? begin : up->first;
-    const int32_t end = behind < up->end ? behind : up->end;
+    int32_t first = begin, end = behind;
+    if (begin < up->first || behind > up->end) {
+        first = begin > up->first ? begin : up->first;
+        end = behind < up->end ? behind : up->end;
+    }
     if (first >= end) {
         return;
     }
@@ -284,29 +318,17 @@ static void paint_line(fxl_line_canvas *canvas, const fxl_painted_line *line)
         of.way.step = -rise;
         of.way.behind = -1 - left;
     }
-    if (canvas->head == NULL) {
-        paint_plain(canvas, line, &of.way);
-        return;
-    }
-    of.way.colour = colour_of(canvas, line);
-    for (uint32_t row = line->width;;) {          /* in any sequence */
-        const int32_t last = (side + rise) >> 16; /* or a pixel beside it */
-        if ((uint32_t)(across - up->inner) < up->inner_count &&
-            (uint32_t)(last - up->inner) < up->inner_count) {
-            find_cell(canvas, up, &of.way);
-            if (line->plane_count == 0) {
-                paint_own(canvas, line, &of);
-            } else {
-                paint_on_faces(canvas, line, &of);
-            }
-        } else {
-            paint_within(canvas, line, &of);
-        }
-        if (--row == 0) {
+    of.way.colour = line->colour;
+    if (canvas->format != FXL_LINE_NARROW) {
+        if (canvas->format == FXL_LINE_PLAIN) {
+            paint_plain(canvas, line, &of.way);
             return;
         }
-        of.way.across = ++across;
-        of.ends.side = side += 65536;
+        of.way.colour = colour_of(canvas, line);
+    }
+    paint_places(canvas, line, up, &of);
+    if (line->width > 1) {
+        paint_others(canvas, line, up, &of);
     }
 }
 
@@ -336,11 +358,6 @@ static void find_axes(fxl_line_canvas *canvas, bool upright, bool falls)
     axes->pixel_across = (upright ? pixel : pixel_row) * change;
 }
 
-static int64_t shifted(int64_t value, int32_t right)
-{
-    return right < 0 ? (int64_t)(fxl_bits_64(value) << -right) : value >> right;
-}
-
 /* near_z is counted as at most 2^46, and what a pixel adds is below 2^30. So sums are below 2^63, and
  * their upper words off by less than 2. The centres of a line's pixels lie within half a pixel of the
  * straight line between its ends, across. A plane in words without a border has one octave, and of one
@@ -357,10 +374,11 @@ void fxl_line_plane_begin(fxl_line_plane *face)
         const int32_t least = upper > near ? upper : near, drop = least > -16 ? least : -16;
         face->drop = drop;
         face->margin = fxl_low_32(most >> (drop + 17)) + 4u; /* at most 2^14 */
-        face->words[0] = (int32_t)shifted(gradient->along, drop);
-        face->words[1] = (int32_t)shifted(gradient->down, drop);
+        face->words[0] = fxl_signed_32(fxl_depth_shifted(gradient->along, drop));
+        face->words[1] = fxl_signed_32(fxl_depth_shifted(gradient->down, drop));
         /* The centre of the first pixel is half a pixel behind its corner. */
-        face->at = (int64_t)(fxl_bits_64(shifted(gradient->at, drop - 16)) -
+        face->at = (int64_t)((drop < 16 ? fxl_bits_64(gradient->at) << (16 - drop)
+                                        : fxl_bits_64(gradient->at >> (drop - 16))) -
                              fxl_bits_64(((int64_t)face->words[0] + face->words[1]) * 32768));
     } else {
         face->words[0] = face->words[1] = 0;
@@ -391,13 +409,15 @@ void fxl_line_canvas_begin(fxl_line_canvas *canvas, const fxl_band *band,
     canvas->one = 0;
     canvas->format =
         (wide ? (uint32_t)FXL_LINE_WIDE : 0u) | (is_colour ? (uint32_t)FXL_LINE_COLOURS : 0u);
-    canvas->cells = head != NULL ? (uint8_t *)(uintptr_t)(head + 1) : NULL;
     for (uint32_t i = 0; i < 4; i++) {
         find_axes(canvas, i > 1, i % 2 != 0);
     }
-    canvas->pixels = band->pixels;
-    canvas->cells_before = band->first_row * canvas->axes[2].cell_along;
-    canvas->pixels_before = band->first_row * canvas->axes[2].pixel_along;
+    if (head == NULL) {
+        canvas->format = FXL_LINE_PLAIN;
+    }
+    const uint32_t row = (uint32_t)band->first_row;
+    canvas->cells = (uintptr_t)head + sizeof *head - row * (uint32_t)canvas->axes[2].cell_along;
+    canvas->pixels = (uintptr_t)band->pixels - row * (uint32_t)canvas->axes[2].pixel_along;
 }
 
 void fxl_paint_wide_line(fxl_line_canvas *canvas, const fxl_painted_line *line)

@@ -69,17 +69,17 @@ typedef struct {
     fxl_q18_46 distance;
     uint32_t mantissa;
     int32_t one;
-    uint32_t format;                     /* FXL_LINE_COLOURS and so on */
-    fxl_line_axes axes[4];               /* by fxl_line_axes_of */
-    uint8_t *cells, *pixels;             /* of column 0 of the band's first row */
-    int32_t cells_before, pixels_before; /* bytes of the screen's rows before it */
+    uint32_t format;         /* FXL_LINE_COLOURS and so on */
+    fxl_line_axes axes[4];   /* by fxl_line_axes_of */
+    uintptr_t cells, pixels; /* where those of the first pixel of the screen would be */
 } fxl_line_canvas;
 
 /* What cells and pixels are. */
 enum {
     FXL_LINE_NARROW = 0,
     FXL_LINE_COLOURS = 1,
-    FXL_LINE_WIDE = 2
+    FXL_LINE_WIDE = 2,
+    FXL_LINE_PLAIN = 4 /* pixels alone */
 };
 
 /* A canvas; head: null without a depth buffer; wide: cells of 32 bits. */
