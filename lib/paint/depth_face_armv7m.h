@@ -15,8 +15,51 @@ entries     .req r5
 mask        .req r6
 tag         .req r7
 points      .req r8
-index       .req r9     /* address of the next one */
-state       .req r10    /* where the flags of the next vertex are kept */
+face        .req r9
+
+/* The next vertex, on the screen, and its flags. */
+    .macro  face_vertex number, flags
+    ldrh    r1, [face, #FACE_INDICES + 2 * \number]
+    and     r2, r1, mask
+    add     r2, r2, r2, lsl #2              /* 40 bytes each */
+    add     r2, entries, r2, lsl #3
+    ldrd    r0, \flags, [r2]
+    add     r3, r1, tag
+    cmp     r0, r3
+    bne     .Lface_new\number
+    lsls    r0, \flags, #24
+    bne     .Lface_unready\number
+    ldrd    r1, r3, [r2, #CACHED_VERTEX_SCREEN]
+.Lface_ready\number:
+    strd    r1, r3, [points, #8 * \number]
+    .endm
+
+/* place fill-rule: the first centres of a vertex of a small face for Armv7-M, which adds 0x7FFF itself */
+/* A vertex that is new, or not projected. r0-r3 after both calls: as transform_vertex_armv7m.S and
+ * project_inside_armv7m.S say. */
+    .macro  other_vertex number, flags
+.Lface_new\number:
+    ldr     r0, [sp, #FACE_MODEL_VIEW]
+    bl      fxl_transform_and_project
+    cbnz    r0, .Lface_not_placed\number
+.Lface_placed\number:
+    movw    r0, #0x7FFF
+    add     \flags, r1, r0
+    add     r0, r3, r0
+    lsr     \flags, \flags, #16
+    lsrs    r0, r0, #16
+    lsls    r0, r0, #20
+    orr     \flags, r0, \flags, lsl #8
+    str     \flags, [r2, #CACHED_VERTEX_CLIP_FLAGS - CACHED_VERTEX_SCREEN]
+    b       .Lface_ready\number
+.Lface_not_placed\number:
+    b       .Lface_not_placed
+.Lface_unready\number:
+    cmp     \flags, #VERTEX_UNPROJECTED
+    bne     .Lface_other
+    bl      .Lface_project
+    b       .Lface_placed\number
+    .endm
 
 /* The least and the greatest of three words, unsigned, and three words at most. */
     .macro  ends a, b, c, least, most
@@ -48,32 +91,14 @@ fxl_draw_depth_face_16:
     ldr     r2, [sp, #FACE_SCREEN]
     ldm     r0, {r4-r7}                     /* view, entries, mask, tag */
     add     points, r2, #SCREEN_POLYGON_POINTS
-    add     index, r1, #FACE_INDICES
-    mov     state, sp
-    movs    r11, #3
-.Lface_vertex:
-    ldrh    r1, [index], #2
-    and     r2, r1, mask
-    add     r2, r2, r2, lsl #2              /* 40 bytes each */
-    add     r2, entries, r2, lsl #3
-    ldrd    r0, r12, [r2]
-    add     r3, r1, tag
-    cmp     r0, r3
-    bne     .Lface_new
-    lsls    r0, r12, #24
-    bne     .Lface_unready
-    ldrd    r1, r3, [r2, #CACHED_VERTEX_SCREEN]
-.Lface_ready:
-    strd    r1, r3, [points], #8
-    str     r12, [state], #4
-    subs    r11, r11, #1
-    bne     .Lface_vertex
+    mov     face, r1
+    face_vertex 0, r10
+    face_vertex 1, r11
+    face_vertex 2, r12
 
     ldr     r3, [sp, #FACE_OUTLINE]
-    sub     r1, index, #FACE_INDICES + 6
-    str     r1, [sp, #FACE_FACE]
-    sub     r0, points, #24
-    ldm     sp, {r10-r12}
+    str     face, [sp, #FACE_FACE]
+    mov     r0, points
     ends    r10, r11, r12, r1, r2
     lsr     r6, r1, #20                     /* the first row */
     rsb     r8, r6, r2, lsr #20             /* rows */
@@ -167,33 +192,20 @@ fxl_draw_depth_face_16:
     beq     .Lface_between
     b       .Lface_whole
 
-/* place fill-rule: the first centres of a vertex of a small face for Armv7-M, which adds 0x7FFF itself */
-/* r0-r3 after both calls: as transform_vertex_armv7m.S and project_inside_armv7m.S say. */
-.Lface_new:
-    ldr     r0, [sp, #FACE_MODEL_VIEW]
-    bl      fxl_transform_and_project
-    cbnz    r0, .Lface_not_placed
-.Lface_placed:
-    movw    r0, #0x7FFF
-    add     r12, r1, r0
-    add     r0, r3, r0
-    lsr     r12, r12, #16
-    lsrs    r0, r0, #16
-    lsls    r0, r0, #20
-    orr     r12, r0, r12, lsl #8
-    str     r12, [r2, #CACHED_VERTEX_CLIP_FLAGS - CACHED_VERTEX_SCREEN]
-    b       .Lface_ready
+    other_vertex 0, r10
+    other_vertex 1, r11
+    other_vertex 2, r12
 
-.Lface_unready:
-    cmp     r12, #VERTEX_UNPROJECTED
-    bne     .Lface_other
+    /* Returns what fxl_project_inside gives of the entry at r2. */
+.Lface_project:
+    str     lr, [sp]
     add     r0, view, #VIEW_PROJECTION
     add     r1, r2, #CACHED_VERTEX_POSITION
     adds    r2, r2, #CACHED_VERTEX_SCREEN
     bl      fxl_project_inside
     cmp     r0, #0
-    beq     .Lface_placed
-    b       .Lface_other
+    bne     .Lface_other
+    ldr     pc, [sp]
 
     /* Out of range, the vertex has no flags yet. */
 .Lface_not_placed:
