@@ -79,36 +79,53 @@ FXL_COLD fxl_line_outcome fxl_place_any_line(const fxl_line_instance *of, const 
     return fxl_place_line(&of->traversal->renderer->frame.view, &clipped, painted);
 }
 
-/* A vertex that is inside all planes, from its position. Returns its clip flags. */
+/* A vertex of the cache that is not projected: one inside all planes is, from its position. Returns its
+ * clip flags. */
 static FXL_COLD uint32_t project(const fxl_model_view *model_view, fxl_cached_vertex *vertex)
 {
-    if (fxl_project_inside(&model_view->view->projection, &vertex->position, &vertex->screen) ==
-        FXL_OK) {
+    if (vertex->clip_flags == FXL_VERTEX_UNPROJECTED &&
+        fxl_project_inside(&model_view->view->projection, &vertex->position, &vertex->screen) ==
+            FXL_OK) {
         vertex->clip_flags = 0;
     }
     return vertex->clip_flags;
 }
 
+/* A vertex that the cache does not have. Returns its clip flags. */
+static inline uint32_t transform(const fxl_model_view *model_view, uint32_t number,
+                                 fxl_cached_vertex *vertex)
+{
+#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+    const int32_t status = fxl_transform_and_project(model_view, number, vertex);
+    if (status == FXL_OK) {
+        vertex->clip_flags = 0;
+        return 0;
+    }
+    if (status != -1) {
+        vertex->clip_flags = FXL_VERTEX_UNPROJECTED;
+    }
+    return vertex->clip_flags;
+#else
+    fxl_transform_vertex(model_view, number, vertex);
+    return vertex->clip_flags != 0 ? project(model_view, vertex) : 0;
+#endif
+}
+
 /* An end that is kept in the cache of vertices. Returns the planes that it is outside of; without
  * any its place is found, or FXL_VERTEX_UNPROJECTED returned. No face is drawn from these vertices, so
  * their clip flags have no place. */
-static inline uint32_t place_vertex(const fxl_model_view *model_view, uint32_t number,
-                                    fxl_painted_line *painted, uint32_t end)
+static inline uint32_t place_vertex(const fxl_model_view *model_view, fxl_cached_vertex *vertex,
+                                    uint32_t tag, uint32_t number, fxl_painted_line *painted,
+                                    uint32_t end)
 {
-    fxl_cached_vertex *vertex = &model_view->entries[number & model_view->mask];
-    if (vertex->tag != model_view->tag + number) {
-#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
-        const int32_t status = fxl_transform_and_project(model_view, number, vertex);
-        if (status != -1) {
-            vertex->clip_flags = status == FXL_OK ? 0 : FXL_VERTEX_UNPROJECTED;
+    uint32_t flags;
+    if (vertex->tag != tag) {
+        flags = transform(model_view, number, vertex);
+    } else {
+        flags = vertex->clip_flags;
+        if (flags != 0) {
+            flags = project(model_view, vertex);
         }
-#else
-        fxl_transform_vertex(model_view, number, vertex);
-#endif
-    }
-    uint32_t flags = vertex->clip_flags;
-    if (flags == FXL_VERTEX_UNPROJECTED) {
-        flags = project(model_view, vertex);
     }
     painted->ends[end] = vertex->screen;
     painted->distances[end] = vertex->position.z;
@@ -121,8 +138,11 @@ static inline uint32_t place_vertex(const fxl_model_view *model_view, uint32_t n
 fxl_line_outcome fxl_place_model_line(const fxl_line_instance *of, const fxl_line *line,
                                       fxl_painted_line *painted)
 {
-    const uint32_t from = place_vertex(of->model_view, line->from, painted, 0);
-    const uint32_t to = place_vertex(of->model_view, line->to, painted, 1);
+    const fxl_model_view *view = of->model_view;
+    fxl_cached_vertex *const entries = view->entries;
+    const uint32_t mask = view->mask, tag = view->tag, a = line->from, b = line->to;
+    const uint32_t from = place_vertex(view, &entries[a & mask], tag + a, a, painted, 0);
+    const uint32_t to = place_vertex(view, &entries[b & mask], tag + b, b, painted, 1);
     return (from | to) == 0                    ? FXL_LINE_DRAWN
            : (from & to & FXL_PLANES_ALL) != 0 ? FXL_LINE_OUTSIDE
                                                : fxl_place_any_line(of, line, painted);

@@ -180,11 +180,10 @@ static inline uint32_t fxl_line_ratio(uint32_t part, uint32_t whole, uint32_t mo
 static void fxl_line_find_end(fxl_line_canvas *canvas, fxl_q18_46 distance)
 {
     if (distance != canvas->distance) {
-        const fxl_real near_real = fxl_real_of((uint32_t)canvas->near_z, 0);
         const fxl_real divisor = fxl_real_of((uint64_t)distance, 0);
         canvas->distance = distance;
-        canvas->one = divisor.exponent - near_real.exponent + 1;
-        canvas->mantissa = fxl_line_ratio(near_real.mantissa, divisor.mantissa, 0);
+        canvas->one = divisor.exponent - canvas->near_real.exponent + 1;
+        canvas->mantissa = fxl_line_ratio(canvas->near_real.mantissa, divisor.mantissa, 0);
     }
 }
 

@@ -14,8 +14,12 @@ INLINED void find_cell(const fxl_line_canvas *canvas, const fxl_line_axes *up, f
     const int32_t first = way->first, across = way->across;
     way->cell =
         (uint8_t *)(canvas->cells + (uint32_t)(first * up->cell_along + across * up->cell_across));
-    way->pixel = (uint8_t *)(canvas->pixels +
-                             (uint32_t)(first * up->pixel_along + across * up->pixel_across));
+    if (canvas->format == FXL_LINE_NARROW) {
+        way->apart = canvas->apart;
+    } else {
+        way->pixel = (uint8_t *)(canvas->pixels +
+                                 (uint32_t)(first * up->pixel_along + across * up->pixel_across));
+    }
 }
 
 /* A colour, as it is written. */
@@ -44,7 +48,8 @@ static void paint_pixel(const fxl_line_canvas *canvas, const fxl_painted_line *l
     way.first = x;
     way.across = y;
     find_cell(canvas, axes, &way);
-    fxl_line_paint_place(way.cell, way.pixel, colour_of(canvas, line), code, canvas->format);
+    fxl_line_paint_place(way.cell, fxl_line_pixel_of(&way, canvas->format), colour_of(canvas, line),
+                         code, canvas->format);
 }
 
 /* Pixels: first <= column < end, and so rows. */
@@ -153,7 +158,9 @@ OUTLINED void paint_stretches(const fxl_line_canvas *canvas, const fxl_painted_l
         way.across += changes * axes->change;
         way.behind += count * way.step - changes * way.size;
         way.cell += count * axes->cell_along + changes * axes->cell_across;
-        way.pixel += count * axes->pixel_along + changes * axes->pixel_across;
+        if (canvas->format != FXL_LINE_NARROW) {
+            way.pixel += count * axes->pixel_along + changes * axes->pixel_across;
+        }
     }
 }
 
@@ -403,7 +410,9 @@ void fxl_line_canvas_begin(fxl_line_canvas *canvas, const fxl_band *band,
     const bool is_colour = fxl_kind_of_band(band).is_colour;
     canvas->band = band;
     canvas->head = head;
-    canvas->near_z = near_z;
+    if (head != NULL) {
+        canvas->near_real = fxl_real_of((uint32_t)near_z, 0);
+    }
     canvas->distance = 0;
     canvas->mantissa = 0;
     canvas->one = 0;
@@ -414,10 +423,13 @@ void fxl_line_canvas_begin(fxl_line_canvas *canvas, const fxl_band *band,
     }
     if (head == NULL) {
         canvas->format = FXL_LINE_PLAIN;
+    } else if (band->stride != band->width) {
+        canvas->format |= FXL_LINE_APART;
     }
     const uint32_t row = (uint32_t)band->first_row;
     canvas->cells = (uintptr_t)head + sizeof *head - row * (uint32_t)canvas->axes[2].cell_along;
     canvas->pixels = (uintptr_t)band->pixels - row * (uint32_t)canvas->axes[2].pixel_along;
+    canvas->apart = canvas->pixels - (canvas->cells >> 1);
 }
 
 void fxl_paint_wide_line(fxl_line_canvas *canvas, const fxl_painted_line *line)

@@ -3,6 +3,7 @@
 #ifndef FXL_LINE_PAINT_H
 #define FXL_LINE_PAINT_H
 
+#include "../math/arith.h"
 #include "../raster/columns.h"
 #include "depth_row.h"
 
@@ -63,7 +64,7 @@ typedef struct {
 typedef struct {
     const fxl_band *band;
     const fxl_depth_head *head;
-    fxl_q16_16 near_z; /* of the lens */
+    fxl_real near_real; /* near_z of the lens, with a head */
     /* The end whose depth was found last, which the next line of a polyline begins at: its distance, or
      * 0, and near_z / distance = mantissa * 2^-one. */
     fxl_q18_46 distance;
@@ -72,6 +73,7 @@ typedef struct {
     uint32_t format;         /* FXL_LINE_COLOURS and so on */
     fxl_line_axes axes[4];   /* by fxl_line_axes_of */
     uintptr_t cells, pixels; /* where those of the first pixel of the screen would be */
+    uintptr_t apart;         /* FXL_LINE_NARROW: a pixel is so far from half its cell's address */
 } fxl_line_canvas;
 
 /* What cells and pixels are. */
@@ -79,7 +81,8 @@ enum {
     FXL_LINE_NARROW = 0,
     FXL_LINE_COLOURS = 1,
     FXL_LINE_WIDE = 2,
-    FXL_LINE_PLAIN = 4 /* pixels alone */
+    FXL_LINE_PLAIN = 4, /* pixels alone */
+    FXL_LINE_APART = 8  /* rows of pixels are not as long as those of cells */
 };
 
 /* A canvas; head: null without a depth buffer; wide: cells of 32 bits. */

@@ -18,6 +18,7 @@ typedef struct {
     int32_t behind;        /* what is left of the pixel across, less its size: below 0 */
     int32_t step, size;    /* step <= size < 2^30 */
     uint8_t *cell, *pixel; /* of the first place */
+    uintptr_t apart;       /* FXL_LINE_NARROW: that of the canvas, and no pixel */
     uint32_t colour;       /* as it is written */
 } fxl_line_way;
 
@@ -85,17 +86,28 @@ FXL_INLINED bool fxl_line_step_behind(fxl_line_way *run)
     return true;
 }
 
-/* To the next place; axes: those of the line. Returns whether the pixel across changes. */
-FXL_INLINED bool fxl_line_step(fxl_line_way *run, const fxl_line_axes *axes)
+/* To the next place; axes: those of the line, format: constant. Returns whether the pixel across changes. */
+FXL_INLINED bool fxl_line_step(fxl_line_way *run, const fxl_line_axes *axes, uint32_t format)
 {
     run->cell += axes->cell_along;
-    run->pixel += axes->pixel_along;
+    if (format != FXL_LINE_NARROW) {
+        run->pixel += axes->pixel_along;
+    }
     if (!fxl_line_step_behind(run)) {
         return false;
     }
     run->cell += axes->cell_across;
-    run->pixel += axes->pixel_across;
+    if (format != FXL_LINE_NARROW) {
+        run->pixel += axes->pixel_across;
+    }
     return true;
+}
+
+/* Cells of 16 bits are twice as far apart as their pixels of 8. */
+FXL_INLINED uint8_t *fxl_line_pixel_of(const fxl_line_way *run, uint32_t format)
+{
+    return format == FXL_LINE_NARROW ? (uint8_t *)(run->apart + ((uintptr_t)run->cell >> 1))
+                                     : run->pixel;
 }
 
 FXL_INLINED uint32_t fxl_line_code_of(uint64_t code, const fxl_line_codes *codes, bool shifts)
@@ -123,13 +135,13 @@ FXL_INLINED void fxl_line_paint_stretch(const fxl_line_way *way, fxl_line_plane 
             const uint32_t behind = fxl_line_code_of(other, &second, shifts);
             code = code > behind ? code : behind;
         }
-        fxl_line_paint_place(run.cell, run.pixel, run.colour, code, format);
+        fxl_line_paint_place(run.cell, fxl_line_pixel_of(&run, format), run.colour, code, format);
         if (--count == 0) {
             return;
         }
         one += first.along;
         other += count_of_faces > 1 ? second.along : 0;
-        if (fxl_line_step(&run, &axes)) {
+        if (fxl_line_step(&run, &axes, format)) {
             one += first.sheer;
             other += count_of_faces > 1 ? second.sheer : 0;
         }
@@ -222,11 +234,11 @@ FXL_INLINED void fxl_line_paint_own(const fxl_line_way *way, fxl_depth_scale sca
         const uint32_t code = (format & FXL_LINE_WIDE) != 0
                                   ? fxl_line_code_of_depth(scale, &own)
                                   : fxl_line_cell_of_depth(scale, &own) << 16;
-        fxl_line_paint_place(run.cell, run.pixel, run.colour, code, format);
+        fxl_line_paint_place(run.cell, fxl_line_pixel_of(&run, format), run.colour, code, format);
         if (--run.count == 0) {
             return;
         }
-        (void)fxl_line_step(&run, &axes);
+        (void)fxl_line_step(&run, &axes, format);
         own.at += own.step;
     }
 }
