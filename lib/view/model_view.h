@@ -103,11 +103,12 @@ FXL_IN_PLACE void fxl_rotate(const fxl_axes *axes, const fxl_point *point,
     ;
 #else
 {
-    sum->x = origin->x + fxl_dot(&axes->right, point->x, point->y, point->z);
+    const int32_t x = point->x, y = point->y, z = point->z;
+    sum->x = origin->x + fxl_dot(&axes->right, x, y, z);
     FXL_IN_ORDER();
-    sum->y = origin->y + fxl_dot(&axes->up, point->x, point->y, point->z);
+    sum->y = origin->y + fxl_dot(&axes->up, x, y, z);
     FXL_IN_ORDER();
-    sum->z = origin->z + fxl_dot(&axes->forward, point->x, point->y, point->z);
+    sum->z = origin->z + fxl_dot(&axes->forward, x, y, z);
 }
 #endif
 

@@ -84,7 +84,7 @@ static bool is_model_view(const fxl_model_view *of)
 /* [[row]]
  * function = "fxl_model_view_of_instance"
  * property = "any instance and eye in the world: nothing overflows, the offset is below 2^30, and the entries are the cache's; caches of up to 8 entries"
- * checks = 466
+ * checks = 430
  * stands_in = { next_tag = "any_tag", fxl_dot = "any_dot" }
  */
 void prove_model_view_of_instance(void)
@@ -107,7 +107,7 @@ void prove_model_view_of_instance(void)
 /* [[row]]
  * function = "fxl_model_view_of_polygon"
  * property = "any eye in the world: nothing overflows, the offset is below 2^30, and the entries are the cache's; caches of up to 8 entries"
- * checks = 391
+ * checks = 355
  * stands_in = { next_tag = "any_tag", fxl_dot = "any_dot" }
  */
 void prove_model_view_of_polygon(void)

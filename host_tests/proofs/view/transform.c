@@ -6,7 +6,7 @@
 /* [[row]]
  * function = "lib/view/model_view.h:fxl_rotate"
  * property = "no sum overflows, for an origin below 2^62"
- * checks = 329
+ * checks = 293
  * contract = true
  * uses = ["fxl_dot"]
  */
@@ -22,7 +22,7 @@ void prove_rotate(void)
 /* [[row]]
  * function = "fxl_transform_point"
  * property = "no sum overflows, and each coordinate is below 7 2^59"
- * checks = 384
+ * checks = 348
  * contract = true
  * uses = ["fxl_dot", "fxl_point_in_range", "fxl_subtract"]
  */
