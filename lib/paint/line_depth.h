@@ -244,6 +244,7 @@ static inline void fxl_line_find_depth(fxl_line_canvas *canvas, const fxl_painte
     depth->step = 0;
     if (more != 0) {
         const bool rises = (more > 0) != swapped;
+        /* place fill-rule: the first place of a line's depth */
         const int32_t begin = (ends->from + 32767) >> 16;
         const uint32_t length = (uint32_t)ends->length;
         const uint32_t before = (uint32_t)(fxl_centre_of(begin) - ends->from);
