@@ -352,6 +352,49 @@ void test_codes_beside_a_face_whose_codes_are_linear(void)
     }
 }
 
+/* Whether the codes that the line has beside its face are all those of the plane, or of the linear function, held
+ * between the least code and the largest. Counts those that are held. */
+static bool are_beside(bool is_linear, uint32_t *held)
+{
+    const fxl_point *of[3];
+    corners_of(0, of);
+    for (int32_t i = 0; i < PIXELS; i++) {
+        if (frame[i] == LINE && alone[0][i] == 0) {
+            const double depth = depth_at(of, i);
+            double code = is_linear ? code_beyond(of, depth) : exact_code(depth);
+            *held += code < 1 || code > 65535;
+            code = code < 1 ? 1 : code > 65535 ? 65535 : code;
+            if (on_one[0][i] > code + 0.1 || on_one[0][i] < code - 1.1) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* A steep face, whose linear function leaves all codes beside it. */
+/* lines 3.2b */
+void test_codes_beside_a_steep_face_are_held(void)
+{
+    uint32_t low = 0, held = 0;
+    for (int round = 0; round < 600; round++) {
+        make_any_pair(20, (fxl_q16_16)ldexp(unit_between(65536, 131072), round % 7 - 1), 30, false,
+                      false);
+        lines[0].width = FXL_LINE_WIDTH_MAX;
+        make_surface(0, LIGHT + (uint32_t)round % 2);
+        make_surface(1, NOTHING);
+        draw_line_alone();
+        draw_codes(2, FIRST, false, alone[0]);
+        draw_codes(2, FIRST, true, on_one[0]);
+        uint32_t of_plane = 0;
+        if (!are_beside(false, &of_plane)) {
+            TEST_ASSERT_TRUE(are_beside(true, &held));
+            low++;
+        }
+    }
+    TEST_ASSERT_TRUE(low > 20 && held > 50);
+}
+
 /* place pixel-format: what an extra does in frames of the format */
 /* A pixel of 16 bits has the colour that the palette gives the pixel of 8. */
 /* lines 1.1d */

@@ -10,6 +10,7 @@
 #include "../scene/placement_code.h"
 #include "../view/cull.h"
 #include "../view/model_view.h"
+#include "../view/project.h"
 #include "../view/view.h"
 #include "display_list.h"
 #include "line_view.h"
@@ -81,6 +82,13 @@ static void find_plane(const fxl_line_instance *of, const fxl_face *face, fxl_de
     fxl_surface_polygon polygon;
     surfaces->painter->find(&surface, of->model_view, face, traversal, &polygon);
     *plane = polygon.depth;
+    if (fxl_depth_is_in_words(plane)) { /* a triangle, whose corners can all be projected */
+        fxl_view_point first;
+        fxl_screen_point corner = {0, 0};
+        fxl_find_corner(of->model_view, face->indices[0], traversal, &first);
+        (void)fxl_project_visible(&of->model_view->view->projection, &first, &corner);
+        fxl_line_continue_words(plane, &corner);
+    }
 }
 
 static FXL_COLD __attribute__((noinline)) fxl_line_plane *new_plane(fxl_line_instance *of,

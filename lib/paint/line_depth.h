@@ -14,12 +14,7 @@ static inline bool fxl_line_holds(const fxl_line_plane *face, uint32_t word)
     return word - face->first < face->span;
 }
 
-/* The word of a depth: the upper one of this. */
-static inline uint64_t fxl_line_worded(const fxl_line_plane *face, int64_t value)
-{
-    return fxl_depth_is_in_words(&face->plane) ? fxl_bits_64(value) << 32 : fxl_bits_64(value);
-}
-
+/* The word of a depth. */
 static inline uint32_t fxl_line_word_of(uint64_t value)
 {
     return (uint32_t)(value >> 32);
@@ -59,46 +54,79 @@ static inline bool fxl_line_find_most_steps(fxl_depth_scale scale, fxl_line_plan
     return true;
 }
 
-/* The octave of a worded value. All depths of an upper word are in an octave if its low end, rounded
+static inline void fxl_line_take_octave(fxl_line_plane *face, const fxl_depth_octave *octave)
+{
+    fxl_line_find_steps(face, octave);
+    if (octave->is_constant) {
+        face->start = (uint64_t)octave->bias << 32;
+        face->steps[0] = face->steps[1] = face->shift = face->added = 0;
+    }
+}
+
+/* The octave of a word of a plane in words, which beside the face may be beyond all codes: below the
+ * least one, 1, or from 2^16 on. The border is 2^16 times an odd number, and beyond it a code is twice
+ * the word less the border. Without a border all lines are held that leave no code, whose words of
+ * fxl_line_plane_begin have 12 bits. */
+/* lines 3.2 */
+static FXL_COLD __attribute__((noinline)) void
+fxl_line_find_words(fxl_depth_scale scale, fxl_line_plane *face, int32_t word)
+{
+    const int32_t border = (int32_t)(fxl_depth_border(scale, &face->plane) >> 16);
+    const int32_t least = border > 1 ? (border + 1) / 2 : 1;
+    const uint32_t margin = face->margin - FXL_LINE_MARGIN_OF_WORDS;
+    int32_t first = INT32_MIN, end = least;
+    fxl_depth_octave octave = {0, 0, 0, word < least ? 65536u : UINT32_MAX, 0, true};
+    if (word >= 65536) {
+        first = 65536;
+        end = INT32_MAX;
+    } else if (word >= least) {
+        const bool is_beyond = word < border;
+        first = is_beyond || border < least ? least : border;
+        end = is_beyond ? border : 65536;
+        octave.drop = is_beyond ? 15 : 16;
+        octave.bias = is_beyond ? 0u - (fxl_bits_32(border) << 16) : 0;
+        octave.step = fxl_depth_shifted(face->plane.gradient.along, octave.drop);
+        octave.is_constant = false;
+        if (border == 0 && margin < 2000) {
+            face->low = margin + 1u;
+            face->held = 4095u - 2u * margin;
+        }
+    }
+    face->first = fxl_bits_32(first);
+    face->span = fxl_bits_32(end) - fxl_bits_32(first);
+    fxl_line_take_octave(face, &octave);
+}
+
+/* The octave of a value. All depths of an upper word are in an octave if its low end, rounded
  * up to 2^32, is not above them, and its high end, rounded down, is. One whose code is constant holds
- * none. */
+ * none, but of a plane in words. */
 static __attribute__((noinline)) void fxl_line_find_other(fxl_depth_scale scale,
                                                           fxl_line_plane *face, uint64_t value)
 {
     const uint32_t word = fxl_line_word_of(value);
     const int32_t length = 64 - (int32_t)fxl_leading_zeros(word | 1u);
-    const bool is_in_words = fxl_depth_is_in_words(&face->plane);
-    face->held = face->plane.one == FXL_DEPTH_IS_LINEAR ? 1 : 0;
-    if (!is_in_words && length > 33 && length < 64 &&
-        fxl_line_find_most_steps(scale, face, length)) {
+    face->held = 0;
+    if (fxl_depth_is_in_words(&face->plane)) {
+        fxl_line_find_words(scale, face, fxl_signed_32(word));
+    } else if (length > 33 && length < 64 && fxl_line_find_most_steps(scale, face, length)) {
         face->first = face->span = (uint32_t)1 << (length - 33);
-        return;
-    }
-    fxl_depth_octave octave;
-    if (is_in_words) {
-        fxl_depth_octave_of_word(scale, &face->plane, word, &octave);
-        face->first = (uint32_t)octave.low;
-        face->span = (uint32_t)(octave.high - octave.low - 1); /* from 65535 on */
     } else {
+        fxl_depth_octave octave;
         fxl_depth_octave_of(scale, &face->plane, (int64_t)value, &octave);
         const int32_t low = (int32_t)((octave.low + UINT32_MAX) >> 32);
         const int32_t high = (int32_t)(octave.high >> 32);
         face->first = fxl_bits_32(low);
         face->span = !octave.is_constant && high > low ? fxl_bits_32(high) - fxl_bits_32(low) : 0;
-    }
-    fxl_line_find_steps(face, &octave);
-    if (octave.is_constant) {
-        face->start = (uint64_t)octave.bias << 32;
-        face->steps[0] = face->steps[1] = face->shift = face->added = 0;
+        fxl_line_take_octave(face, &octave);
     }
 }
 
-/* The worded value of a face at the centre of a pixel. */
+/* The value of a face at the centre of a pixel. */
 static inline uint64_t fxl_line_value_of(const fxl_line_plane *face, int32_t x, int32_t y)
 {
     const fxl_gradient *gradient = &face->plane.gradient;
-    return fxl_line_worded(face, gradient->at + fxl_multiply_s64_u16(gradient->down, (uint32_t)y) +
-                                     fxl_multiply_s64_u16(gradient->along, (uint32_t)x));
+    return fxl_bits_64(gradient->at + fxl_multiply_s64_u16(gradient->down, (uint32_t)y) +
+                       fxl_multiply_s64_u16(gradient->along, (uint32_t)x));
 }
 
 /* The code that a face has at the centre of a pixel. */

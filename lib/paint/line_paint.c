@@ -365,42 +365,51 @@ static void find_axes(fxl_line_canvas *canvas, bool upright, bool falls)
     axes->pixel_across = (upright ? pixel : pixel_row) * change;
 }
 
+/* Within the face codes are from 65536 on; a corner is off by half a code of 16 bits. What a pixel adds
+ * is below 2^31, so a code is below 2^47. */
+/* lines 3.2 */
+FXL_COLD void fxl_line_continue_words(fxl_depth_plane *plane, const fxl_screen_point *corner)
+{
+    fxl_gradient *gradient = &plane->gradient;
+    const int32_t along = fxl_signed_32(fxl_low_32(fxl_bits_64(gradient->along)));
+    const int32_t down = fxl_signed_32(fxl_low_32(fxl_bits_64(gradient->down)));
+    const int64_t more = fxl_multiply_s32(along, corner->x - 32768) +
+                         fxl_multiply_s32(down, corner->y - 32768);
+    const int64_t change = more >> 16;
+    const uint32_t code = fxl_low_32(fxl_bits_64(gradient->at + change)) - 32768u;
+    gradient->at = ((int64_t)code + 32768 - change) * 65536;
+    gradient->along = (int64_t)along * 65536;
+    gradient->down = (int64_t)down * 65536;
+}
+
 /* near_z is counted as at most 2^46, and what a pixel adds is below 2^30. So sums are below 2^63, and
  * their upper words off by less than 2. The centres of a line's pixels lie within half a pixel of the
- * straight line between its ends, across. A plane in words without a border has one octave, and of one
- * with a border nothing is said. */
+ * straight line between its ends, across. Of codes times 2^16 the lower 20 bits are left out: a word
+ * has 12. */
 void fxl_line_plane_begin(fxl_line_plane *face)
 {
     const fxl_gradient *gradient = &face->plane.gradient;
+    const uint64_t right = fxl_magnitude(gradient->along);
+    const uint64_t down = fxl_magnitude(gradient->down);
+    const uint64_t most = right > down ? right : down;
+    const int32_t upper = (int32_t)fxl_bit_length(most | 1u) - 30;
+    uint32_t added = 4;
+    int32_t drop = 20;
     face->span = face->held = 0;
-    if (!fxl_depth_is_in_words(&face->plane)) {
-        const uint64_t right = fxl_magnitude(gradient->along);
-        const uint64_t down = fxl_magnitude(gradient->down);
-        const uint64_t most = right > down ? right : down;
-        const int32_t upper = (int32_t)fxl_bit_length(most | 1u) - 30, near = face->plane.one - 46;
-        const int32_t least = upper > near ? upper : near, drop = least > -16 ? least : -16;
-        face->drop = drop;
-        face->margin = fxl_low_32(most >> (drop + 17)) + 4u; /* at most 2^14 */
-        face->words[0] = fxl_signed_32(fxl_depth_shifted(gradient->along, drop));
-        face->words[1] = fxl_signed_32(fxl_depth_shifted(gradient->down, drop));
-        /* The centre of the first pixel is half a pixel behind its corner. */
-        face->at = (int64_t)((drop < 16 ? fxl_bits_64(gradient->at) << (16 - drop)
-                                        : fxl_bits_64(gradient->at >> (drop - 16))) -
-                             fxl_bits_64(((int64_t)face->words[0] + face->words[1]) * 32768));
+    if (fxl_depth_is_in_words(&face->plane)) {
+        added += FXL_LINE_MARGIN_OF_WORDS;
     } else {
-        face->words[0] = face->words[1] = 0;
-        face->at = 0;
-        face->drop = 64; /* no octave */
-        face->margin = 0;
-        if (face->plane.one == FXL_DEPTH_IS_LINEAR) {
-            face->low = 0;
-            face->held = 1;
-            face->shift = face->added = 0;
-            face->start = fxl_bits_64(gradient->at) << 32;
-            face->steps[0] = fxl_bits_64(gradient->along) << 32;
-            face->steps[1] = fxl_bits_64(gradient->down) << 32;
-        }
+        const int32_t near = face->plane.one - 46, least = upper > near ? upper : near;
+        drop = least > -16 ? least : -16;
     }
+    face->drop = drop;
+    face->margin = fxl_low_32(most >> (drop + 17)) + added; /* at most 2^14 more */
+    face->words[0] = fxl_signed_32(fxl_depth_shifted(gradient->along, drop));
+    face->words[1] = fxl_signed_32(fxl_depth_shifted(gradient->down, drop));
+    /* The centre of the first pixel is half a pixel behind its corner. */
+    face->at = (int64_t)((drop < 16 ? fxl_bits_64(gradient->at) << (16 - drop)
+                                    : fxl_bits_64(gradient->at >> (drop - 16))) -
+                         fxl_bits_64(((int64_t)face->words[0] + face->words[1]) * 32768));
 }
 
 /* place pixel-format: the bytes of a pixel of lines */

@@ -11,6 +11,9 @@
 extern "C" {
 #endif
 
+/* What a plane in words has more of a margin than it is, so that no octave but its own holds it. */
+#define FXL_LINE_MARGIN_OF_WORDS ((uint32_t)1 << 30)
+
 /* The depth of a face on which lines lie, and the octave of its codes that was found last. */
 typedef struct {
     fxl_depth_plane plane;
@@ -29,9 +32,14 @@ typedef struct {
     uint32_t shift, added;
     uint64_t start, steps[2];
     /* The octave, if fxl_line_find_other found it last, holds the depths whose word is one of those
-     * from first on, so many. The word of a plane in words is the lower one. span 0: it holds none. */
+     * from first on, so many. That of a plane in words is a code of 16 bits. span 0: it holds none. */
     uint32_t first, span;
 } fxl_line_plane;
+
+/* Codes of a plane in words, which are known modulo 2^32, times 2^16 and as signed numbers: the upper
+ * word is the code of 16 bits. corner: a point of the face on the screen. Where all pixels are less
+ * than 2^14 from it, they are below 2^63. */
+void fxl_line_continue_words(fxl_depth_plane *plane, const fxl_screen_point *corner);
 
 /* After `plane` was set. */
 void fxl_line_plane_begin(fxl_line_plane *face);

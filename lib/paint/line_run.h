@@ -200,8 +200,8 @@ static int32_t fxl_line_find_stretch(fxl_depth_scale scale, fxl_line_plane *face
     if (!fxl_line_holds(face, fxl_line_word_of(value))) {
         fxl_line_find_other(scale, face, value);
     }
-    const uint64_t right = fxl_line_worded(face, face->plane.gradient.along);
-    const uint64_t down = fxl_line_worded(face, face->plane.gradient.down);
+    const uint64_t right = fxl_bits_64(face->plane.gradient.along);
+    const uint64_t down = fxl_bits_64(face->plane.gradient.down);
     const uint64_t along = upright ? down : right, across = upright ? right : down;
     const uint64_t sheer = axes->change < 0 ? 0u - across : across;
     const uint32_t first = face->first, span = face->span;
