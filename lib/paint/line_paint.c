@@ -430,10 +430,11 @@ void fxl_line_canvas_begin(fxl_line_canvas *canvas, const fxl_band *band,
     for (uint32_t i = 0; i < 4; i++) {
         find_axes(canvas, i > 1, i % 2 != 0);
     }
+    if (head != NULL && band->stride != band->width) {
+        canvas->format |= FXL_LINE_APART;
+    }
     if (head == NULL) {
         canvas->format = FXL_LINE_PLAIN;
-    } else if (band->stride != band->width) {
-        canvas->format |= FXL_LINE_APART;
     }
     const uint32_t row = (uint32_t)band->first_row;
     canvas->cells = (uintptr_t)head + sizeof *head - row * (uint32_t)canvas->axes[2].cell_along;
