@@ -365,8 +365,8 @@ static void find_axes(fxl_line_canvas *canvas, bool upright, bool falls)
     axes->pixel_across = (upright ? pixel : pixel_row) * change;
 }
 
-/* Within the face codes are from 65536 on; a corner is off by half a code of 16 bits. What a pixel adds
- * is below 2^31, so a code is below 2^47. */
+/* Within the face codes are from 65536 on, and what is found at a corner is less than 32768 below that.
+ * What a pixel adds is below 2^31, so a code is below 2^47. */
 /* lines 3.2 */
 FXL_COLD void fxl_line_continue_words(fxl_depth_plane *plane, const fxl_screen_point *corner)
 {
