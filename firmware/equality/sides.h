@@ -90,7 +90,7 @@ bool portable_find_smooth_planes(const fxl_screen_corners *corners, const fxl_le
                                  const int32_t light[3], fxl_gradients *gradients,
                                  fxl_depth_plane *depth);
 
-int32_t portable_find_texel_planes(const fxl_screen_corners *corners, const fxl_lens *lens,
+int32_t portable_find_texel_planes(const fxl_screen_corners *corners, const fxl_words_lens *lens,
                                    int32_t (*values)[3], fxl_texel_planes *planes, uint32_t count,
                                    bool is_affine);
 

@@ -77,7 +77,7 @@ static void any_values(int32_t (*values)[3])
     any_light(values[FXL_SEGMENT_LIGHT]);
 }
 
-static bool has_same_texels(const fxl_screen_corners *corners, const fxl_lens *lens)
+static bool has_same_texels(const fxl_screen_corners *corners, const fxl_words_lens *lens)
 {
     fxl_texel_planes core = {{0}, {0}, {0}}, portable = core;
     int32_t values[FXL_ATTRIBUTES][3];
@@ -113,13 +113,14 @@ void test_smooth_planes(uint32_t rounds)
         any_lens(&lens);
         any_corners(&lens, &corners);
         any_light(light);
+        const fxl_words_lens words_lens = fxl_words_lens_of(&lens);
         const bool found = fxl_find_smooth_planes(&corners, &lens, light, &by_core, &core);
         const bool expected =
             portable_find_smooth_planes(&corners, &lens, light, &by_portable, &portable);
         equality_case(found == expected &&
                       (!found || (is_gradient(&core.gradient, &portable.gradient) &&
                                   core.one == portable.one && is_same(&by_core, &by_portable))));
-        equality_case(has_same_texels(&corners, &lens));
+        equality_case(has_same_texels(&corners, &words_lens));
     }
 }
 

@@ -142,24 +142,24 @@ static bool is_found_unlit(int32_t (*values)[3], bool is_found, const fxl_gradie
 static void check_texel_planes(int32_t (*values)[3], bool is_found, const fxl_gradients *gradients,
                                const fxl_depth_plane *plane)
 {
-    const fxl_lens *lens = &triangle.view.lens;
+    const fxl_words_lens lens = fxl_words_lens_of(&triangle.view.lens);
     fxl_texel_planes expected, found;
-    const int32_t one = fxl_find_texel_planes(&triangle.corners, lens, values, &found, 3, false);
+    const int32_t one = fxl_find_texel_planes(&triangle.corners, &lens, values, &found, 3, false);
     TEST_ASSERT_EQUAL_INT32(is_found ? plane->one : 0, one);
     if (is_found) {
         fxl_texel_words_of(gradients, plane, &expected);
         TEST_ASSERT_EQUAL_MEMORY(&expected, &found, sizeof expected);
         values[FXL_ATTRIBUTE_V][2] += 192 << 16;
-        TEST_ASSERT_EQUAL_INT32(0, fxl_find_texel_planes(&triangle.corners, lens, values, &found, 3,
-                                                         true));
+        TEST_ASSERT_EQUAL_INT32(0, fxl_find_texel_planes(&triangle.corners, &lens, values, &found,
+                                                         3, true));
         values[FXL_ATTRIBUTE_V][2] -= 192 << 16;
         triangle.corners.is_triangle = false;
         TEST_ASSERT_EQUAL_INT32(
-            0, fxl_find_texel_planes(&triangle.corners, lens, values, &found, 3, false));
+            0, fxl_find_texel_planes(&triangle.corners, &lens, values, &found, 3, false));
         triangle.corners.is_triangle = true;
         triangle.corners.width += FXL_SMALL_SIDE_MAX;
         TEST_ASSERT_EQUAL_INT32(
-            0, fxl_find_texel_planes(&triangle.corners, lens, values, &found, 3, false));
+            0, fxl_find_texel_planes(&triangle.corners, &lens, values, &found, 3, false));
         triangle.corners.width -= FXL_SMALL_SIDE_MAX;
     }
 }

@@ -256,8 +256,10 @@ AT(fxl_lit_run, mixture.red_dark, LIT_RUN_PALETTE + 8);
 AT(fxl_lit_run, mixture.green_step, LIT_RUN_PALETTE + 20);
 
 AT(fxl_colour_values, limit, COLOUR_VALUES_LIMIT);
-AT(fxl_words_lens, near_z, 0);
+AT(fxl_words_lens, near_high, 0);
+AT(fxl_words_lens, near_zeros, 4);
 AT(fxl_words_lens, octaves, WORDS_LENS_OCTAVES);
+AT(fxl_words_lens, octaves_zeros, WORDS_LENS_OCTAVES + 4);
 #endif
 
 AT(fxl_smooth_words, code_down, 8);

@@ -76,10 +76,10 @@ static inline uint32_t find_texel_values(const fxl_surfaces *surfaces, const fxl
 static inline __attribute__((always_inline)) fxl_depth_drawn
 draw_texel_corners(const fxl_surfaces *surfaces, const fxl_surface *surface,
                    const fxl_corner *const of[3], const fxl_screen_corners *corners,
-                   const fxl_model_view *model_view, const fxl_traversal *traversal, texel_run *run)
+                   const fxl_model_view *model_view, const fxl_traversal *traversal,
+                   const fxl_words_lens *lens, texel_run *run)
 {
     fxl_workspace *workspace = traversal->workspace;
-    const fxl_lens *lens = &model_view->view->lens;
     const fxl_band *band = traversal->band;
     int32_t values[FXL_ATTRIBUTES][3];
     const uint32_t attributes =
@@ -87,7 +87,7 @@ draw_texel_corners(const fxl_surfaces *surfaces, const fxl_surface *surface,
                           &run->paint);
     const int32_t one = fxl_find_texel_planes(
         corners, lens, values, &run->outline.planes, attributes,
-        surface->division == FXL_AFFINE && fxl_corners_are_on_screen(corners, lens));
+        surface->division == FXL_AFFINE && fxl_corners_are_on_screen(corners, lens->lens));
     if (one == 0) {
         return FXL_DEPTH_NOT_DRAWN;
     }

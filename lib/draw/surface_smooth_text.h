@@ -277,7 +277,7 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
 #if FXL_PIXEL_IS_MIXED
     if (run->surface->texture != 0) {
         drawn = draw_texel_corners(surfaces, run->surface, of, &corners, model_view, traversal,
-                                   &run->outline.texels);
+                                   &run->lens, &run->outline.texels);
     } else if (run->surface->flags & FXL_SURFACE_COLOURS) {
         drawn = draw_colour_face(surfaces, run->surface, of, &corners, model_view, corners.points,
                                  3, traversal, &run->lens, &run->outline.colours);

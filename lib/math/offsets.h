@@ -255,7 +255,7 @@
 
 #define SMOOTH_WORDS_LIGHT_DOWN 12
 
-#define WORDS_LENS_OCTAVES 4 /* near_z is the first */
+#define WORDS_LENS_OCTAVES 8 /* and their zeros; near_high and its zeros are the first */
 
 #define COLOUR_OUTLINE_CODE       0
 #define COLOUR_OUTLINE_CODE_DOWN  4

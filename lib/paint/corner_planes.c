@@ -287,7 +287,7 @@ bool fxl_find_texels(const fxl_corner_planes *planes, int32_t (*values)[3], uint
 /* The portable texts of fxl_find_smooth_planes and fxl_find_texel_planes. */
 #if !FXL_KERNELS_ARMV7M || FXL_IS_COMPACT
 
-int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_lens *lens,
+int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_words_lens *lens,
                               int32_t (*values)[3], fxl_texel_planes *texels, uint32_t count,
                               bool is_affine)
 {
@@ -295,7 +295,7 @@ int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_lens 
     fxl_gradients gradients;
     fxl_depth_plane depth;
     if (!corners->is_triangle || !fxl_has_few_texels(values) ||
-        !fxl_corner_planes_begin(corners, lens, FXL_TEXELS_SIDE_MAX, &planes) ||
+        !fxl_corner_planes_begin(corners, lens->lens, FXL_TEXELS_SIDE_MAX, &planes) ||
         !fxl_find_texels(&planes, values, count, is_affine, &gradients, &depth)) {
         return 0;
     }

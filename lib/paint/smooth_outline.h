@@ -41,21 +41,24 @@ typedef struct {
     uint32_t border;  /* as of fxl_depth_border */
 } fxl_smooth_outline;
 
-#if FXL_DRAWS_SMOOTH_OUTLINES
-
-/* What words of depth depend on beside the corners. octaves: 0 where the lens has a single one, and codes
- * of 15 bits. */
+/* What words of depth depend on beside the corners. near_high: near_z, moved up to the highest bit, by its
+ * leading zeros. octaves: 0 where the lens has a single one, and codes of 15 bits; then
+ * its leading zeros mean nothing. */
 typedef struct {
-    int32_t near_z;
-    uint32_t octaves;
+    uint32_t near_high, near_zeros, octaves, octaves_zeros;
+    const fxl_lens *lens;
 } fxl_words_lens;
 
 static inline fxl_words_lens fxl_words_lens_of(const fxl_lens *lens)
 {
     const uint32_t octaves = fxl_depth_scale_of(lens).octaves;
-    const fxl_words_lens of = {lens->near_z, octaves == 1 ? 0 : octaves};
+    const uint32_t near_z = (uint32_t)lens->near_z, zeros = fxl_leading_zeros(near_z);
+    const fxl_words_lens of = {near_z << zeros, zeros, octaves == 1 ? 0 : octaves,
+                               fxl_leading_zeros(octaves), lens};
     return of;
 }
+
+#if FXL_DRAWS_SMOOTH_OUTLINES
 
 /* Those that fxl_find_smooth_planes finds. Returns fxl_depth_plane.one; 0 where it finds none: *words is
  * undefined then. */
@@ -315,7 +318,7 @@ static inline bool fxl_has_few_texels(int32_t (*values)[3])
  * is 2, light is undefined. Returns fxl_depth_plane.one; 0 where the face is not such a triangle, or
  * u or v differ by 128 texels or more from those of corner 0: *planes is undefined then. It is a
  * kernel: Armv7-M has its own. */
-int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_lens *lens,
+int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_words_lens *lens,
                               int32_t (*values)[3], fxl_texel_planes *planes, uint32_t count,
                               bool is_affine);
 

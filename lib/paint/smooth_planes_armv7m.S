@@ -30,25 +30,8 @@
 #include "smooth_words_armv7m.h"
 #include "colour_channels_armv7m.h"
 
-/* The octaves of the lens r1, in r1. Goes to .Lrefused_texels where it has one: codes have 15 bits. */
-    .macro octaves_of_lens
-    ldrd    r5, r7, [r1, #LENS_NEAR_Z]
-    add     r7, r7, r7, lsr #8
-    add     r7, r7, #1
-    clz     r1, r5
-    clz     r2, r7
-    sub     r1, r1, r2
-    lsl     r5, r5, r1
-    cmp     r5, r7
-    it      lo
-    addlo   r1, r1, #1
-    cmp     r1, #1
-    bls     .Lrefused_texels
-    .endm
-
 /* The planes of a face; kind: _light, _colours or _texels; range: the longest side less the least; thin:
- * 0: it may be neither thin nor steep. r0: corners, r1: lens, of texels fxl_lens, of
- * others fxl_words_lens, r2: light or values, r3: words, of
+ * 0: it may be neither thin nor steep. r0: corners, r1: fxl_words_lens, r2: light or values, r3: words, of
  * colours outline; of texels on the stack: count, is_affine. */
     .macro find_planes kind, range, thin
     push    {r0-r11, lr}
@@ -76,20 +59,19 @@
     smull   r12, lr, r8, r11
     smull   r1, r2, r10, r9
     subs    r12, r12, r1
-    sbc     lr, lr, r2
-    asr     r3, lr, #31             /* its sign */
-    eor     r12, r12, r3
-    eor     lr, lr, r3
-    subs    r12, r12, r3
-    sbc     lr, lr, r3
+    sbcs    lr, lr, r2
+    bmi     .Lturned\kind
+.Lclockwise\kind:
+    orr     r3, r4, r5
+    clz     r3, r3
+    sub     r3, r3, #1              /* what scales the edges */
     umull   r1, r2, r4, r5          /* the box */
     lsl     r6, lr, #3
     orr     r6, r6, r12, lsr #29
     lsl     r7, r12, #3
     cmp     r7, r1
     sbcs    r6, r6, r2
-    sbc     r0, r0, r0              /* all ones: it is thin, so may be steep */
-    bcc     .Lthin_area\kind
+    blo     .Lthin_area\kind
 .Lfilled\kind:
 
     /* r1: the exponent, r6: the reciprocal of the area, r8-r11: the coefficients. */
@@ -105,12 +87,7 @@
     bic     r6, r12, #1
     orr     r6, r6, #2
     reciprocal r6, r2, r7
-    eor     r6, r6, r3
-    sub     r6, r6, r3
-    orr     r2, r4, r5
-    clz     r2, r2
-    sub     r2, r2, #1
-    add     r1, r1, r2
+    add     r1, r1, r3
     coefficient r8                  /* down[1] */
     coefficient r9                  /* along[1] */
     coefficient r10                 /* down[0] */
@@ -118,11 +95,9 @@
     str     r1, [sp, #EXPONENT]
     cmp     r4, r5
     it      hi
-    movhi   r4, r5
-    orr     r4, r4, r0              /* the shorter side, or all ones */
+    movhi   r4, r5                  /* the shorter side, or all ones */
 
     /* The weights, r3, r6, r12; r0: 32 less their exponent, negated. */
-    ldr     r0, [sp, #CORNERS]
     add     r0, r0, #SCREEN_CORNERS_DEPTHS
     ldm     r0, {r2, r3, r5, r6, r7, r12}
     orr     r0, r3, r6
@@ -151,13 +126,7 @@
     lsr     r6, r6, #1
     lsr     r12, r12, #1
     ldr     r7, [sp, #LENS]
-    .ifc    \kind, _texels
-    ldr     r7, [r7, #LENS_NEAR_Z]
-    .else
-    ldr     r7, [r7]
-    .endif
-    clz     lr, r7
-    lsl     r7, r7, lr
+    ldrd    r7, lr, [r7]
     sub     r0, lr, r0
     upper_product r2, r3, lr
     clz     r5, r2
@@ -169,8 +138,18 @@
     upper_product r3, r7, lr
     upper_product r6, r7, lr
     upper_product r12, r7, lr
-    extremes r5, r2, r3, r6, r12
+    .ifc    \kind, _colours
+    sub     lr, r6, r3
+    sub     r7, r12, r3
+    ends_of_differences r5, r2, lr, r7
+    .else
+    sub     r6, r6, r3
+    sub     r12, r12, r3
+    ends_of_differences r5, r2, r6, r12
+    .endif
     sub     r1, r5, r2
+    add     r5, r5, r3              /* the greatest weight */
+    add     r2, r2, r3              /* the least one */
     strd    r2, r1, [sp, #LEAST]
     umull   lr, r7, r5, r4
     subs    lr, lr, r1, lsl #20
@@ -178,45 +157,34 @@
     blo     .Lsteep\kind                 /* they differ much for the shorter side */
 .Lmay_be_steep\kind:
 
-    /* The octave r0 of the lens's, r1, and at most the one beyond it; r2: bits of a code, lr: zeros of the weights. */
+    /* The octave r0 of the lens's, r1, and at most the one beyond it, where r7 is 1; r2: bits of a code,
+     * less 1, lr: zeros of the weights. */
     clz     lr, r5
     clz     r7, r2
-    add     r0, r0, lr
+    adds    r0, r0, lr
+    bmi     .Lrefused\kind
     sub     r7, r7, lr
-    cmp     r7, #1                  /* octaves that it crosses */
+    cmp     r7, #1
     bhi     .Lrefused\kind
-    ite     eq
-    addeq   r7, r0, #1
-    movne   r7, #0
-    str     r7, [sp, #CROSSED]
     ldr     r1, [sp, #LENS]
-    .ifc    \kind, _texels
-    octaves_of_lens
-    .else
-    ldr     r1, [r1, #WORDS_LENS_OCTAVES]
+    add     r5, r0, r7
+    ldrd    r1, r2, [r1, #WORDS_LENS_OCTAVES]
+    cmp     r5, r1
+    bhs     .Lrefused\kind
+    .ifnc   \kind, _colours
+    mul     r7, r7, r5
+    str     r7, [sp, #CROSSED]
     .endif
-    cmp     r0, r1
-    bhs     .Lrefused\kind
-    ldr     r2, [sp, #CROSSED]
-    cmp     r2, r1
-    bhs     .Lrefused\kind
-    clz     r2, r1
-    add     r2, r2, #1
     sub     r1, r1, r0
     sub     r1, r1, #2
-    sub     r5, r2, #1
-    lsl     r1, r1, r5              /* the bias */
+    lsl     r1, r1, r2              /* the bias */
     .ifc    \kind, _colours
-    ldr     r0, [sp, #CROSSED]
-    cmp     r0, #0
-    itttt   ne
-    movne   r0, #1
-    lslne   r0, r0, r5
-    addne   r0, r0, r1
-    addne   r0, r0, #65536
-    str     r0, [sp, #BORDER]
+    cmp     r7, #0
+    bne     .Lcrossed_colours
+.Lhave_border:
+    str     r7, [sp, #BORDER]
     .endif
-    rsb     r7, lr, #32
+    rsb     r7, lr, #31
     sub     r7, r7, r2              /* bits of a weight below a code's */
     rsb     r5, r7, #0
     lsr     r0, r3, r7
@@ -228,9 +196,9 @@
     /* The plane of depth: r3:r2 and r6:r5 become along and down. */
     .ifc    \kind, _colours
     shorten_weights
-    .endif
     sub     r6, r6, r3
     sub     r12, r12, r3
+    .endif
     .ifc    \kind, _light
     strd    r6, r12, [sp, #APART]
     .endif
@@ -292,8 +260,19 @@
     cmp     r7, r1
     sbcs    r6, r6, r2
     blo     .Lrefused\kind
+    mvn     r4, #0                  /* it may be steep */
+    mvn     r5, #0
     b       .Lfilled\kind
     .endif
+
+    /* Its corners go the other way round. */
+.Lturned\kind:
+    rsbs    r12, r12, #0
+    sbc     lr, lr, lr, lsl #1
+    .irp    edge, r8, r9, r10, r11
+    rsb     \edge, \edge, #0
+    .endr
+    b       .Lclockwise\kind
 
 .Lsmall_area\kind:
     clz     r1, r12
@@ -314,6 +293,11 @@
     .endif
     .ifc    \kind, _colours
     find_channel_mean
+.Lcrossed_colours:
+    lsl     r7, r7, r2
+    add     r7, r7, r1
+    add     r7, r7, #65536
+    b       .Lhave_border
     .endif
 
     .if     \thin

@@ -23,28 +23,22 @@
     umull   \spare, \value, \value, \factor
     .endm
 
-/* \edge becomes a coefficient; r2: the shift, r6: the reciprocal of the area. */
+/* \edge becomes a coefficient; r3: the shift, r6: the reciprocal of the area. */
     .macro coefficient edge
-    lsl     \edge, \edge, r2
+    lsl     \edge, \edge, r3
     smull   r7, \edge, \edge, r6
     .endm
 
-/* \most and \least become those of three words. */
-    .macro extremes most, least, a, b, c
-    mov     \most, \a
-    cmp     \b, \a
-    it      hi
-    movhi   \most, \b
-    cmp     \c, \most
-    it      hi
-    movhi   \most, \c
-    mov     \least, \a
-    cmp     \b, \a
-    it      lo
-    movlo   \least, \b
-    cmp     \c, \least
-    it      lo
-    movlo   \least, \c
+/* \most and \least become those of 0 and of what two values have more than a third one. */
+    .macro ends_of_differences most, least, d1, d2
+    cmp     \d1, \d2
+    ittee   gt
+    movgt   \most, \d1
+    movgt   \least, \d2
+    movle   \most, \d2
+    movle   \least, \d1
+    bic     \most, \most, \most, asr #31
+    and     \least, \least, \least, asr #31
     .endm
 
 /* The lower word of \high:\low / 2^\drop, in \low; \up: 32 - \drop. 0 < \drop < 32. */
@@ -85,12 +79,12 @@
     .macro find_light
     ldr     r7, [sp, #LIGHT]
     ldm     r7, {r0, r2, r5}
-    extremes r7, r12, r0, r2, r5
+    sub     r2, r2, r0
+    sub     r5, r5, r0
+    ends_of_differences r7, r12, r2, r5
     sub     r7, r7, r12
     ldrd    r4, r12, [sp, #LEAST]
     umull   r7, r12, r7, r12
-    sub     r2, r2, r0
-    sub     r5, r5, r0
     lsl     lr, r4, #15             /* 4 FXL_AFFINE_ERROR_LIGHT */
     subs    lr, lr, r7
     lsr     r4, r4, #17
@@ -146,14 +140,7 @@
     lsrs    r4, r4, #23             /* 128 texels */
     bne     .Lrefused_texels
     .endif
-    cmp     r2, r5
-    ittee   gt
-    movgt   r4, r2
-    movgt   r12, r5
-    movle   r4, r5
-    movle   r12, r2
-    bic     r4, r4, r4, asr #31
-    and     r12, r12, r12, asr #31
+    ends_of_differences r4, r12, r2, r5
     sub     r4, r4, r12             /* the range */
     ldrd    r7, r12, [sp, #LEAST]
     umull   r4, r12, r4, r12
