@@ -68,19 +68,25 @@
     adc     v, v, r3
     .endm
 
-/* Divides u and v by w, and goes on with the segment. Overwrites r1 to r5. */
-    .macro  divide_and_resume
+/* Divides u and v by w; r3 becomes the reciprocal. Goes to far where a drop is below 0. low: takes the lower
+ * word of the second product; it may be u_drop. */
+    .macro  divide u_at, v_at, u_drop, v_drop, zeros, low, far
     mvn     r3, #0x80000000
-    reciprocal r3, r1, w, r3, r2, r5
-    ldrd    r4, r5, [sp, #.LF_U_DROP]
-    subs    r4, r4, r1
-    subs    r5, r5, r1
-    orrs    r2, r4, r5
-    bmi     .Lfar_start
-    smull   r1, u_0, u, r3
-    asr     u_0, u_0, r4
-    smull   r1, v_0, v, r3
-    asr     v_0, v_0, r5
+    reciprocal r3, \zeros, w, r3, \u_drop, \v_drop
+    ldrd    \u_drop, \v_drop, [sp, #.LF_U_DROP]
+    subs    \u_drop, \u_drop, \zeros
+    subs    \v_drop, \v_drop, \zeros
+    orrs    \zeros, \u_drop, \v_drop
+    bmi     \far
+    smull   \zeros, \u_at, u, r3
+    asrs    \u_at, \u_at, \u_drop
+    smull   \low, \v_at, v, r3
+    asrs    \v_at, \v_at, \v_drop
+    .endm
+
+/* The same, and goes on with the segment. Overwrites r1 to r5. */
+    .macro  divide_and_resume
+    divide  u_0, v_0, r4, r5, r1, r1, .Lfar_start
     ldr     pc, [sp, #.LF_RESUME]
     .endm
 
@@ -130,9 +136,15 @@
     it      eq
     ldrdeq  r7, r8, [sp, #.LF_PLAIN]
     mla     r7, r6, r8, r7
+    add     r5, r8, r9, lsl #8
     ite     eq
     adreq   r9, .Lclamped_each + 1
     adrne   r9, \resume + 1
+    .if     WIDE
+    cmp     r5, #PIXEL_PLAIN
+    it      eq
+    adreq   r9, .Leach_colour + 1
+    .endif
     adr     r8, .Lsegment_\log + 1
     .else
     mla     r7, r6, r8, r7
@@ -240,7 +252,8 @@
 .Lrun_end:
     ldrd    r2, r3, [sp, #.LF_X]
     cmp     r2, r3
-    beq     2f
+    it      eq
+    ldreq   pc, [sp, #.LF_DONE]
     ldr     r4, [sp, #.LF_LOG]
     ldrd    r1, r0, [sp, #.LF_ROW]
     cbz     r4, 1f
@@ -266,7 +279,6 @@
     adc     r11, r11, r9
     ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
     b       .Lfind
-2:  ldr     pc, [sp, #.LF_DONE]
 
     .align  2
 .Lkept:

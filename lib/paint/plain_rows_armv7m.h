@@ -63,6 +63,10 @@
 /* Any other clamped face: U and V at the end of the segment before. */
     slot_of .LF_PREVIOUS, .LF_COLUMN
 
+/* Wide texels that are pixels, each divided: how far U, shifted to bit 31, is shifted to the column;
+ * in the byte above, V to the row. */
+    slot_of .LF_SHIFTS, .LF_TABLE
+
     slot_of .LF_OF_16, .LF_OWN /* of texels of 4 bits: what each becomes. Such a face saves no registers. */
 
 /* The frame of rows of constant weight has in the places of the steps and of F_BEGIN: */
@@ -146,6 +150,11 @@ RUNS:
     strd    r4, r0, [sp, #.LF_DONE]
     ldr     r0, [r0, #PAINT_ROW_SEGMENTS]
     bl      .Lprepare
+    b       .Lnext_run
+    .align  2
+.Lrun_beside:                           /* in the row of the run before */
+    ldr     r5, [r12, #PAINT_ROW_PIXELS]
+    b       .Lcolumns
     .align  2
 .Lnext_run:
     ldr     r12, [sp, #.LF_ROW]
@@ -155,15 +164,7 @@ RUNS:
     ldr     lr, [r0], #4
     str     r0, [r12, #PLAIN_RUNS_NEXT]
     cmp     lr, #0
-    bmi     .Lrun_below
-    ldr     r5, [r12, #PAINT_ROW_PIXELS]
-.Lcolumns:                              /* lr: the run, r5: the address of column 0 */
-    uxth    r2, lr
-    ubfx    r3, lr, #16, #15
-    cmp     r2, r3
-    beq     .Lnext_run
-    ldr     pc, [sp, #.LF_KIND]
-.Lrun_below:
+    bpl     .Lrun_beside
     ldm     r12, {r0-r5}
     add     r6, r12, #PLAIN_ROWS_DOWNS
     ldm     r6, {r6-r11}
@@ -178,7 +179,12 @@ RUNS:
     ldr     r1, [r12, #PLAIN_RUNS_STRIDE]
     add     r5, r5, r1
     str     r5, [r12, #PAINT_ROW_PIXELS]
-    b       .Lcolumns
+.Lcolumns:                              /* lr: the run, r5: the address of column 0 */
+    uxth    r2, lr
+    ubfx    r3, lr, #16, #15
+    cmp     r2, r3
+    beq     .Lnext_run
+    ldr     pc, [sp, #.LF_KIND]
 
 #endif
 
@@ -260,7 +266,13 @@ RUNS:
     add     r4, r4, r5
     movs    r5, #PIXEL
     b       3f
-1:  movw    r5, #WHOLE_PLAIN
+1:  .if     WIDE
+    movw    r5, #(12 << 8 | 28)         /* .LF_SHIFTS */
+    sub     r5, r5, r4, lsl #9
+    subs    r5, r5, r4
+    str     r5, [sp, #.LF_SHIFTS]
+    .endif
+    movw    r5, #WHOLE_PLAIN
     mul     r4, r4, r5
     adr     r5, .Lpixels_5 - WHOLE_PLAIN + 1
     add     r4, r4, r5

@@ -59,32 +59,26 @@
     .align  2
 .Lresume_\log:
     next_values
-    mvn     r3, #0x80000000
-    reciprocal r3, r1, w, r3, r2, r5
-    ldrd    r4, r5, [sp, #.LF_U_DROP]
-    subs    r4, r4, r1
-    subs    r5, r5, r1
-    orrs    r2, r4, r5
-    bmi     .Lfar_\log
-    smull   r1, r2, u, r3
-    asrs    r2, r2, r4
-    smull   r1, r4, v, r3
-    asrs    r4, r4, r5
+    divide  r2, r4, r4, r5, r1, r1, .Lfar
 .Lbetween_\log:
     paint_between \log
-
-/* Fewer leading zeros in a drop: some bits come from the lower word. */
-.Lfar_\log:
-    smull   r1, r2, u, r3
-    shift_down r2, r1, r4
-    smull   r1, r4, v, r3
-    shift_down r4, r1, r5
-    b       .Lbetween_\log
     .endm
 
     segments 4
     segments 3
     segments 2
+
+/* Fewer leading zeros in a drop: some bits come from the lower word. */
+.Lfar:
+    smull   r1, r2, u, r3
+    shift_down r2, r1, r4
+    smull   r1, r4, v, r3
+    shift_down r4, r1, r5
+    ldr     r3, [sp, #.LF_LOG]
+    cmp     r3, #3
+    beq     .Lbetween_3
+    blo     .Lbetween_2
+    b       .Lbetween_4
 
 /* The same of a texture that does not repeat. One texel fills a segment, or it goes on as that of a
  * plain face does. */
@@ -99,17 +93,7 @@
     cmp     pixels, r3
     bhi.w   .Lrest
     next_values
-    mvn     r3, #0x80000000
-    reciprocal r3, r1, w, r3, r2, r5
-    ldrd    r4, r5, [sp, #.LF_U_DROP]
-    subs    r4, r4, r1
-    subs    r5, r5, r1
-    orrs    r2, r4, r5
-    bmi.w   .Lfar_\log
-    smull   r1, r2, u, r3
-    asrs    r2, r2, r4
-    smull   r1, r4, v, r3
-    asrs    r4, r4, r5
+    divide  r2, r4, r4, r5, r1, r1, .Lfar
     usat    r5, #16, u_0, asr #4
     usat    r3, #16, r2, asr #4
     cmp     r5, r3
@@ -158,6 +142,43 @@
     subs    pixels, #(15 << WIDE)
     add     r3, sp, #.LF_TEXELS
     ldm     r3, {texels, mask, table, pc}   /* F_GO */
+
+    .if     WIDE
+/* The same where texels are pixels, of a texture that has code of its own. r5: F_LAST. */
+    .align  2
+.Leach_colour:
+    ldr     texels, [sp, #.LF_TEXELS]
+    ldr     r5, [sp, #.LF_LAST]
+    ldr     w_low, [sp, #.LF_W_LOW]
+    b       2f
+.Leach_colour_far:
+    str     w_low, [sp, #.LF_W_LOW]
+    mov     r4, r2
+    mov     r5, r1
+    b       .Lfar_start
+    .align  2
+1:  ldm     sp, {r1-r3, r12, lr}
+    adds    w_low, w_low, r1
+    adcs    w, w, r2
+    adds    u_low, u_low, r3
+    adc     u, u, r12
+    adds    v_low, v_low, lr
+    ldr     r3, [sp, #.LF_V_HIGH]
+    adc     v, v, r3
+    divide  r12, lr, r2, r1, lr, r2, .Leach_colour_far
+2:  ldrd    r1, r2, [sp, #(.LF_TEXELS + 4)] /* the mask and F_SHIFTS */
+    lsl     r3, r12, #12
+    lsrs    r3, r3, r2
+    lsrs    r2, r2, #8
+    lsr     r2, lr, r2
+    ands    r1, r1, r2
+    adds    r1, r1, r3
+    ldrh    r1, [texels, r1, lsl #1]
+    strh    r1, [pixels, #2]!
+    cmp     pixels, r5
+    bls     1b
+    b       .Lrun_end
+    .endif
 
 /* Less than a segment is left, or nothing. */
     .align  2
