@@ -6,20 +6,49 @@
 
 /* clang-format off */
 
-/* Which segments the columns r2 to r3 have; r0: face, r1: row. r10, r11: the weight at the first 16
- * columns. */
+/* Which segments the columns r2 to r3 have. r10, r11: the weight at the first 16 columns, r6, r7: its step;
+ * r8, r9: the least weights for 16 and for 8. The weight is linear: where it falls, that at the end of the
+ * last 16 columns, in lr, is the least one. */
     .align  2
 .Lface_weights:
     ldrd    r1, r0, [sp, #.LF_ROW]
-    weights_at_ends
-    cmp     lr, r11
-    it      gt
-    movgt   lr, r11
-    ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
     str     r3, [sp, #.LF_X_END]
+    lsrs    r4, r2, #4
+    ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
+    ldrd    r8, r9, [r1, #PAINT_ROW_WEIGHT]
+    umull   r10, r11, r6, r4
+    mla     r11, r7, r4, r11
+    adds    r10, r10, r8
+    adc     r11, r11, r9
+    cmp     r7, #0
+    blt     .Lfalling_weights
+    ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
+    cmp     r11, r8
+    bge     .Lall_16
+    ldrd    r12, lr, [r0, #SEGMENT_FACE_LEAST + 8]
+    cmp     r11, lr
+    bge     .Lrising
+.Lnot_ours:
+    movs    r0, #1
+    b       .Lleave
+.Lfalling_weights:
+    add     r5, r3, #15
+    lsrs    r5, r5, #4
+    umull   r12, lr, r6, r5
+    mla     lr, r7, r5, lr
+    adds    r12, r12, r8
+    adc     lr, lr, r9
+    ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
     cmp     lr, r8
-    blt     .Lmixed
+    bge     .Lall_16
+    ldr     r12, [r0, #SEGMENT_FACE_LEAST + 12]
+    cmp     lr, r12
+    blt     .Lnot_ours
+    ldr     r12, [r0, #SEGMENT_FACE_LEAST + 8]
+    b       .Lfalling
+.Lall_16:
     movs    r4, #4
+.Lto_end:
     str     r3, [sp, #.LF_X]
 
 /* A run of segments of 2^r4 columns: the columns r2 to r3 of the row in r1; r0: face. */
@@ -28,9 +57,9 @@
     cmp     r4, r5
     bne     .Lother_log
 .Lsame_log:
-    rsb     r5, r4, #32
-    lsl     r6, r2, r5
-    lsr     r6, r6, r5                  /* columns that are skipped */
+    lsr     r12, r2, r4                 /* the first segment's number */
+    lsl     r5, r12, r4                 /* its first column */
+    subs    r6, r2, r5                  /* columns that are skipped */
     ldr     r8, [sp, #.LF_SHORT]
     ldr     r7, [r1, #PAINT_ROW_PIXELS]
     rsb     r8, r8, #16
@@ -39,9 +68,7 @@
     sub     r8, r3, r8, lsl #WIDE
     strd    r8, r3, [sp, #.LF_LAST]
     str     r6, [sp, #.LF_SKIP]
-    sub     r3, r2, r6
-    add     pixels, r7, r3, lsl #WIDE
-    lsr     r12, r2, r4                 /* the first segment's number */
+    add     pixels, r7, r5, lsl #WIDE
     cmp     pixels, r8
     it      ls
     cmpls   r6, #0
@@ -175,21 +202,16 @@
 .Lset_0:
     set_log 0, .Leach
 
-/* Not all are of 16 columns. */
-.Lmixed:
-    ldr     r12, [r0, #SEGMENT_FACE_LEAST + 12]
-    cmp     lr, r12
-    blt     .Lnot_ours
-/* The run of 16 columns that have the same segments, from r2 on, up to r3 at most. r10, r11: the weight
- * at the first 16 columns; r6, r7: its step; r8, r9: the least weights for 16 and for 8. The weight is
- * linear, so where it rises segments do not become shorter. */
+/* The run of 16 columns that have the same segments, from r2 on, up to r3 at most; registers as above.
+ * Where the weight rises segments do not become shorter. */
 .Lfind:
-    bic     r5, r2, #15
     ldr     r12, [r0, #SEGMENT_FACE_LEAST + 8]
     cmp     r7, #0
     blt     .Lfalling
     cmp     r11, r8
     bge     .Lall_16
+.Lrising:
+    bic     r5, r2, #15
     movs    r4, #3
     mov     lr, r8
     cmp     r11, r9
@@ -209,6 +231,7 @@
     blt     1b
     b       .Lfound
 .Lfalling:
+    bic     r5, r2, #15
     adds    r10, r10, r6
     adc     r11, r11, r7
     movs    r4, #4
@@ -234,17 +257,7 @@
     bge     1b
 .Lfound:
     mov     r3, r5
-    str     r3, [sp, #.LF_X]
-    b       .Lrun
-.Lall_16:
-    movs    r4, #4
-.Lto_end:
-    str     r3, [sp, #.LF_X]
-    b       .Lrun
-
-.Lnot_ours:
-    movs    r0, #1
-    b       .Lleave
+    b       .Lto_end
 
 /* A run has ended. If segments have come to an end of 16 columns, all registers are those at the
  * beginning of the next run. */
