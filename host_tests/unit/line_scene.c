@@ -60,6 +60,14 @@ void make_edges(uint8_t width)
     TEST_ASSERT_EQUAL_UINT32(2 * EDGES, count);
 }
 
+void make_free_edges(uint8_t width)
+{
+    make_edges(width);
+    for (uint32_t i = 0; i < set.count; i++) {
+        lines[i].faces[0] = lines[i].faces[1] = 0;
+    }
+}
+
 fxl_config config_of(const fxl_target *target)
 {
     fxl_config config = fxl_config_for(WIDTH, HEIGHT, target);

@@ -38,6 +38,9 @@ extern const fxl_pose ahead;
 /* The twelve edges of both cubes, each with its two faces, and a colour of its own. */
 void make_edges(uint8_t width);
 
+/* The same edges, which name no faces. */
+void make_free_edges(uint8_t width);
+
 /* With a depth buffer for the whole screen, where the target has one. */
 fxl_config config_of(const fxl_target *target);
 

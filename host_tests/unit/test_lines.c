@@ -335,10 +335,7 @@ void test_lines_are_counted_once(void)
         const fxl_pose pose = tiny_pose_between();
         fxl_line_counters first;
         for (uint32_t way = 0; way < 3; way++) {
-            make_edges(2);
-            for (uint32_t i = 0; i < set.count; i++) {
-                lines[i].faces[0] = lines[i].faces[1] = 0;
-            }
+            make_free_edges(2);
             start(way == 2 ? &fxl_palette_depth_16 : &fxl_palette, true);
             renderer.frame.display_list.words = list;
             renderer.frame.display_list.capacity = way == 0 ? 0 : unit_random() % 600;
