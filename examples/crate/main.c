@@ -42,7 +42,7 @@ int main(void)
         normals[i / 3] = scene.faces[i / 3].normal;
     }
     if (fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory) || fxl_attach_lit(&renderer, &lit) ||
-        fxl_attach_surfaces(&renderer, &surfaces, &set, FXL_SURFACES_OF(fxl_palette)) || fxl_attach_light(&renderer, &light, &lamp)) { return 1; }
+        fxl_attach_surfaces(&renderer, &surfaces, &set, FXL_TEXTURES_OF(fxl_palette)) || fxl_attach_light(&renderer, &light, &lamp)) { return 1; }
     for (uint32_t frame = 0; show(pixels[0]) == 0; frame++) {
         if (fxl_orientation_from_axis(&axis, frame * FXL_DEGREES(3), &placement.orientation) ||
             fxl_render(&renderer, &eye, pixels[0], 320)) { return 1; }

@@ -179,7 +179,7 @@ static void any_colours(const fxl_band *band, polygon *of)
     attributes[0].at = (int64_t)((uint64_t)column << 32 | any_32());
     of->gradients.count = FXL_GRADIENTS_OF_WORDS;
     of->gradients.shifts[0] = FXL_SHIFT_OF_WORDS;
-    of->paint = (fxl_paint){.gradients = &of->gradients, .has_colours = true, .opacity = 16};
+    of->paint = (fxl_paint){.gradients = &of->gradients, .opacity = 16};
 }
 
 /* Any words, and light, which is held nowhere; texels of 8 and of 16 bits. */

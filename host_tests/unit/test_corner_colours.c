@@ -141,6 +141,19 @@ static void draw_random_faces(bool is_triangle, uint8_t division, double toleran
     TEST_ASSERT_GREATER_THAN(50 * ROUNDS, compared);
 }
 
+void test_a_painter_of_textures_is_refused(void)
+{
+    quad_scene *quad = make(false, 0, FXL_DIVIDE_16);
+    begin(quad, &fxl_rgb565, FXL_TEXTURES_OF(fxl_rgb565));
+    TEST_ASSERT_EQUAL(FXL_E_COMBINATION,
+                      fxl_render(&quad->renderer, &quad->pose, frame, QUAD_WIDTH));
+    begin(quad, &fxl_rgb565_depth_16, FXL_TEXTURES_OF(fxl_rgb565_depth_16));
+    TEST_ASSERT_EQUAL(FXL_E_COMBINATION,
+                      fxl_render(&quad->renderer, &quad->pose, frame, QUAD_WIDTH));
+    begin(quad, &fxl_rgb565, FXL_SURFACES_OF(fxl_rgb565));
+    draw(quad, frame);
+}
+
 /* SPEC 9.8b-c, 9.8f */
 void test_channels_divided_at_each_pixel(void)
 {

@@ -223,6 +223,10 @@ void test_corners_of_a_map_that_are_nearly_on_a_line(void)
         draw_with(&fxl_rgb565, FXL_SURFACES_OF(fxl_rgb565), walls.pixels);
         draw_with(&fxl_rgb565_depth_16, FXL_SURFACES_OF(fxl_rgb565_depth_16), walls.again);
         TEST_ASSERT_EQUAL_HEX16_ARRAY(walls.pixels, walls.again, WIDTH * HEIGHT);
+        draw_with(&fxl_rgb565, FXL_TEXTURES_OF(fxl_rgb565), walls.again);
+        TEST_ASSERT_EQUAL_HEX16_ARRAY(walls.pixels, walls.again, WIDTH * HEIGHT);
+        draw_with(&fxl_rgb565_depth_16, FXL_TEXTURES_OF(fxl_rgb565_depth_16), walls.again);
+        TEST_ASSERT_EQUAL_HEX16_ARRAY(walls.pixels, walls.again, WIDTH * HEIGHT);
         for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
             textured += walls.pixels[i] != walls.palette[BACKGROUND];
         }

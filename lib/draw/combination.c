@@ -90,53 +90,55 @@ static bool have_flag(const fxl_surfaces *surfaces, uint32_t flags)
     return false;
 }
 
-static uint32_t bit_if(bool has, uint32_t number)
-{
-    return (uint32_t)has << number;
-}
-
-static uint32_t parts_of(const fxl_renderer *renderer)
+/* Sets of each part of FXL_HAS_... a pointer to what has it; null: the renderer has none. */
+static void find_parts(const fxl_renderer *renderer, const void *parts[FXL_HAS_COUNT])
 {
     const fxl_target *target = fxl_painted_target(renderer);
     const fxl_surfaces *surfaces = fxl_surfaces_of(renderer);
     const fxl_billboards *billboards = renderer->billboards;
     const fxl_overdraw *outlines =
         (const fxl_overdraw *)fxl_find_shader(renderer, FXL_SHADER_OUTLINES);
-    const bool has_tree = renderer->order->memory_size != NULL;
+    const void *beams = fxl_find_shader(renderer, FXL_SHADER_BEAMS);
     const fxl_orthographic_code *orthographic = fxl_orthographic_of(&renderer->frame.view.lens);
-    return bit_if(has_tree, FXL_HAS_TREE) |
-           bit_if(has_tree && has_movers(renderer->scene), FXL_HAS_MOVERS) |
-           bit_if(target->depth_bits != 0, FXL_HAS_DEPTH) |
-           bit_if(target->pixel_bits == 8 && target->depth_bits == 0 && !target->draws_over,
-                  FXL_HAS_STUDY) |
-           bit_if(surfaces != NULL, FXL_HAS_SURFACES) |
-           bit_if(has_texels_565(surfaces), FXL_HAS_TEXELS_565) |
-           bit_if(have_flag(surfaces, FXL_SURFACE_COLOURS), FXL_HAS_COLOURS) |
-           bit_if(billboards != NULL, FXL_HAS_BILLBOARDS) |
-           bit_if(fxl_find_shader(renderer, FXL_SHADER_BEAMS) != NULL, FXL_HAS_BEAMS) |
-           bit_if(outlines != NULL, FXL_HAS_OUTLINES) |
-           bit_if(outlines != NULL && outlines->draw_over == NULL, FXL_HAS_FLAT_OUTLINES) |
-           bit_if(outlines != NULL && outlines->draw_over != NULL, FXL_HAS_DEEP_OUTLINES) |
-           bit_if(orthographic != NULL, FXL_HAS_ORTHOGRAPHIC) |
-           bit_if(renderer->horizon != NULL, FXL_HAS_HORIZON) |
-           bit_if(surfaces != NULL && fxl_find_shader(renderer, FXL_SHADER_BEAMS) != NULL,
-                  FXL_HAS_SPLIT) |
-           bit_if(orthographic != NULL && !orthographic->has_clipper(renderer),
-                  FXL_HAS_OTHER_CLIPPER) |
-           bit_if(fxl_find_shader(renderer, FXL_SHADER_LINES) != NULL, FXL_HAS_LINES) |
-           bit_if(renderer->clipper->by_points != NULL, FXL_HAS_WORLD_CLIPPER) |
-           bit_if((surfaces != NULL && surfaces->painter->target != target) ||
-                      (billboards != NULL && billboards->painter->target != target),
-                  FXL_HAS_OTHER_PAINTER) |
-           bit_if(true, FXL_HAS_TARGET);
+    const bool is_drawn_over = outlines != NULL && outlines->draw_over != NULL;
+    const bool has_colours = have_flag(surfaces, FXL_SURFACE_COLOURS);
+    const void *tree = renderer->order->memory_size != NULL ? renderer : NULL;
+    parts[FXL_HAS_TREE] = tree;
+    parts[FXL_HAS_MOVERS] = has_movers(renderer->scene) ? tree : NULL;
+    parts[FXL_HAS_DEPTH] = target->depth_bits != 0 ? target : NULL;
+    parts[FXL_HAS_STUDY] =
+        target->pixel_bits == 8 && target->depth_bits == 0 && !target->draws_over ? target : NULL;
+    parts[FXL_HAS_SURFACES] = surfaces;
+    parts[FXL_HAS_TEXELS_565] = has_texels_565(surfaces) ? surfaces : NULL;
+    parts[FXL_HAS_COLOURS] = has_colours ? surfaces : NULL;
+    parts[FXL_HAS_BILLBOARDS] = billboards;
+    parts[FXL_HAS_BEAMS] = beams;
+    parts[FXL_HAS_OUTLINES] = outlines;
+    parts[FXL_HAS_FLAT_OUTLINES] = is_drawn_over ? NULL : outlines;
+    parts[FXL_HAS_DEEP_OUTLINES] = is_drawn_over ? outlines : NULL;
+    parts[FXL_HAS_ORTHOGRAPHIC] = orthographic;
+    parts[FXL_HAS_HORIZON] = renderer->horizon;
+    parts[FXL_HAS_SPLIT] = surfaces != NULL ? beams : NULL;
+    parts[FXL_HAS_OTHER_CLIPPER] =
+        orthographic != NULL && !orthographic->has_clipper(renderer) ? renderer : NULL;
+    parts[FXL_HAS_LINES] = fxl_find_shader(renderer, FXL_SHADER_LINES);
+    parts[FXL_HAS_WORLD_CLIPPER] = renderer->clipper->by_points != NULL ? renderer : NULL;
+    parts[FXL_HAS_OTHER_PAINTER] =
+        (has_colours && surfaces->painter->colours == NULL) ||
+                (surfaces != NULL && surfaces->painter->target != target) ||
+                (billboards != NULL && billboards->painter->target != target)
+            ? target
+            : NULL;
+    parts[FXL_HAS_TARGET] = target;
 }
 
 /* beams 6.5, combinations 1.2 */
 FXL_COLD const fxl_conflict *fxl_find_conflict(const fxl_renderer *renderer)
 {
-    const uint32_t parts = parts_of(renderer);
+    const void *parts[FXL_HAS_COUNT];
+    find_parts(renderer, parts);
     for (uint32_t i = 0; i < sizeof conflicts / sizeof *conflicts; i++) {
-        if ((parts >> conflicts[i].first & 1u) && (parts >> conflicts[i].second & 1u)) {
+        if (parts[conflicts[i].first] != NULL && parts[conflicts[i].second] != NULL) {
             return &conflicts[i];
         }
     }

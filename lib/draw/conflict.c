@@ -98,7 +98,8 @@ static const struct {
     {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET,
      "surfaces or billboards of another target and the renderer's target do not go together: "
      "attach them by FXL_SURFACES_OF and FXL_SPRITES_OF the target of config; if textures have "
-     "16-bit texels, that must be one of RGB565"},
+     "16-bit texels, that must be one of RGB565; colours at corners are not drawn by "
+     "FXL_TEXTURES_OF"},
 };
 
 FXL_COLD const char *fxl_conflict_sentence(const fxl_renderer *renderer)

@@ -104,7 +104,7 @@ uint32_t fxl_cache_entries(const fxl_scene *scene, size_t bytes);
 /* --- what goes together -------------------------------------------------------------------- */
 
 /* place pixel-format: what cannot be drawn together */
-/* Bits of what a renderer has. conflict.c has the names. */
+/* Parts that a renderer has. conflict.c has the names. */
 enum {
     FXL_HAS_TREE,       /* fxl_by_tree */
     FXL_HAS_MOVERS,     /* which the tree cuts */
@@ -124,7 +124,7 @@ enum {
     FXL_HAS_OTHER_CLIPPER, /* than what the lens draws with */
     FXL_HAS_LINES,
     FXL_HAS_WORLD_CLIPPER, /* a clipper of the study that takes rounded points of the world */
-    FXL_HAS_OTHER_PAINTER, /* surfaces or billboards of another target */
+    FXL_HAS_OTHER_PAINTER, /* surfaces or billboards of another target, or colours at corners by FXL_TEXTURES_OF */
     FXL_HAS_TARGET,        /* always */
     FXL_HAS_COUNT
 };

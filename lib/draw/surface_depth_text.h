@@ -203,8 +203,9 @@ paint_runs(const fxl_paint *paint, run_kernel *kernel, run_memory *memory, fxl_p
     runs->end = memory->rows.runs;
     memory->rows.runs = memory->list;
 #if FXL_PIXEL_IS_MIXED
-    if (paint->has_colours && paint->opacity == 16 && !fxl_has_colour_words(paint->gradients)) {
-        fxl_paint_colour_runs(paint, runs);
+    if (paint->colours != NULL && paint->opacity == 16 &&
+        !fxl_has_colour_words(paint->gradients)) {
+        paint->colours->runs(paint, runs);
         return;
     }
     if (fxl_has_lit_texels(paint)) {

@@ -20,7 +20,21 @@
 #define PAINT_LIT_RUNS NULL
 #define PAINT_HOLES    fxl_paint_holes_565
 #define FIND_COLOURS   fxl_find_colours
-#define HAS_COLOURS    1 /* at corners */
+#define COLOURS        (&colours)
+
+static const fxl_colours_code colours = {
+    fxl_paint_colours_565,
+#if !FXL_IS_COMPACT
+    fxl_paint_colour_polygon,
+#else
+    NULL,
+#endif
+#if FXL_HAS_DEPTH_ROWS
+    fxl_paint_colour_runs,
+#else
+    NULL,
+#endif
+};
 
 /* place light: RGB565: the part of a colour that light leaves of a lit surface */
 /* What a paint of colours needs to show light. Requires paint->ramp. */
@@ -72,7 +86,7 @@ static const fxl_segment_face *segments_of(const fxl_paint *paint, fxl_segment_f
 #define PAINT_LIT_RUNS fxl_paint_lit_runs
 #define PAINT_HOLES    fxl_paint_holes
 #define FIND_COLOURS   NULL
-#define HAS_COLOURS    0
+#define COLOURS        NULL
 
 static inline void mix_light(const fxl_surfaces *surfaces, const fxl_band *band, fxl_paint *paint)
 {

@@ -346,7 +346,7 @@ void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygo
         surface->texture == 0 && paint->ramp != NULL && paint->in_beam == NULL &&
         surface->opacity == 16 &&
         (surface->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD | FXL_SURFACE_COLOURS)) == 0;
-    paint->has_colours = (surface->flags & FXL_SURFACE_COLOURS) != 0;
-    paint->is_light_linear = paint->has_colours ||
+    paint->colours = surface->flags & FXL_SURFACE_COLOURS ? surfaces->painter->colours : NULL;
+    paint->is_light_linear = paint->colours != NULL ||
                              (paint->has_light_rows && fxl_weight_is_constant(&polygon->gradients));
 }

@@ -134,7 +134,9 @@ struct fxl_painter {
     /* fxl_polygon_finder of pieces: finds what all pieces of a face have. */
     void (*find)(const void *what, const fxl_model_view *model_view, const fxl_face *face,
                  const fxl_traversal *traversal, fxl_surface_polygon *polygon);
-    fxl_colours_finder *find_colours; /* null where no surface has colours at corners */
+    /* Null where no surface has colours at corners. */
+    fxl_colours_finder *find_colours;
+    const fxl_colours_code *colours;
 };
 
 /* The three corners of a mapped face of a surface. */

@@ -3,6 +3,7 @@
  * FXL_TARGET_FORMAT and FXL_TARGET_DEPTH_BITS as for target_text.h, and
  *
  *   FXL_TARGET_SURFACES  the painter's name
+ *   FXL_TARGET_TEXTURES  that of the painter without colours at corners
  *
  * Internal. */
 #ifndef FXL_SURFACES_TEXT_H
@@ -40,8 +41,8 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     if (has_plain_rows(&paint, segments)) {
         fxl_paint_plain_polygon(&paint, segments, points, count, band, FXL_PIXEL_BITS / 8,
                                 &workspace->work.scan, PAINT_ROWS, PAINT_PIXELS);
-    } else if (FXL_IS_COMPACT || !HAS_COLOURS || !paint.has_colours ||
-               !fxl_paint_colour_polygon(&paint, points, count, band, &workspace->work.scan)) {
+    } else if (FXL_IS_COMPACT || !FXL_PIXEL_IS_MIXED || paint.colours == NULL ||
+               !paint.colours->polygon(&paint, points, count, band, &workspace->work.scan)) {
         fxl_paint_polygon(&paint, segments, points, count, band, FXL_PIXEL_BITS / 8,
                           &workspace->work.scan, paint_row, NULL);
     }
@@ -300,7 +301,9 @@ static const fxl_shader_code code = {
 #endif
 };
 
-const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET,  &code,      draw,
-                                         submit_piece, find_whole, FIND_COLOURS};
+const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET, &code,        draw,   submit_piece,
+                                         find_whole,  FIND_COLOURS, COLOURS};
+const fxl_painter FXL_TARGET_TEXTURES = {&FXL_TARGET,  &code,      draw,
+                                         submit_piece, find_whole, NULL, NULL};
 
 #endif

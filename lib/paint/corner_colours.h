@@ -68,6 +68,14 @@ static inline bool fxl_has_colour_words(const fxl_gradients *gradients)
     return gradients->shifts[0] == FXL_SHIFT_OF_WORDS;
 }
 
+/* What a painter has for such faces, which links it: those below. Compact, polygon and runs are null. */
+struct fxl_colours_code {
+    void (*paint)(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1);
+    bool (*polygon)(const fxl_paint *paint, const fxl_screen_point *points, uint32_t count,
+                    const fxl_band *band, fxl_scan *scan);
+    void (*runs)(const fxl_paint *paint, fxl_plain_runs *runs);
+};
+
 /* A polygon of such a face, into a band without a depth buffer. False: it is not of opaque pixels
  * in words, and nothing is painted. */
 bool fxl_paint_colour_polygon(const fxl_paint *paint, const fxl_screen_point *points,

@@ -34,6 +34,9 @@ typedef struct {
     bool adds;
 } fxl_paint_565;
 
+/* What paints a face with colours at its corners: corner_colours.h. */
+typedef struct fxl_colours_code fxl_colours_code;
+
 /* All that a face's pixels depend on. */
 typedef struct {
     const fxl_gradients *gradients;
@@ -55,8 +58,8 @@ typedef struct {
     bool is_replaced;      /* in_beam or blend is not null */
     bool has_beams;        /* a part of its face may be in a beam */
     bool has_light_rows;   /* opaque pixels of one colour, lit, in no beam: light_row.h */
-    bool is_light_linear;  /* and the weight is constant; also where has_colours */
-    bool has_colours;      /* at its corners: corner_colours.h */
+    bool is_light_linear;  /* and the weight is constant; also where colours is not null */
+    const fxl_colours_code *colours; /* at its corners: corner_colours.h; null: none */
     fxl_paint_565 of_565;  /* where pixels have 16 bits; `blend` is not used there */
 } fxl_paint;
 

@@ -145,8 +145,8 @@ static void paint_opaque(const fxl_paint *paint, const fxl_paint_row *row, int32
     least[0] = 0; /* not found yet */
     at.column = -1;
     if (paint->is_light_linear) {
-        if (paint->has_colours) {
-            fxl_paint_colours_565(paint, row, x0, x1);
+        if (paint->colours != NULL) {
+            paint->colours->paint(paint, row, x0, x1);
             return;
         }
         const fxl_light_run run = fxl_light_run_of(paint, row->y, x0);

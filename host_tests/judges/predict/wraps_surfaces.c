@@ -238,7 +238,7 @@ static void count_wide(const fxl_paint *paint, double pixels, bool linear)
 /* The pixels x0 <= x < x1 of a row, which the kernel does not paint: how often they are divided. */
 static void count_slow(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
-    if (paint->has_colours) {
+    if (paint->colours != NULL) {
         return; /* fxl_paint_colours_565 counts them */
     }
     if (paint->is_light_linear) {

@@ -29,7 +29,7 @@ TO_RGB565 = (("const uint8_t *pixels)", "const uint16_t *pixels)"),
              ("static uint8_t pixels[240][320], ", "static const uint16_t colours[256] = {1};\nstatic uint16_t pixels[240][320];\nstatic uint8_t "),
              ("const fxl_config config = fxl_config_default(320, 240);", "fxl_config config = fxl_config_for(320, 240, &fxl_rgb565);"),
              ("    for (int i = 0; i < 768;", "    config.palette = colours;\n    for (int i = 0; i < 768;"),
-             ("FXL_SURFACES_OF(fxl_palette)", "FXL_SURFACES_OF(fxl_rgb565)"), (".ramp = ramp, ", ""),
+             ("FXL_TEXTURES_OF(fxl_palette)", "FXL_TEXTURES_OF(fxl_rgb565)"), (".ramp = ramp, ", ""),
              ("&eye, pixels[0], 320)", "&eye, (uint8_t *)pixels[0], 320)"))
 # Kernels that write pixels of one size, each in a section of its name.
 WRITES = {8: re.compile(r"\.text\.fxl_(draw_outline|fill_rows|fill_trapezoid|paint_(lit_)?segments)$"),
