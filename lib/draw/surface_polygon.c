@@ -176,15 +176,25 @@ static bool find_on_screen(const fxl_model_view *model_view, uint32_t number,
            fxl_project_visible(&model_view->view->projection, &vertex->position, point) == FXL_OK;
 }
 
-/* The same, at once if the clipper has projected it, and it is in the cache. */
+/* A vertex that the clipper has projected, if it is in the cache: mostly. Else null. */
+static inline const fxl_cached_vertex *projected_of(const fxl_model_view *model_view,
+                                                    uint32_t number)
+{
+    const fxl_cached_vertex *vertex = &model_view->entries[number & model_view->mask];
+    return vertex->tag == model_view->tag + number &&
+                   (vertex->clip_flags & FXL_VERTEX_OUTSIDE) == 0
+               ? vertex
+               : NULL;
+}
+
+/* The same, at once if it can be. */
 static inline bool find_vertex(const fxl_model_view *model_view, uint32_t number,
                                const fxl_traversal *traversal, fxl_screen_point *point,
                                fxl_q18_46 *depth)
 {
     if (!FXL_IS_SMALL && traversal->clipper->by_clip_flags) {
-        const fxl_cached_vertex *vertex = &model_view->entries[number & model_view->mask];
-        if (vertex->tag == model_view->tag + number &&
-            (vertex->clip_flags & FXL_VERTEX_OUTSIDE) == 0) {
+        const fxl_cached_vertex *vertex = projected_of(model_view, number);
+        if (vertex != NULL) {
             *point = vertex->screen;
             *depth = vertex->position.z;
             return true;
@@ -223,47 +233,36 @@ static inline void begin_box(screen_box *box, const fxl_screen_point *a, const f
     add_point(box, c);
 }
 
-/* The corners of a triangle whose vertices are the given ones, where the clipper has projected all
- * of them, and they are in the cache: mostly. */
+/* The corners of a face that is no part of another, where they are its first three vertices, and all
+ * of its vertices are projected and in the cache. */
 static inline bool find_projected(const fxl_model_view *model_view, const fxl_face *face,
                                   const fxl_corner *const of[3], const fxl_scene *scene,
                                   fxl_screen_corners *corners)
 {
     screen_box box;
-    const uint16_t *indices = face->indices;
-    const fxl_cached_vertex *entries = model_view->entries;
-    const uint32_t mask = model_view->mask, tag = model_view->tag;
-    const uint32_t a = of[0]->vertex, b = of[1]->vertex, c = of[2]->vertex;
-    if (face->count != 3 || indices[0] != a || indices[1] != b || indices[2] != c ||
-        fxl_is_part(scene, face)) {
+    const uint32_t count = face->count;
+    const uint16_t *indices = fxl_face_indices(scene->indices, face);
+    if (fxl_is_part(scene, face)) {
         return false;
     }
-    const fxl_cached_vertex *first = &entries[a & mask], *second = &entries[b & mask];
-    const fxl_cached_vertex *third = &entries[c & mask];
-    const uint32_t flags = (uint32_t)first->clip_flags | second->clip_flags | third->clip_flags;
-    if (first->tag != tag + a || second->tag != tag + b || third->tag != tag + c ||
-        (flags & FXL_VERTEX_OUTSIDE) != 0) {
-        return false;
-    }
-    corners->depths[0] = first->position.z;
-    corners->depths[1] = second->position.z;
-    corners->depths[2] = third->position.z;
-    const fxl_screen_point p0 = first->screen, p1 = second->screen, p2 = third->screen;
-    corners->points[0] = p0;
-    corners->points[1] = p1;
-    corners->points[2] = p2;
-    begin_box(&box, &p0, &p1, &p2);
-    return have_box(corners, &box, true);
-}
-
-static bool has_vertex(const uint16_t *indices, uint32_t count, uint32_t number)
-{
-    for (uint32_t i = 0; i < count; i++) {
-        if (indices[i] == number) {
-            return true;
+    for (uint32_t i = 0; i < 3; i++) {
+        const uint32_t number = indices[i];
+        const fxl_cached_vertex *vertex = projected_of(model_view, number);
+        if (of[i]->vertex != number || vertex == NULL) {
+            return false;
         }
+        corners->points[i] = vertex->screen;
+        corners->depths[i] = vertex->position.z;
     }
-    return false;
+    begin_box(&box, &corners->points[0], &corners->points[1], &corners->points[2]);
+    for (uint32_t i = 3; i < count; i++) {
+        const fxl_cached_vertex *vertex = projected_of(model_view, indices[i]);
+        if (vertex == NULL) {
+            return false;
+        }
+        add_point(&box, &vertex->screen);
+    }
+    return have_box(corners, &box, count == 3);
 }
 
 /* Any face. Not inline: what it has would stay on the stack of triangles. */
@@ -277,7 +276,11 @@ find_corners(const fxl_model_view *model_view, const fxl_face *face, const fxl_c
     const uint16_t vertices[3] = {of[0]->vertex, of[1]->vertex, of[2]->vertex};
     screen_box box;
     for (uint32_t i = 0; i < 3; i++) {
-        if (vertices[i] != indices[i] && !has_vertex(indices, count, vertices[i])) {
+        uint32_t place = 0;
+        while (place < count && indices[place] != vertices[i]) {
+            place++;
+        }
+        if (place == count) {
             return false;
         }
     }

@@ -16,10 +16,7 @@
     lsrs    r4, r2, #4
     ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
     ldrd    r8, r9, [r1, #PAINT_ROW_WEIGHT]
-    umull   r10, r11, r6, r4
-    mla     r11, r7, r4, r11
-    adds    r10, r10, r8
-    adc     r11, r11, r9
+    weight_of_16 r10, r11, r4
     cmp     r7, #0
     blt     .Lfalling_weights
     ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
@@ -34,10 +31,7 @@
 .Lfalling_weights:
     add     r5, r3, #15
     lsrs    r5, r5, #4
-    umull   r12, lr, r6, r5
-    mla     lr, r7, r5, lr
-    adds    r12, r12, r8
-    adc     lr, lr, r9
+    weight_of_16 r12, lr, r5
     ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
     cmp     lr, r8
     bge     .Lall_16
@@ -286,10 +280,7 @@
 1:  lsr     r4, r2, #4
     ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
     ldrd    r8, r9, [r1, #PAINT_ROW_WEIGHT]
-    umull   r10, r11, r6, r4
-    mla     r11, r7, r4, r11
-    adds    r10, r10, r8
-    adc     r11, r11, r9
+    weight_of_16 r10, r11, r4
     ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
     b       .Lfind
 

@@ -59,6 +59,14 @@
 2:
     .endm
 
+/* low, high: the weight where 16 columns of that number begin. r6, r7: its step, r8, r9: that of the row. */
+    .macro  weight_of_16 low, high, number
+    umull   \low, \high, r6, \number
+    mla     \high, r7, \number, \high
+    adds    \low, \low, r8
+    adc     \high, \high, r9
+    .endm
+
 /* r10, r11: the weight at the first of the 16 columns that column r2 is in; r12, lr: at the end of
  * those that column r3 - 1 is in. r0: face, r1: row. Overwrites r4 to r9. */
     .macro  weights_at_ends
@@ -67,14 +75,8 @@
     lsr     r5, r5, #4
     ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
     ldrd    r8, r9, [r1, #PAINT_ROW_WEIGHT]
-    umull   r10, r11, r6, r4
-    mla     r11, r7, r4, r11
-    adds    r10, r10, r8
-    adc     r11, r11, r9
-    umull   r12, lr, r6, r5
-    mla     lr, r7, r5, lr
-    adds    r12, r12, r8
-    adc     lr, lr, r9
+    weight_of_16 r10, r11, r4
+    weight_of_16 r12, lr, r5
     .endm
 
 /* place sampling: the kernels of Armv7-M; texel_offset has the shift and mask of both */
