@@ -2,6 +2,8 @@
 /* The kernel that paints colours between those of corners. Any words are right: sums wrap. */
 
 #include "equality.h"
+#include "paint/depth_rows.h"
+#include "paint/paint_polygon.h"
 #include "sides.h"
 
 #define PIXELS 80u
@@ -24,14 +26,14 @@ void test_colour_runs(uint32_t rounds)
     }
 }
 
-/* --- lit texels ------------------------------------------------------------------------------- */
+/* --- texels that are lit, blended or added --------------------------------------------------- */
 
-#define COLUMNS 96u
-#define LEVELS  32u /* at most */
+#define COLUMNS 128u /* from one row to the next */
+#define LEVELS  32u  /* at most */
 
 static FXL_ALIGN_8 uint8_t texels[2u * 65536u];
 static uint16_t palette[256];
-static FXL_ALIGN_8 uint16_t lit_by_core[COLUMNS + 32u], lit_by_portable[COLUMNS + 32u];
+static FXL_ALIGN_8 uint16_t lit_by_core[2u * COLUMNS], lit_by_portable[2u * COLUMNS];
 
 /* A number below 2^bits and above -2^bits. */
 static int64_t any_value(uint32_t bits)
@@ -44,10 +46,29 @@ static int64_t any_value(uint32_t bits)
 static void any_gradient(uint32_t bits, int64_t *at, fxl_gradient *gradient)
 {
     *at = any_value(bits);
-    gradient->along = any_value(bits - (any_32() >> 9) % 8u) / (int64_t)COLUMNS;
+    gradient->along = any_value(bits - (any_32() >> 9) % 8u) / 96;
+    gradient->down = any_value(bits - (any_32() >> 9) % 8u) / 96;
 }
 
-/* Pixels of a row, whose light is mostly a level, against fxl_paint_pixels_565 in C. */
+/* A run in each of two rows, by the core: where it has lists of them in one call. */
+static void paint_by_core(const fxl_paint *paint, const fxl_paint_row rows[2],
+                          const uint32_t list[2])
+{
+#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+    const fxl_gradients *gradients = paint->gradients;
+    fxl_plain_runs runs = {.row = rows[0], .next = list, .end = list + 2, .stride = 2u * COLUMNS};
+    fxl_find_downs(gradients, runs.downs);
+    runs.downs[3] = gradients->attributes[FXL_SEGMENT_LIGHT].down;
+    fxl_paint_texel_runs(paint, &runs);
+#else
+    for (uint32_t i = 0; i < 2; i++) {
+        fxl_paint_pixels_565(paint, &rows[i], (int32_t)(list[i] & 0xFFFFu),
+                             (int32_t)((list[i] & ~FXL_RUN_BELOW) >> 16));
+    }
+#endif
+}
+
+/* Pixels of two rows, whose light is mostly a level, against fxl_paint_pixels_565 in C. */
 void test_lit_texels(uint32_t rounds)
 {
     static const uint8_t lengths[] = {16, 16, 8, 4};
@@ -59,14 +80,15 @@ void test_lit_texels(uint32_t rounds)
     }
     for (uint32_t i = 0; i < rounds; i++) {
         fxl_gradients gradients = {.count = 3};
-        fxl_paint_row row = {.y = 0};
+        fxl_paint_row rows[2] = {{.y = 0}}, row = {.y = 0};
+        uint32_t list[2];
         const uint32_t bits = 34u + (any_32() >> 5) % 29u, kind = any_32() >> 8;
         const uint32_t log_width = 1u + (any_32() >> 5) % 8u, log_height = (any_32() >> 5) % 9u;
-        const int32_t x0 = (int32_t)(any_32() >> 8 & 31u);
-        const int32_t x1 = x0 + 1 + (int32_t)((any_32() >> 7) % 63u);
+        const uint32_t mixed = any_32() >> 9 & 7u; /* 0: added, 1: blended, others: lit */
         const uint32_t levels_less_1 = 1u + (any_32() >> 6) % (LEVELS - 1u);
         row.weight = (int64_t)(any_64() >> (64u - bits)) | (int64_t)1 << (bits - 1u);
-        gradients.weight.along = any_value(bits - (any_32() >> 9) % 8u) / (int64_t)COLUMNS;
+        gradients.weight.along = any_value(bits - (any_32() >> 9) % 8u) / 96;
+        gradients.weight.down = any_value(bits - (any_32() >> 9) % 8u) / 96;
         for (uint32_t k = 0; k < FXL_ATTRIBUTES; k++) {
             any_gradient(bits, &row.attributes[k], &gradients.attributes[k]);
             gradients.shifts[k] = (int8_t)(16u + (any_32() >> 9) % 10u);
@@ -91,13 +113,26 @@ void test_lit_texels(uint32_t rounds)
             .division = kind & 16u ? FXL_DIVIDE_16 : FXL_DIVIDE_8,
             .opacity = 16,
             .of_565 = {.palette = palette,
-                       .part_of_level = (65536u + levels_less_1 / 2u) / levels_less_1,
-                       .dark = (uint16_t)(kind & 32u ? any_32() >> 9 : 0)},
+                       .part_of_level =
+                           mixed <= 1u ? 0 : (65536u + levels_less_1 / 2u) / levels_less_1,
+                       .dark = (uint16_t)(kind & 32u ? any_32() >> 9 : 0),
+                       .sixteenths = mixed == 1u ? (uint8_t)(1u + kind % 15u) : (uint8_t)0,
+                       .adds = mixed == 0},
         };
-        row.pixels = (uint8_t *)(lit_by_core + 16);
-        fxl_paint_pixels_565(&paint, &row, x0, x1);
-        row.pixels = (uint8_t *)(lit_by_portable + 16);
-        portable_paint_pixels_565(&paint, &row, x0, x1);
+        gradients.count = mixed <= 1u ? 2 : 3;
+        for (uint32_t k = 0; k < 2; k++) {
+            const uint32_t x0 = any_32() >> 8 & 31u, x1 = x0 + 1u + (any_32() >> 7) % 63u;
+            list[k] = x0 | x1 << 16 | (k != 0 ? FXL_RUN_BELOW : 0);
+            rows[k] = row;
+            row.weight += gradients.weight.down;
+            for (uint32_t of = 0; of < FXL_ATTRIBUTES; of++) {
+                row.attributes[of] += gradients.attributes[of].down;
+            }
+            rows[k].pixels = (uint8_t *)(lit_by_portable + 16u + k * COLUMNS);
+            portable_paint_pixels_565(&paint, &rows[k], (int32_t)x0, (int32_t)x1);
+            rows[k].pixels = (uint8_t *)(lit_by_core + 16u + k * COLUMNS);
+        }
+        paint_by_core(&paint, rows, list);
         equality_case(equality_same_words(lit_by_core, lit_by_portable, sizeof lit_by_core));
     }
 }

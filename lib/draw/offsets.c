@@ -254,6 +254,9 @@ AT(fxl_lit_run, palette, LIT_RUN_PALETTE);
 AT(fxl_lit_run, part_of_level, LIT_RUN_PALETTE + 4);
 AT(fxl_lit_run, mixture.red_dark, LIT_RUN_PALETTE + 8);
 AT(fxl_lit_run, mixture.green_step, LIT_RUN_PALETTE + 20);
+AT(fxl_lit_run, least, LIT_RUN_LEAST);
+AT(fxl_lit_run, paint, LIT_RUN_LEAST + 4);
+AT(fxl_lit_run, lowest, LIT_RUN_LOWEST);
 
 AT(fxl_colour_values, limit, COLOUR_VALUES_LIMIT);
 AT(fxl_words_lens, near_high, 0);

@@ -208,8 +208,8 @@ paint_runs(const fxl_paint *paint, run_kernel *kernel, run_memory *memory, fxl_p
         paint->colours->runs(paint, runs);
         return;
     }
-    if (fxl_has_lit_texels(paint)) {
-        fxl_paint_lit_texel_runs(paint, runs);
+    if (fxl_has_texel_runs(paint)) {
+        fxl_paint_texel_runs(paint, runs);
         return;
     }
 #endif

@@ -203,6 +203,8 @@
 #define LIT_RUN_END_OF_LIGHT 96
 #define LIT_RUN_MASKS        100 /* then log_width and texels */
 #define LIT_RUN_PALETTE      116 /* then the part of a level and the mixture */
+#define LIT_RUN_LEAST        140 /* then the kernel of columns */
+#define LIT_RUN_LOWEST       148
 
 /* fxl_colour_values */
 #define COLOUR_VALUES_LIMIT 36

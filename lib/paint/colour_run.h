@@ -34,9 +34,22 @@ static inline uint32_t fxl_colours_both(int32_t red, int32_t blue)
  * the two mix. Requires count > 0. */
 void fxl_paint_colour_run(const fxl_colour_words *words, uint16_t *pixels, uint32_t count);
 
-/* Lit texels of a row, in segments of the same length: what fxl_paint_lit_columns needs, and keeps
- * from segment to segment. The weight comes first, then u, v, light. */
-typedef struct {
+/* Texels of a row, in segments of the same length: what the kernels below need, and keep from segment to
+ * segment. The weight comes first, then u, v, light. Texels without light are shown, or added to what is
+ * beneath. */
+typedef struct fxl_lit_run fxl_lit_run;
+
+/* Paints the pixels x0 <= x < x1 of a row, which begins at `pixels`, up to the first segment whose
+ * light is no level at a pixel, or whose attributes take other shifts than most. Returns the column
+ * from which on nothing is painted. A segment that ends at x0, or before it, has no pixels: so the
+ * first one finds what the second one begins with. Pixels are those of paint_segment (paint_row.h).
+ * Requires 0 <= x0 < x1, and log from 2 to 4. Safe for any other number: no texel is read that is
+ * not of the table. */
+typedef int32_t fxl_columns_kernel(fxl_lit_run *run, uint16_t *pixels, int32_t x0, int32_t x1);
+
+fxl_columns_kernel fxl_paint_lit_columns, fxl_paint_unlit_columns;
+
+struct fxl_lit_run {
     FXL_ALIGN_8 int64_t numbers[4]; /* of the row at column `begin` */
     int64_t steps[4];               /* what a segment adds */
     uint32_t from[3];               /* u, v, light at `begin` */
@@ -50,26 +63,35 @@ typedef struct {
     const uint16_t *palette; /* null: texels of RGB565 */
     uint32_t part_of_level;
     fxl_mixture_565 mixture; /* of 0 and the dark colour */
-} fxl_lit_run;
+    uint32_t least;          /* weight of segments of 16 columns */
+    fxl_columns_kernel *paint;
+    uint32_t lowest;     /* FXL_LOWEST_565 where texels are added; else 0 */
+    uint32_t sixteenths; /* of a blend; 0: none */
+};
 
-/* Paints the pixels x0 <= x < x1 of a row, which begins at `pixels`, up to the first segment whose
- * light is no level at a pixel, or whose attributes take other shifts than most. Returns the column
- * from which on nothing is painted. A segment that ends at x0, or before it, has no pixels: so the
- * first one finds what the second one begins with. Pixels are those of paint_segment (paint_row.h).
- * Requires 0 <= x0 < x1, and log from 2 to 4. Safe for any other number: no texel is read that is
- * not of the table. */
-int32_t fxl_paint_lit_columns(fxl_lit_run *run, uint16_t *pixels, int32_t x0, int32_t x1);
+/* Paints runs from runs->next on, in segments of 16 columns, whose steps run->steps has. Returns -1 if it has come to the
+ * end. Otherwise the column from which on nothing is painted of the run before runs->next, whose row is
+ * runs->row: its weights are too small, or run->paint has left it there. Requires pixels of less than 2^15 columns. */
+int32_t fxl_paint_texel_list(fxl_lit_run *run, fxl_plain_runs *runs);
 
-/* Whether texels are those of paint_repeated, opaque, with light that is an attribute. */
-static inline bool fxl_has_lit_texels(const fxl_paint *paint)
+/* Whether texels repeat, and all of them are drawn. */
+static inline bool fxl_has_whole_texels(const fxl_paint *paint)
 {
-    return !fxl_is_mixed_565(paint) && paint->of_565.part_of_level != 0 && !paint->is_evenly_lit &&
-           paint->level.texels != NULL && paint->opacity == 16 && paint->level.colours == NULL &&
+    return paint->level.texels != NULL && paint->opacity == 16 && paint->level.colours == NULL &&
            (paint->level.flags & ~FXL_LEVEL_565) == 0;
 }
 
+/* Whether fxl_paint_texel_runs paints them: those of paint_repeated with light that is an attribute,
+ * and those without light that are blended or added. */
+static inline bool fxl_has_texel_runs(const fxl_paint *paint)
+{
+    const bool is_lit = paint->of_565.part_of_level != 0;
+    return (fxl_is_mixed_565(paint) ? !is_lit : is_lit && !paint->is_evenly_lit) &&
+           fxl_has_whole_texels(paint);
+}
+
 /* fxl_paint_pixels_565 of all runs of a face with such texels, which finds what they share once. */
-void fxl_paint_lit_texel_runs(const fxl_paint *paint, fxl_plain_runs *runs);
+void fxl_paint_texel_runs(const fxl_paint *paint, fxl_plain_runs *runs);
 
 #ifdef __cplusplus
 }

@@ -60,15 +60,30 @@ static void paint_lights(const fxl_paint *paint, const fxl_paint_row *row, int32
 typedef struct {
     fxl_lit_run run;
     uint32_t least[3];
-    uint32_t log_of_steps; /* 0: none are found */
+    uint32_t log_of_steps;
+    bool is_lit;
 } lit_face;
+
+static void paint_mixed(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1);
+static fxl_columns_kernel paint_blended_columns;
+
+/* What segments of 2^log columns add. */
+static inline void find_steps(const fxl_gradients *gradients, uint32_t log, lit_face *face)
+{
+    int64_t *steps = face->run.steps;
+    steps[0] = shifted_left(gradients->weight.along, log);
+    for (uint32_t i = 0; i < FXL_ATTRIBUTES && i < gradients->count; i++) {
+        steps[1 + i] = shifted_left(gradients->attributes[i].along, log);
+    }
+    face->log_of_steps = log;
+}
 
 /* place sampling: the kernel's masks */
 static inline void set_lit_face(const fxl_paint *paint, lit_face *face)
 {
     fxl_lit_run *run = &face->run;
     const fxl_texture_level *level = &paint->level;
-    for (uint32_t i = 0; i < FXL_ATTRIBUTES; i++) {
+    for (uint32_t i = 0; i < FXL_ATTRIBUTES && i < paint->gradients->count; i++) {
         run->lefts[i] = 30 - paint->gradients->shifts[i];
     }
     run->log = 0;
@@ -81,8 +96,15 @@ static inline void set_lit_face(const fxl_paint *paint, lit_face *face)
     run->palette = level->flags & FXL_LEVEL_565 ? NULL : paint->of_565.palette;
     run->part_of_level = paint->of_565.part_of_level;
     run->mixture = fxl_mixture_of_565(0, paint->of_565.dark);
-    face->log_of_steps = 0;
     fxl_find_least_weights(paint->gradients, paint->division, face->least);
+    run->least = face->least[0];
+    face->is_lit = run->part_of_level != 0;
+    run->sixteenths = paint->of_565.sixteenths;
+    run->lowest = paint->of_565.adds ? FXL_LOWEST_565 : 0;
+    run->paint = face->is_lit           ? fxl_paint_lit_columns
+                 : run->sixteenths != 0 ? paint_blended_columns
+                                        : fxl_paint_unlit_columns;
+    find_steps(paint->gradients, 4, face);
 }
 
 /* A number of the row at column `begin`, less a step. */
@@ -102,16 +124,14 @@ static inline void begin_lit_run(const fxl_paint *paint, const fxl_paint_row *ro
     const int32_t begin = x0 >> log << log;
     fxl_lit_run *run = &face->run;
     if (log != face->log_of_steps) {
-        run->steps[0] = shifted_left(gradients->weight.along, log);
-        for (uint32_t i = 0; i < FXL_ATTRIBUTES; i++) {
-            run->steps[1 + i] = shifted_left(of[i].along, log);
-        }
-        face->log_of_steps = log;
+        find_steps(gradients, log, face);
     }
     run->numbers[0] = number_before(row->weight, &gradients->weight, begin, run->steps[0]);
     run->numbers[1] = number_before(row->attributes[0], &of[0], begin, run->steps[1]);
     run->numbers[2] = number_before(row->attributes[1], &of[1], begin, run->steps[2]);
-    run->numbers[3] = number_before(row->attributes[2], &of[2], begin, run->steps[3]);
+    if (face->is_lit) {
+        run->numbers[3] = number_before(row->attributes[2], &of[2], begin, run->steps[3]);
+    }
     run->log = log;
     run->begin = begin - (1 << log);
 }
@@ -138,39 +158,45 @@ static inline void paint_lit_run(const fxl_paint *paint, const fxl_paint_row *ro
             if (log != run->log || x0 != run->begin) {
                 begin_lit_run(paint, row, log, x0, face);
             }
-            x0 = fxl_paint_lit_columns(run, (uint16_t *)(void *)row->pixels, x0, end);
+            x0 = run->paint(run, (uint16_t *)(void *)row->pixels, x0, end);
         }
         if (x0 < end) {
             end = smaller((x0 & ~15) + 16, end);
-            paint_sixteen(paint, row, least, x0, end, &at);
+            if (face->is_lit) {
+                paint_sixteen(paint, row, least, x0, end, &at);
+            } else {
+                paint_mixed(paint, row, x0, end);
+            }
             run->log = 0;
             x0 = end;
         }
     }
 }
 
-void fxl_paint_lit_texel_runs(const fxl_paint *paint, fxl_plain_runs *runs)
+void fxl_paint_texel_runs(const fxl_paint *paint, fxl_plain_runs *runs)
 {
-    int32_t x0, x1;
     lit_face face;
+    int32_t x0;
     set_lit_face(paint, &face);
-    for (; runs->next != runs->end; runs->next++) {
-        if (fxl_take_run(paint->gradients, runs, true, &x0, &x1)) {
-            paint_lit_run(paint, &runs->row, x0, x1, &face);
+    while ((x0 = fxl_paint_texel_list(&face.run, runs)) >= 0) {
+        const int32_t x1 = (int32_t)((runs->next[-1] & ~FXL_RUN_BELOW) >> 16);
+        paint_lit_run(paint, &runs->row, x0, x1, &face);
+        if (face.log_of_steps != 4) {
+            find_steps(paint->gradients, 4, &face);
         }
     }
 }
 
 /* One run. Not inline: its list would be on the stack of others. */
-static __attribute__((noinline)) void
-paint_lit_texels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+static __attribute__((noinline)) void paint_texels(const fxl_paint *paint, const fxl_paint_row *row,
+                                                   int32_t x0, int32_t x1)
 {
     const uint32_t run = (uint32_t)x0 | (uint32_t)x1 << 16;
     fxl_plain_runs runs;
     runs.row = *row;
     runs.next = &run;
     runs.end = &run + 1;
-    fxl_paint_lit_texel_runs(paint, &runs);
+    fxl_paint_texel_runs(paint, &runs);
 }
 
 #endif

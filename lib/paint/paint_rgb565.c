@@ -360,6 +360,29 @@ show_texels(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0, uint3
     }
 }
 
+#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+
+/* fxl_columns_kernel of texels that are blended: they are shown, up to MIXED of them at once, then mixed. */
+/* surfaces 4.1 */
+static int32_t paint_blended_columns(fxl_lit_run *run, uint16_t *pixels, int32_t x0, int32_t x1)
+{
+    FXL_ALIGN_8 uint16_t words[MIXED + 1];
+    int32_t end, painted;
+    do {
+        end = smaller((x0 & ~15) + MIXED, x1);
+        uint16_t *colours = words + ((uintptr_t)(pixels + x0) >> 1 & 1u);
+        const uintptr_t column_0 = (uintptr_t)colours - 2u * (uint32_t)x0;
+        painted = fxl_paint_unlit_columns(run, (uint16_t *)column_0, x0, end);
+        if (painted != x0) {
+            mix_row(run->sixteenths, colours, pixels + x0, (uint32_t)(painted - x0));
+        }
+        x0 = end;
+    } while (painted == end && end != x1);
+    return painted;
+}
+
+#else
+
 /* paint_mixed of most textures. */
 /* surfaces 4.1 */
 static __attribute__((noinline)) void paint_mixed_lines(const fxl_paint *paint,
@@ -381,6 +404,8 @@ static __attribute__((noinline)) void paint_mixed_lines(const fxl_paint *paint,
         x0 = end;
     }
 }
+
+#endif
 
 /* Pixels that are blended with what is beneath, or added to it, or have holes: opaque ones, which
  * are then mixed into the row. A pixel that is not drawn stays as it is beneath: blended with itself
@@ -424,21 +449,21 @@ static __attribute__((noinline)) void paint_mixed(const fxl_paint *paint, const 
 
 void fxl_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
-    if (fxl_is_mixed_565(paint)) {
-        if (has_plain_lines(paint)) {
-            paint_mixed_lines(paint, row, x0, x1);
-        } else {
-            paint_mixed(paint, row, x0, x1);
-        }
-    } else if (row->segments == NULL && has_holes(paint) && has_lines(paint)) {
+#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+    if (fxl_has_texel_runs(paint)) {
+        paint_texels(paint, row, x0, x1);
+        return;
+    }
+#else
+    if (fxl_is_mixed_565(paint) && has_plain_lines(paint)) {
+        paint_mixed_lines(paint, row, x0, x1);
+        return;
+    }
+#endif
+    if (fxl_is_mixed_565(paint) ||
+        (row->segments == NULL && has_holes(paint) && has_lines(paint))) {
         paint_mixed(paint, row, x0, x1);
     } else {
-#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
-        if (fxl_has_lit_texels(paint)) {
-            paint_lit_texels(paint, row, x0, x1);
-            return;
-        }
-#endif
         paint_opaque(paint, row, x0, x1);
     }
 }
