@@ -149,7 +149,7 @@ void test_in_the_view(void)
         guard after;
     } room;
     const fxl_view_frustum frustum = {
-        left.normal.x, left.normal.z, left.normal.x, left.normal.z, V(1), V(100), 0};
+        left.normal.x, left.normal.z, left.normal.x, left.normal.z, 0, 0, V(1), V(100), 0};
     set_guard(&room.after);
     for (int n = 0; n < PATTERNS; n++) {
         const pattern of = any_pattern();

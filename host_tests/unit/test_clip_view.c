@@ -21,7 +21,7 @@ static struct {
 
 /* Six planes through the eye: inside is x >= 0, x <= 0, y >= 0, y <= 0, z >= 0,
  * z <= 0. */
-static const fxl_view_frustum walls = {FXL_Q2_30_ONE, 0, FXL_Q2_30_ONE, 0, 0, 0, 0};
+static const fxl_view_frustum walls = {FXL_Q2_30_ONE, 0, FXL_Q2_30_ONE, 0, 0, 0, 0, 0, 0};
 
 /* The point that lies so far inside a wall, and so far along it. */
 static fxl_view_point at_wall(int plane, int64_t inside, int64_t aside)

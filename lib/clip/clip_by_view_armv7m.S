@@ -90,6 +90,7 @@ fxl_clip_by_view:
     ldr     r0, [sp]
 #if FXL_IS_COMPACT
     bl      fxl_transform_vertex
+    sub     vertex, r3, #CACHED_VERTEX_POSITION
     mov     flags, r1
 #else
     bl      fxl_transform_and_project

@@ -111,6 +111,8 @@ AT(fxl_view_frustum, x_side, FRUSTUM_X_SIDE);
 AT(fxl_view_frustum, x_depth, FRUSTUM_X_DEPTH);
 AT(fxl_view_frustum, y_side, FRUSTUM_Y_SIDE);
 AT(fxl_view_frustum, y_depth, FRUSTUM_Y_DEPTH);
+AT(fxl_view_frustum, x_slope, FRUSTUM_X_SLOPE);
+AT(fxl_view_frustum, y_slope, FRUSTUM_Y_SLOPE);
 AT(fxl_view_frustum, near_z, FRUSTUM_NEAR_Z);
 AT(fxl_view_frustum, far_z, FRUSTUM_FAR_Z);
 AT(fxl_view_frustum, inset, FRUSTUM_INSET);

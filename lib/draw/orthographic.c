@@ -91,6 +91,7 @@ static void set_lens(fxl_view *view)
     frustum->x_side = side_of(smaller, lens->width);
     frustum->y_side = side_of(smaller, lens->height);
     frustum->x_depth = frustum->y_depth = 0;
+    frustum->x_slope = frustum->y_slope = 0;
     frustum->inset = -(int64_t)fxl_fraction(smaller, 8 * (uint64_t)(uint32_t)lens->focal);
     view->frustum.planes[FXL_ALONG_RIGHT].distance = view->frustum.planes[FXL_ALONG_UP].distance =
         0;

@@ -8,7 +8,7 @@
 #include "submit.h"
 
 #ifdef __arm__
-FXL_STATIC_ASSERT(sizeof(fxl_renderer) == 520 + 64 * FXL_POLYGON_CAPACITY, "render.h says so");
+FXL_STATIC_ASSERT(sizeof(fxl_renderer) == 528 + 64 * FXL_POLYGON_CAPACITY, "render.h says so");
 #endif
 
 /* SPEC 3.2 */

@@ -96,7 +96,8 @@ static inline uint32_t transform(const fxl_model_view *model_view, uint32_t numb
                                  fxl_cached_vertex *vertex)
 {
 #if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
-    const int32_t status = fxl_transform_and_project(model_view, number, vertex);
+    const int32_t status =
+        fxl_transform_and_project(model_view, number, vertex, model_view->tag + number);
     if (status == FXL_OK) {
         vertex->clip_flags = 0;
         return 0;

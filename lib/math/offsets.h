@@ -110,10 +110,12 @@
 #define FRUSTUM_X_DEPTH     4
 #define FRUSTUM_Y_SIDE      8
 #define FRUSTUM_Y_DEPTH     12
-#define FRUSTUM_NEAR_Z      16
-#define FRUSTUM_FAR_Z       24
-#define FRUSTUM_INSET       32
-#define FRUSTUM_INSET_UPPER 36 /* the upper word of the inset */
+#define FRUSTUM_X_SLOPE     16
+#define FRUSTUM_Y_SLOPE     20
+#define FRUSTUM_NEAR_Z      24
+#define FRUSTUM_FAR_Z       32
+#define FRUSTUM_INSET       40
+#define FRUSTUM_INSET_UPPER 44 /* the upper word of the inset */
 
 /* fxl_projection */
 #define PROJECTION_FACTOR        0

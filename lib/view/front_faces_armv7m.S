@@ -172,7 +172,7 @@ fxl_next_front_face:
     missing_vertex 3, FACE_INDICES + 4
 
     /* r1: number, r2: mask; leaves the clip flags in r11. fxl_transform_vertex leaves the model view
-     * in r3, and the flags in r1. */
+     * in r2, and the flags in r1. */
 .Ltransform:
     push    {r12, lr}
     ldr     r0, [sp, #8]
@@ -182,8 +182,8 @@ fxl_next_front_face:
     add     r2, r3, r2, lsl #3
     bl      fxl_transform_vertex
     mov     r11, r1
-    ldrd    r1, r2, [r3, #MODEL_VIEW_ENTRIES]
-    ldr     r3, [r3, #MODEL_VIEW_TAG]
+    ldr     r3, [r2, #MODEL_VIEW_TAG]
+    ldrd    r1, r2, [r2, #MODEL_VIEW_ENTRIES]
     pop     {r12, pc}
 
 .Lask:

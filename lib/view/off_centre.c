@@ -64,6 +64,7 @@ static void set_lens(fxl_view *view)
     frustum->x_depth = shortened(frustum->x_depth);
     frustum->y_side = shortened(frustum->y_side);
     frustum->y_depth = shortened(frustum->y_depth);
+    frustum->x_slope = frustum->y_slope = 0;
 }
 
 /* The focal length and the offset are below 2^29 and an entry at most 2^30, so each product is

@@ -63,21 +63,19 @@ static inline unsigned fxl_pair_outside(int plane, int32_t across, int32_t depth
     return (fxl_bits_32(first) >> 31 | fxl_bits_32(second) >> 31 << 1) << plane;
 }
 
-/* Whether upper words show that a point is inside all planes, as most are. The inset is rounded
- * downward, and 4 units larger: distances of 0 and more are then at least 4 without it, and not
- * open. Between near and far are upper words between theirs, all below 2^29. */
-static inline bool fxl_is_inside(const fxl_view_frustum *frustum, const fxl_view_point *point,
-                                 int32_t inset)
+/* Whether slopes and upper words show that a point is inside all planes, as most are. Let m be the upper
+ * word of |x|, or 1 less, and w that of z, so |x| <= 2^32 (m + 1) and 2^32 w <= z. If m < 4 k with
+ * k = floor(slope w / 2^32), |x| is at most slope z / 2^30. w is below 2^29, and a slope below 2^31, so
+ * 4 k is below 2^30. z is between near and far if its upper word is between theirs. */
+static inline bool fxl_is_within_slopes(const fxl_view_frustum *frustum,
+                                        const fxl_view_point *point)
 {
-    const int32_t x_depth = fxl_upper_term(frustum->x_depth, point->z) - inset,
-                  y_depth = fxl_upper_term(frustum->y_depth, point->z) - inset;
-    const int32_t across = fxl_upper_term(frustum->x_side, point->x),
-                  upright = fxl_upper_term(frustum->y_side, point->y);
-    const int32_t z = (int32_t)(point->z >> 32);
-    const int32_t from_near = z - (int32_t)(frustum->near_z >> 32) - 1,
-                  to_far = (int32_t)(frustum->far_z >> 32) - z - 1;
-    return ((x_depth + across) | (x_depth - across) | (y_depth + upright) | (y_depth - upright) |
-            from_near | to_far) >= 0;
+    const int32_t x = (int32_t)(point->x >> 32), y = (int32_t)(point->y >> 32),
+                  z = (int32_t)(point->z >> 32);
+    const int32_t across = (int32_t)(fxl_multiply_s31(frustum->x_slope, z) >> 32) * 4,
+                  upright = (int32_t)(fxl_multiply_s31(frustum->y_slope, z) >> 32) * 4;
+    return (((x ^ x >> 31) - across) & ((y ^ y >> 31) - upright) &
+            ((int32_t)(frustum->near_z >> 32) - z) & (z - (int32_t)(frustum->far_z >> 32))) < 0;
 }
 
 /* The same as fxl_outcode, or FXL_OUTSIDE_IS_OPEN and some of its bits. Exact. */
@@ -85,12 +83,12 @@ static inline unsigned fxl_outside(const fxl_view_frustum *frustum, unsigned pla
                                    const fxl_view_point *point)
 {
     unsigned outside = 0;
-    const int32_t inset = (int32_t)(frustum->inset >> 34);
-#if FXL_HAS_LONG_PRODUCT && !FXL_IS_SMALL && !FXL_KERNELS_ARMV7M /* which asks for open ones */
-    if (fxl_is_inside(frustum, point, inset + 4)) {
+#if FXL_HAS_LONG_PRODUCT && !FXL_IS_SMALL && !FXL_KERNELS_ARMV7M /* which asks for others */
+    if (fxl_is_within_slopes(frustum, point)) {
         return 0;
     }
 #endif
+    const int32_t inset = (int32_t)(frustum->inset >> 34);
     if (planes & FXL_PLANES_ACROSS) {
         outside |= fxl_pair_outside(FXL_PLANE_LEFT, fxl_upper_term(frustum->x_side, point->x),
                                     fxl_upper_term(frustum->x_depth, point->z) - inset);

@@ -34,16 +34,16 @@ factor_17   .req lr     /* 2^17 F, modulo 2^32; later P + h */
 /* For fxl_clip_by_view r1 and r3 return x and y, and r2 is kept. */
 fxl_project_inside:
     push    {r4-r11, lr}
-    b       fxl_project_inside_saved        /* seen by what adds up the stack */
+    ldm     view, {r4-r9}
+    b       fxl_project_inside_loaded       /* seen by what adds up the stack */
     .size fxl_project_inside, . - fxl_project_inside
 
-    /* Here with r4-r11 and lr on the stack: fxl_transform_and_project. */
-    .global fxl_project_inside_saved
-    .hidden fxl_project_inside_saved
-    .type fxl_project_inside_saved, %function
+    /* Here with r4-r11 and lr on the stack, and the point in r4-r9: fxl_transform_and_project. */
+    .global fxl_project_inside_loaded
+    .hidden fxl_project_inside_loaded
+    .type fxl_project_inside_loaded, %function
     .thumb_func
-fxl_project_inside_saved:
-    ldm     view, {r4-r9}
+fxl_project_inside_loaded:
     ldm     projection, {r3, r10, r11, r12, lr}
     cmp     r9, r10
     blt     slow_path
@@ -98,6 +98,6 @@ slow_path:
     ldrd    r1, r3, [screen]
     pop     {r4-r11, pc}
 
-    .size fxl_project_inside_saved, . - fxl_project_inside_saved
+    .size fxl_project_inside_loaded, . - fxl_project_inside_loaded
 
 #endif

@@ -105,26 +105,19 @@
     orrs    r6, r6, r7
     .endm
 
-/* Goes on if the position is inside a pair of side planes for sure, else it branches to sides. Of
- * components, which are from 0 to 2^30, it takes the upper 11 bits, and of coordinates the upper words
- * without their 9 lowest bits: below 2^20. The term of the depth is rounded down and that of the
- * side up: both are below 2^31, in units of 2^-15. r7: the inset in these units, rounded up; r12: z;
- * r2: the entry. Overwrites r3 to r5. */
-    .macro  inside side depth position
+/* Goes on if the position is inside a pair of side planes for sure, else it branches to sides:
+ * fxl_is_within_slopes, with the upper 11 bits of a slope, and upper words without their 9 lowest bits,
+ * which are below 2^20. r5: z; r2: the entry. Overwrites r3 and r4. */
+    .macro  inside slope position
     ldr     r3, [r2, #\position + 4]
     asrs    r3, r3, #9
     asrs    r4, r3, #31
     eors    r3, r3, r4
     adds    r3, r3, #1
-    ldr     r4, [r1, #\side]
+    lsls    r3, r3, #10
+    ldr     r4, [r1, #\slope]
     asrs    r4, r4, #20
-    adds    r4, r4, #1
-    muls    r3, r4
-    ldr     r4, [r1, #\depth]
-    asrs    r4, r4, #20
-    mov     r5, r12
     muls    r4, r5
-    subs    r4, r4, r7
     cmp     r4, r3
     ble     sides
     .endm
@@ -180,16 +173,10 @@ some_planes:
     ldr     r1, [r1]                        /* view */
     adds    r1, r1, #VIEW_FRUSTUM
     ldr     r2, [sp, #ENTRY]
-    ldr     r3, [r2, #POSITION_Z + 4]
-    asrs    r3, r3, #9
-    mov     r12, r3
-    ldr     r7, [r1, #FRUSTUM_INSET_UPPER]
-    asrs    r7, r7, #2
-    adds    r7, r7, #1
-    lsls    r7, r7, #3
-    inside  FRUSTUM_X_SIDE, FRUSTUM_X_DEPTH, POSITION_X
-    inside  FRUSTUM_Y_SIDE, FRUSTUM_Y_DEPTH, POSITION_Y
-    movs    r6, #0
+    ldr     r5, [r2, #POSITION_Z + 4]
+    asrs    r5, r5, #9
+    inside  FRUSTUM_X_SLOPE, POSITION_X
+    inside  FRUSTUM_Y_SLOPE, POSITION_Y
     ldr     r3, [r2, #POSITION_Z + 4]       /* upper words that differ decide */
     ldr     r4, [r1, #FRUSTUM_NEAR_Z + 4]
     ldr     r5, [r1, #FRUSTUM_FAR_Z + 4]
@@ -211,8 +198,9 @@ undecided:
     b       decided
 
 sides:
-    lsrs    r0, r7, #3
-    subs    r0, r0, #6
+    ldr     r0, [r1, #FRUSTUM_INSET_UPPER]
+    asrs    r0, r0, #2
+    subs    r0, r0, #5
     str     r0, [sp, #INSET]
     pair    FRUSTUM_X_SIDE, FRUSTUM_X_DEPTH, POSITION_X
     mov     r12, r6

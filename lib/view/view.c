@@ -53,6 +53,16 @@ static void set_side_planes(const fxl_camera *camera, const fxl_direction *axis,
     *high = fxl_plane_from_point(&camera->position, &normal, inset);
 }
 
+/* A slope of a pair of side planes: (depth - margin) / side, in units of 2^-30. The margin is the inset
+ * by near_z, and at least a unit more, which a rounded quotient does not use up: side is at most 1. So
+ * slope z side is at most depth z less the inset, if z is at least near_z. A lens so wide that the
+ * slope is 2 or more has 0, and one so narrow that it would be below 0. */
+static fxl_q2_30 slope_of(fxl_q2_30 side, fxl_q2_30 depth, int32_t margin)
+{
+    const uint32_t rest = (uint32_t)(depth - margin);
+    return rest < 2 * (uint32_t)side ? fxl_divide_round((int64_t)rest << 30, (uint32_t)side) : 0;
+}
+
 /* SPEC 4.3 */
 void fxl_view_frustum_from_lens(const fxl_lens *lens, fxl_view_frustum *frustum)
 {
@@ -63,6 +73,10 @@ void fxl_view_frustum_from_lens(const fxl_lens *lens, fxl_view_frustum *frustum)
     frustum->near_z = ((int64_t)lens->near_z + lens->inset) * FXL_Q2_30_ONE;
     frustum->far_z = ((int64_t)lens->far_z - lens->inset) * FXL_Q2_30_ONE;
     frustum->inset = (int64_t)lens->inset * FXL_Q2_30_ONE;
+    const int32_t margin =
+        fxl_divide_round(frustum->inset, (uint32_t)lens->near_z + (uint32_t)lens->inset) + 2;
+    frustum->x_slope = slope_of(frustum->x_side, frustum->x_depth, margin);
+    frustum->y_slope = slope_of(frustum->y_side, frustum->y_depth, margin);
 }
 
 /* SPEC 4.3 */

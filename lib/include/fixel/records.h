@@ -42,6 +42,9 @@ typedef struct {
 typedef struct fxl_view_frustum {
     fxl_q2_30 x_side, x_depth;
     fxl_q2_30 y_side, y_depth;
+    fxl_q2_30 x_slope,
+        y_slope; /* |x| <= x_slope z is inside left and right, |y| <= y_slope z bottom
+                                 * and top, if z >= near_z; less than the greatest such, or 0 */
     fxl_q18_46 near_z, far_z, inset;
 } fxl_view_frustum;
 

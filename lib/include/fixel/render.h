@@ -142,8 +142,8 @@ enum {
     FXL_FACES_LISTED = 2   /* by number */
 };
 
-/* A renderer, which the caller owns. On a core of 32 bits it takes 520 bytes and
- * 64 for each vertex of FXL_POLYGON_CAPACITY: 2568 where that is 32, 1288 where
+/* A renderer, which the caller owns. On a core of 32 bits it takes 528 bytes and
+ * 64 for each vertex of FXL_POLYGON_CAPACITY: 2576 where that is 32, 1296 where
  * it is 12. Several may live at once; none knows of another. Members are for
  * reading only. A renderer may be moved: no pointer in it leads into it. Two copies share the
  * caller's memory, so that only one of them may be used. */

@@ -12,7 +12,7 @@ ORDER_ENTRY = 12        # bytes of an fxl_draw_entry
 CACHED_VERTEX = 40      # bytes of an fxl_cached_vertex
 WORD = 4                # bytes of a word of the display list
 CLIP_PLANES = 6         # each adds at most one vertex to a convex polygon
-RENDERER = 2568         # bytes of an fxl_renderer on a core of 32 bits, with FXL_POLYGON_CAPACITY 32
+RENDERER = 2576         # bytes of an fxl_renderer on a core of 32 bits, with FXL_POLYGON_CAPACITY 32
 UNIT = 8                # the block is an array of uint64_t
 MODERATE = 10240        # bytes beside the order: a cache of 64 vertices, and 7,680 bytes of display list
 
