@@ -175,6 +175,14 @@
 #define FXL_ONE_COPY inline
 #endif
 
+/* Before a loop over three values. It is written out, so that they may be in registers, but not in
+ * a library for size. */
+#if FXL_IS_COMPACT
+#define FXL_EACH_OF_THREE
+#else
+#define FXL_EACH_OF_THREE _Pragma("GCC unroll 3")
+#endif
+
 /* On a host the files in assembly have no code. This section states that they need no
  * executable stack. */
 #if defined __ASSEMBLER__ && defined __ELF__ && defined __linux__

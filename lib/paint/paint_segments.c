@@ -109,11 +109,18 @@ void fxl_paint_texels(const fxl_segment_face *face, const fxl_texel_run *run, ui
     const uint8_t *table = face->ramp != NULL ? face->ramp : face->table; /* lit: one for a level */
     const uint32_t mask = face->rows_mask, row_drop = face->row_drop, step = run->step;
     const uint32_t column_drop = 32u - face->log_width;
+    uint32_t position = run->position;
+    if (!FXL_IS_COMPACT && table == NULL) {
+        for (; pixels != end; position += step) {
+            *pixels++ = texels[(position >> row_drop & mask) + (position >> column_drop)];
+        }
+        return;
+    }
     const uint32_t light_step = face->ramp != NULL ? run->light_step : 0;
-    uint32_t position = run->position, light = face->ramp != NULL ? run->light : 0;
+    uint32_t light = face->ramp != NULL ? run->light : 0;
     for (; pixels != end; position += step, light += light_step) {
         uint32_t colour = texels[(position >> row_drop & mask) + (position >> column_drop)];
-        if (table != NULL) {
+        if (!FXL_IS_COMPACT || table != NULL) {
             colour = table[(light & ~255u) + colour];
         }
         *pixels++ = (uint8_t)colour;

@@ -42,6 +42,12 @@ static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_ro
         }
         return;
     }
+    if (!FXL_IS_COMPACT && in_beam == NULL) {
+        for (; pixels != end; position += step) {
+            *pixels++ = palette[texels[(position >> row_drop & mask) + (position >> column_drop)]];
+        }
+        return;
+    }
     for (; pixels != end; position += step) {
         const uint32_t place = (position >> row_drop & mask) + (position >> column_drop);
         *pixels++ = palette[in_beam != NULL ? in_beam[texels[place]] : texels[place]];

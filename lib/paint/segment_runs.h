@@ -39,6 +39,7 @@ static inline void begin(const fxl_segment_face *face, const fxl_paint_row *row,
     const int64_t first[3] = {row->weight, attributes[FXL_ATTRIBUTE_U],
                               attributes[FXL_ATTRIBUTE_V]};
     const int64_t steps[3] = {face->weight_step, face->u_step, face->v_step};
+    FXL_EACH_OF_THREE
     for (uint32_t i = 0; i < 3; i++) {
         at->steps[i] = steps[i] >> (4u - log);
         at->values[i] = sum(first[i], at->steps[i], segment);
@@ -58,6 +59,7 @@ static inline uint32_t weight_at(const segment_values *at)
 
 static inline void advance(segment_values *at)
 {
+    FXL_EACH_OF_THREE
     for (uint32_t i = 0; i < 3; i++) {
         at->values[i] = (int64_t)((uint64_t)at->values[i] + (uint64_t)at->steps[i]);
     }
