@@ -31,12 +31,11 @@ static void place_corner(const fxl_scene *scene, const fxl_instance *instance, u
 }
 
 /* Only point lights and fog need the places of corners. fxl_placement_code turns the normal of a
- * face. Not inline: what it has would be saved for every face. */
-__attribute__((noinline))
+ * face. */
 /* SPEC 9.7, surfaces 5.1 */
-void fxl_light_any_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
-                           const fxl_instance *instance, const fxl_corner *const corners[3],
-                           int32_t values[3])
+static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
+                          const fxl_corner *const corners[3], int32_t values[3],
+                          const fxl_instance *instance)
 {
     const fxl_light_settings *settings = &surfaces->light->settings;
     const fxl_direction *normals = surfaces->set->normals;
@@ -64,21 +63,24 @@ void fxl_light_any_corners(const fxl_surfaces *surfaces, const fxl_renderer *ren
     }
 }
 
-/* A scene in which no corner needs a place or is turned is told at once. */
-static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
-                          const fxl_instance *instance, const fxl_corner *const corners[3],
-                          int32_t values[3])
+static void light_plain_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
+                                const fxl_corner *const corners[3], int32_t values[3],
+                                const fxl_instance *instance)
 {
-    const fxl_light_settings *settings = &surfaces->light->settings;
-    if (!FXL_IS_COMPACT && renderer->scene->placements == NULL && settings->point_count == 0 &&
-        settings->fog_far == 0) {
-        fxl_light_corners_of(settings, surfaces->set->normals, corners, values);
-        return;
-    }
-    fxl_light_any_corners(surfaces, renderer, instance, corners, values);
+    (void)renderer;
+    (void)instance;
+    fxl_light_corners_of(&surfaces->light->settings, surfaces->set->normals, corners, values);
 }
 
-static const fxl_surface_light_code code = {light_corners};
+static fxl_corner_light *corner_light_of(const fxl_surfaces *surfaces, const fxl_scene *scene)
+{
+    const fxl_light_settings *settings = &surfaces->light->settings;
+    return scene->placements == NULL && settings->point_count == 0 && settings->fog_far == 0
+               ? light_plain_corners
+               : light_corners;
+}
+
+static const fxl_surface_light_code code = {light_corners, corner_light_of};
 
 /* surfaces 5.5 */
 fxl_status fxl_attach_lit(fxl_renderer *renderer, fxl_lit_surfaces *lit)

@@ -51,7 +51,8 @@ static inline void begin_texels(const fxl_surfaces *surfaces, const fxl_surface 
 static inline uint32_t find_texel_values(const fxl_surfaces *surfaces, const fxl_surface *surface,
                                          const fxl_corner *const of[3],
                                          const fxl_instance *instance,
-                                         const fxl_renderer *renderer, int32_t (*values)[3],
+                                         const fxl_renderer *renderer,
+                                         fxl_corner_light *corner_light, int32_t (*values)[3],
                                          fxl_paint *paint)
 {
     values[FXL_ATTRIBUTE_U][0] = of[0]->texel.u;
@@ -65,7 +66,7 @@ static inline uint32_t find_texel_values(const fxl_surfaces *surfaces, const fxl
         return FXL_SEGMENT_LIGHT;
     }
     int32_t *light = values[FXL_SEGMENT_LIGHT];
-    surfaces->light_code->light_corners(surfaces, renderer, instance, of, light);
+    corner_light(surfaces, renderer, of, light, instance);
     paint->is_evenly_lit = light[0] == light[1] && light[0] == light[2];
     paint->light = (uint16_t)(light[0] >> 8);
     return paint->is_evenly_lit ? FXL_SEGMENT_LIGHT : FXL_SEGMENT_LIGHT + 1u;
@@ -77,14 +78,14 @@ static inline __attribute__((always_inline)) fxl_depth_drawn
 draw_texel_corners(const fxl_surfaces *surfaces, const fxl_surface *surface,
                    const fxl_corner *const of[3], const fxl_screen_corners *corners,
                    const fxl_model_view *model_view, const fxl_traversal *traversal,
-                   const fxl_words_lens *lens, texel_run *run)
+                   const fxl_words_lens *lens, fxl_corner_light *corner_light, texel_run *run)
 {
     fxl_workspace *workspace = traversal->workspace;
     const fxl_band *band = traversal->band;
     int32_t values[FXL_ATTRIBUTES][3];
     const uint32_t attributes =
-        find_texel_values(surfaces, surface, of, model_view->instance, traversal->renderer, values,
-                          &run->paint);
+        find_texel_values(surfaces, surface, of, model_view->instance, traversal->renderer,
+                          corner_light, values, &run->paint);
     const int32_t one = fxl_find_texel_planes(
         corners, lens, values, &run->outline.planes, attributes,
         surface->division == FXL_AFFINE && fxl_corners_are_on_screen(corners, lens->lens));

@@ -22,20 +22,18 @@ extern "C" {
 
 /* --- light at the corners of faces --------------------------------------------------------- */
 
+/* The light at the three vertices of a mapped face: levels of the ramp in 16.16, and a half, so that
+ * rounding them down gives the nearest. From 32768 to levels - 1/2. */
+typedef void fxl_corner_light(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
+                              const fxl_corner *const corners[3], int32_t values[3],
+                              const fxl_instance *instance);
+
 /* What a renderer with lit surfaces links. */
 typedef struct fxl_surface_light_code {
-    /* The light at the three vertices of a mapped face: levels of the ramp in 16.16, and a half, so
-     * that rounding them down gives the nearest. From 32768 to levels - 1/2. */
-    void (*light_corners)(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
-                          const fxl_instance *instance, const fxl_corner *const corners[3],
-                          int32_t values[3]);
+    fxl_corner_light *light_corners; /* of any scene */
+    /* The same, or what is shorter in a scene in which no corner needs a place or is turned. */
+    fxl_corner_light *(*corner_light_of)(const fxl_surfaces *surfaces, const fxl_scene *scene);
 } fxl_surface_light_code;
-
-/* light_corners of any scene. Not static: the compiler would change its arguments, so that it is
- * called on top of its caller's stack and not jumped to. */
-void fxl_light_any_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
-                           const fxl_instance *instance, const fxl_corner *const corners[3],
-                           int32_t values[3]);
 
 static inline bool fxl_surface_is_lit(const fxl_surfaces *surfaces, const fxl_surface *surface)
 {

@@ -88,7 +88,8 @@ static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_work
                                           const fxl_band *band)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
-    if (surface->opacity != 16 || fxl_surface_is_blended(surface) || !can_draw_smooth(workspace, band)) {
+    if (surface->opacity != 16 || fxl_surface_is_blended(surface) ||
+        !can_draw_smooth(workspace, band)) {
         return FXL_DEPTH_NOT_DRAWN;
     }
 #if FXL_PIXEL_IS_MIXED
@@ -107,8 +108,8 @@ static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_work
 static inline bool has_colours_alone(const fxl_surfaces *surfaces, const fxl_surface *surface)
 {
     const uint32_t flags = surface->flags & ~(uint32_t)FXL_SURFACE_LIT;
-    return FXL_PIXEL_IS_MIXED && flags == FXL_SURFACE_COLOURS && surface->opacity == 16 && surface->division != FXL_DIVIDE_1 &&
-           surfaces->beams == NULL;
+    return FXL_PIXEL_IS_MIXED && flags == FXL_SURFACE_COLOURS && surface->opacity == 16 &&
+           surface->division != FXL_DIVIDE_1 && surfaces->beams == NULL;
 }
 
 /* Whether what the clipper leaves of a mapped face is drawn at once, as one polygon, by the kernel
@@ -131,7 +132,7 @@ draw_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
                  const fxl_corner *const of[3], const fxl_screen_corners *corners,
                  const fxl_model_view *model_view, const fxl_screen_point *points, uint32_t count,
                  const fxl_traversal *traversal, const fxl_words_lens *words_lens,
-                 fxl_colour_outline *outline)
+                 fxl_corner_light *corner_light, fxl_colour_outline *outline)
 {
     fxl_workspace *workspace = traversal->workspace;
     const fxl_lens *lens = &model_view->view->lens;
@@ -139,8 +140,7 @@ draw_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
     fxl_corner_colours(of, values.of);
     if (fxl_surface_is_lit(surfaces, surface)) {
         int32_t light[3];
-        surfaces->light_code->light_corners(surfaces, traversal->renderer, model_view->instance, of,
-                                            light);
+        corner_light(surfaces, traversal->renderer, of, light, model_view->instance);
         fxl_corner_colours_light(&surfaces->light->settings, light, values.of);
     }
     values.limit = surface->division == FXL_AFFINE && fxl_corners_are_on_screen(corners, lens)
@@ -170,10 +170,11 @@ typedef struct {
         without_rows; /* of all faces of the walk: those drawn here, and that reach no row */
     const fxl_corner *corners; /* of the surface; null: its faces are not drawn at once */
     const fxl_surface *surface;
-    uint32_t number; /* of the surface */
+    uint32_t number;      /* of the surface */
     inside_result result; /* of the face that was not drawn */
     int32_t colour; /* of faces of one colour: that of the face before; below 0: there is none */
     fxl_words_lens lens;
+    fxl_corner_light *corner_light; /* null where nothing is lit */
     union {
         fxl_smooth_outline smooth;
         fxl_colour_outline colours;
@@ -233,10 +234,8 @@ draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
     const fxl_depth_head *head = (const fxl_depth_head *)traversal->workspace->target_memory;
     fxl_smooth_outline *smooth = &run->outline.smooth;
     int32_t light[3];
-    surfaces->light_code->light_corners(surfaces, traversal->renderer, model_view->instance, of,
-                                        light);
-    const int32_t one =
-        fxl_find_smooth_words(corners, &run->lens, light, &smooth->words);
+    run->corner_light(surfaces, traversal->renderer, of, light, model_view->instance);
+    const int32_t one = fxl_find_smooth_words(corners, &run->lens, light, &smooth->words);
     if (one == 0) {
         return FXL_DEPTH_NOT_DRAWN;
     }
@@ -277,15 +276,15 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
 #if FXL_PIXEL_IS_MIXED
     if (run->surface->texture != 0) {
         drawn = draw_texel_corners(surfaces, run->surface, of, &corners, model_view, traversal,
-                                   &run->lens, &run->outline.texels);
+                                   &run->lens, run->corner_light, &run->outline.texels);
     } else if (run->surface->flags & FXL_SURFACE_COLOURS) {
-        drawn = draw_colour_face(surfaces, run->surface, of, &corners, model_view, corners.points,
-                                 3, traversal, &run->lens, &run->outline.colours);
+        drawn =
+            draw_colour_face(surfaces, run->surface, of, &corners, model_view, corners.points, 3,
+                             traversal, &run->lens, run->corner_light, &run->outline.colours);
     } else
 #endif
     {
-        drawn =
-            draw_inside_light(surfaces, of, &corners, model_view, face, traversal, run);
+        drawn = draw_inside_light(surfaces, of, &corners, model_view, face, traversal, run);
         if (drawn == FXL_DEPTH_NOT_CLEAR) {
             clear_under(workspace, corners.points, 3, traversal->band);
             drawn = FXL_DRAW_SMOOTH(corners.points, 3, traversal->band, &run->outline.smooth);

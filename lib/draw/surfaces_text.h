@@ -262,6 +262,8 @@ static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *
     }
     run.drawn = run.without_rows = 0;
     run.lens = fxl_words_lens_of(&model_view->view->lens);
+    run.corner_light =
+        surfaces->light != NULL ? surfaces->light_code->corner_light_of(surfaces, scene) : NULL;
     begin_run(surfaces, set->faces[first - 1].surface, traversal, &run);
     if (run.corners == NULL) {
         return false;
