@@ -114,6 +114,12 @@
     adr     r0, .Leach_hide\@ + 1
     b       .Lfull\@
 
+    /* A drop above 32. */
+.Lfar_code\@:
+    sub     r6, r7, #32
+    asr     r4, r5, r6
+    b       .Lfirst_code\@
+
     /* The right edge is not right of the left one. */
 .Lno_pixel\@:
     beq     .Lempty\@
@@ -172,7 +178,12 @@
     bne     .Loctave\@
 .Lcode\@:
     mla     r3, lr, r2, r8
-    shift_by r7, r4, r5, r6
+    rsbs    r6, r7, #32
+    bmi     .Lfar_code\@
+    lsls    r5, r5, r6
+    lsrs    r4, r4, r7
+    adds    r4, r4, r5
+.Lfirst_code\@:
     add     r3, r3, r4
 
 /* The pixels of a row that are in one octave: r0: how many, r2: their first column, r3: the code of
@@ -302,11 +313,13 @@
 .Lfew_to_hide\@:
     cmp     r4, r2
     bhs     .Lpart_done\@
-    ldrh    r6, [r4], #2
+1:  ldrh    r6, [r4], #2
     cmp     r6, r3, lsr #16
     if_visible \keeps, .Lvisible\@
     add     r3, r3, lr
-    b       .Lfew_to_hide\@
+    cmp     r4, r2
+    blo     1b
+    b       .Lpart_done\@
 .Lvisible\@:
     subs    r4, r4, #2
     mov     r1, r4
