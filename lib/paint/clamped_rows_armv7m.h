@@ -123,10 +123,9 @@
     .align  2
 .Lwithin_begin:
     begin_coordinates
-    ldr     r2, [r1, #PAINT_ROW_WEIGHT + 4]
+    clz     r2, w
     ldr     w, [sp, #.LF_RECIPROCAL]
     ldrd    r4, r5, [sp, #.LF_U_DROP]
-    clz     r2, r2
     subs    r4, r4, r2
     subs    r5, r5, r2
     strd    r4, r5, [sp, #.LF_DROPS]

@@ -15,7 +15,6 @@
     str     r3, [sp, #.LF_X_END]
     lsrs    r4, r2, #4
     ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
-    ldrd    r8, r9, [r1, #PAINT_ROW_WEIGHT]
     weight_of_16 r10, r11, r4
     cmp     r7, #0
     blt     .Lfalling_weights
@@ -72,21 +71,17 @@
     str     r3, [sp, #.LF_GO]
     ldr     pc, [sp, #.LF_BEGIN]
 
-/* u and v, which are not divided, where segment r12 begins. r1: row. Overwrites r2 and r3. */
+/* u and v, which are not divided, where segment r12 begins, and the weight in column 0. r1: row. Overwrites
+ * r2 and r3. */
     .macro  begin_coordinates
+    ldm     r1, {r6-r11}                /* weight, u, v */
     ldrd    r2, r3, [sp, #8]
-    umull   u_low, u, r2, r12
+    umlal   u_low, u, r2, r12
     mla     u, r3, r12, u
-    ldrd    r2, r3, [r1, #PAINT_ROW_U]
-    adds    u_low, u_low, r2
-    adc     u, u, r3
     ldr     r2, [sp, #16]
     ldr     r3, [sp, #.LF_V_HIGH]
-    umull   v_low, v, r2, r12
+    umlal   v_low, v, r2, r12
     mla     v, r3, r12, v
-    ldrd    r2, r3, [r1, #PAINT_ROW_V]
-    adds    v_low, v_low, r2
-    adc     v, v, r3
     .endm
 
 /* Divides u and v by w; r3 becomes the reciprocal. Goes to far where a drop is below 0. low: takes the lower
@@ -113,13 +108,10 @@
 
     .align  2
 .Lbegin:
-    ldrd    r2, r3, [sp]
-    umull   w_low, w, r2, r12
-    mla     w, r3, r12, w
-    ldrd    r2, r3, [r1, #PAINT_ROW_WEIGHT]
-    adds    w_low, w_low, r2
-    adc     w, w, r3
     begin_coordinates
+    ldrd    r2, r3, [sp]
+    umlal   w_low, w, r2, r12
+    mla     w, r3, r12, w
     str     w_low, [sp, #.LF_W_LOW]
     divide_and_resume
 .Lfar_start:
@@ -279,7 +271,6 @@
     b       .Lfind
 1:  lsr     r4, r2, #4
     ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
-    ldrd    r8, r9, [r1, #PAINT_ROW_WEIGHT]
     weight_of_16 r10, r11, r4
     ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
     b       .Lfind

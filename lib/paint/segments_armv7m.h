@@ -59,22 +59,20 @@
 2:
     .endm
 
-/* low, high: the weight where 16 columns of that number begin. r6, r7: its step, r8, r9: that of the row. */
+/* low, high: the weight where 16 columns of that number begin. r1: row, r6, r7: the weight's step. */
     .macro  weight_of_16 low, high, number
-    umull   \low, \high, r6, \number
+    ldrd    \low, \high, [r1, #PAINT_ROW_WEIGHT]
+    umlal   \low, \high, r6, \number
     mla     \high, r7, \number, \high
-    adds    \low, \low, r8
-    adc     \high, \high, r9
     .endm
 
 /* r10, r11: the weight at the first of the 16 columns that column r2 is in; r12, lr: at the end of
- * those that column r3 - 1 is in. r0: face, r1: row. Overwrites r4 to r9. */
+ * those that column r3 - 1 is in. r0: face, r1: row. Overwrites r4 to r7. */
     .macro  weights_at_ends
     lsr     r4, r2, #4
     add     r5, r3, #15
     lsr     r5, r5, #4
     ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
-    ldrd    r8, r9, [r1, #PAINT_ROW_WEIGHT]
     weight_of_16 r10, r11, r4
     weight_of_16 r12, lr, r5
     .endm
