@@ -91,18 +91,17 @@ void fxl_corner_planes_depth(fxl_corner_planes *planes, fxl_depth_plane *plane)
 /* --- attributes ----------------------------------------------------------------------------- */
 
 /* Whether a constant weight changes no attribute by more than FXL_AFFINE_ERROR_TEXEL, or
- * FXL_AFFINE_ERROR_LIGHT: light is the last of an odd number. ranges: of the attributes, below
- * 2^31; range: of the weights, below 2^30. */
+ * FXL_AFFINE_ERROR_LIGHT: light is the last of an odd number. Ranges of attributes are below 2^31, that
+ * of the weights below 2^30. */
 /* SPEC 9.1.1 */
-static bool is_nearly_affine(const fxl_corner_planes *planes, const uint32_t *ranges,
-                             uint32_t count, uint32_t range)
+static bool is_nearly_affine(const fxl_corner_planes *planes, int32_t (*values)[3], uint32_t count)
 {
-    const uint32_t least = planes->weight_most - range;
+    const uint32_t range = planes->weight_range, least = planes->weight_most - range;
     const unsigned part = planes->is_triangle ? 0 : 3;
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t error =
             i % 2 == 0 && i + 1 == count ? FXL_AFFINE_ERROR_LIGHT : FXL_AFFINE_ERROR_TEXEL;
-        if (fxl_product_unsigned(ranges[i], range) >
+        if (fxl_product_unsigned(fxl_range_of(values[i]), range) >
             fxl_product_unsigned(least, 4u * error >> part)) {
             return false;
         }
@@ -292,16 +291,9 @@ static void find_perspective(const fxl_corner_planes *planes, int32_t (*values)[
 void fxl_corner_planes_find(fxl_corner_planes *planes, int32_t (*values)[3], uint32_t count,
                             bool is_affine, fxl_gradients *gradients)
 {
-    uint32_t ranges[FXL_ATTRIBUTES];
     gradients->count = (uint8_t)count;
-    if (!is_affine) {
-        for (uint32_t i = 0; i < count; i++) {
-            ranges[i] = fxl_range_of(values[i]);
-        }
-        is_affine = is_nearly_affine(planes, ranges, count, planes->weight_range);
-    }
     locate(planes);
-    if (is_affine) {
+    if (is_affine || is_nearly_affine(planes, values, count)) {
         find_affine(planes, values, gradients);
     } else {
         find_weight(planes);

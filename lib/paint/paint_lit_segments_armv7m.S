@@ -227,20 +227,14 @@ fxl_paint_lit_runs:
     str     r5, [lr, #BLOCK_LIGHT]
     ldm     r1, {r1-r6}
     ldrd    r7, r8, [sp, #.LSTEPS]
-    umull   r9, r10, r7, r12
-    mla     r10, r8, r12, r10
-    adds    r1, r1, r9
-    adcs    r2, r2, r10
+    umlal   r1, r2, r7, r12
+    mla     r2, r8, r12, r2
     ldrd    r7, r8, [sp, #.LSTEPS + 8]
-    umull   r9, r10, r7, r12
-    mla     r10, r8, r12, r10
-    adds    r3, r3, r9
-    adcs    r4, r4, r10
+    umlal   r3, r4, r7, r12
+    mla     r4, r8, r12, r4
     ldrd    r7, r8, [sp, #.LSTEPS + 16]
-    umull   r9, r10, r7, r12
-    mla     r10, r8, r12, r10
-    adds    r5, r5, r9
-    adc     r6, r6, r10
+    umlal   r5, r6, r7, r12
+    mla     r6, r8, r12, r6
     stm     sp, {r1-r6}
     ldm     lr!, {r3, r5, r7-r12}
     divide_all .Lfar_begin
