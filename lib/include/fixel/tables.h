@@ -77,6 +77,7 @@ typedef struct {
     uint32_t key_count;
 } fxl_motion_set;
 
+/* The most point lights of a light; the fewest and the most levels of its ramp. */
 #define FXL_LIGHT_POINTS_MAX 4
 #define FXL_LIGHT_LEVELS_MIN 2
 #define FXL_LIGHT_LEVELS_MAX 64
