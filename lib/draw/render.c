@@ -114,15 +114,9 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     frame->display_list.used = 0;
     frame->resume.instances = 0;
     frame->resume.faces = 0;
-    const fxl_traversal traversal = {.renderer = renderer,
-                                     .clipper = renderer->clipper,
-                                     .workspace = workspace,
-                                     .display_list = &frame->display_list,
-                                     .band = NULL,
-                                     .resume = &frame->resume,
-                                     .counters = &workspace->counters,
-                                     .mode = mode_of_begin(renderer),
-                                     .draw = NULL};
+    fxl_traversal traversal = fxl_traversal_of(renderer, workspace, &frame->resume);
+    traversal.display_list = &frame->display_list;
+    traversal.mode = mode_of_begin(renderer);
     frame->state = FXL_FRAME_BEGUN;
     if (!renderer->order->submit(&traversal) && measures_rows(renderer)) {
         fxl_extents_measure(&traversal, frame);
@@ -292,22 +286,16 @@ fxl_status fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
 {
     fxl_resume_point resume = renderer->frame.resume;
     fxl_counters uncounted;
-    const bool draws_at_once =
-        !FXL_IS_SMALL && renderer->target->draws_over && renderer->clipper->next == NULL;
+    fxl_traversal traversal = fxl_traversal_of(renderer, workspace, &resume);
+    traversal.band = band;
+    traversal.draws_one = renderer->clipper->next == NULL;
+    if (!FXL_IS_SMALL && renderer->target->draws_over && traversal.draws_one) {
+        traversal.draw = renderer->target->flat;
+    }
     if (workspace->rest_counted) {
         memset(&uncounted, 0, sizeof uncounted);
+        traversal.counters = &uncounted;
     }
-    const fxl_traversal traversal = {.renderer = renderer,
-                                     .clipper = renderer->clipper,
-                                     .workspace = workspace,
-                                     .display_list = NULL,
-                                     .band = band,
-                                     .resume = &resume,
-                                     .counters = workspace->rest_counted ? &uncounted
-                                                                         : &workspace->counters,
-                                     .mode = FXL_SUBMIT_ANY,
-                                     .draws_one = renderer->clipper->next == NULL,
-                                     .draw = draws_at_once ? renderer->target->flat : NULL};
     if (!(renderer->draw_display_list != NULL ? renderer->draw_display_list(&traversal)
                                               : draw_display_list(&traversal)) ||
         !submit_rest(&traversal)) {

@@ -38,6 +38,23 @@ struct fxl_traversal {
     bool (*draw)(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band);
 };
 
+/* One that fills no list and draws into no band yet, and counts in the workspace. */
+static inline fxl_traversal fxl_traversal_of(const fxl_renderer *renderer, fxl_workspace *workspace,
+                                             fxl_resume_point *resume)
+{
+    const fxl_traversal traversal = {.renderer = renderer,
+                                     .clipper = renderer->clipper,
+                                     .workspace = workspace,
+                                     .display_list = NULL,
+                                     .band = NULL,
+                                     .resume = resume,
+                                     .counters = &workspace->counters,
+                                     .mode = FXL_SUBMIT_ANY,
+                                     .draws_one = false,
+                                     .draw = NULL};
+    return traversal;
+}
+
 /* transform -> clip -> project -> display list or band, for a face that faces the eye; by
  * model_view->shader before, where there is one. Counts it in everything but `in`. False where
  * there is no room, in the list or in the target's workspace: the face is then not counted, and

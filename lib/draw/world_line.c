@@ -166,15 +166,8 @@ void fxl_draw_over_instances(const fxl_renderer *renderer, fxl_workspace *worksp
 {
     const fxl_frame *frame = &renderer->frame;
     fxl_resume_point resume = {0, 0};
-    const fxl_traversal traversal = {.renderer = renderer,
-                                     .clipper = renderer->clipper,
-                                     .workspace = workspace,
-                                     .display_list = NULL,
-                                     .band = band,
-                                     .resume = &resume,
-                                     .counters = &workspace->counters,
-                                     .mode = FXL_SUBMIT_ANY,
-                                     .draw = NULL};
+    fxl_traversal traversal = fxl_traversal_of(renderer, workspace, &resume);
+    traversal.band = band;
     fxl_depth_clear_rest(workspace, band, renderer->target->depth_bits / 8u);
     for (uint32_t i = 0; i < frame->visible_count; i++) {
         const uint32_t place = renderer->near_first ? frame->visible_count - 1u - i : i;
