@@ -368,17 +368,21 @@ static ROWS_APART bool paint_by_rows(const fxl_surfaces *surfaces, fxl_workspace
     fxl_paint paint;
     fxl_segment_face face;
     paint_of(surfaces, polygon, band, &paint);
-    fxl_depth_begin(&depth, workspace->target_memory, &polygon->depth, band);
+    uint8_t keeps = FXL_DEPTH_KEEPS_ALL;
     if (fxl_surface_is_blended(surface)) {
-        depth.keeps = FXL_DEPTH_KEEPS_NONE;
+        keeps = FXL_DEPTH_KEEPS_NONE;
     } else if (paint.opacity < 16 || (paint.level.flags & FXL_TEXTURE_KEYED)) {
-        depth.keeps = FXL_DEPTH_KEEPS_DRAWN;
+        keeps = FXL_DEPTH_KEEPS_DRAWN;
     }
     const fxl_segment_face *segments = segments_of(&paint, &face);
-    if (depth.keeps == FXL_DEPTH_KEEPS_DRAWN && has_hole_kernel(&paint, segments)) {
-        depth.keeps = FXL_DEPTH_TESTED;
+    if (keeps == FXL_DEPTH_KEEPS_DRAWN && has_hole_kernel(&paint, segments)) {
+        keeps = FXL_DEPTH_TESTED;
     }
 #if HAS_RUNS
+    depth.plane = &polygon->depth; /* the kernel finds octaves itself */
+    depth.head = (const fxl_depth_head *)workspace->target_memory;
+    depth.band = band;
+    depth.keeps = keeps;
     if (fxl_depth_rows_take(&depth)) {
         fxl_scan_outline(points, count, band, &workspace->work.scan);
         if (workspace->work.scan.by_chains) {
@@ -386,6 +390,8 @@ static ROWS_APART bool paint_by_rows(const fxl_surfaces *surfaces, fxl_workspace
         }
     }
 #endif
+    fxl_depth_begin(&depth, workspace->target_memory, &polygon->depth, band);
+    depth.keeps = keeps;
     paint_each_row(&depth, &paint, segments, points, count, band, &workspace->work.scan);
     return false;
 }

@@ -143,9 +143,9 @@ static inline void fxl_find_mapped_corners(const fxl_surface_set *set, const fxl
                                            const fxl_corner *corners[3])
 {
     const fxl_corner *first = set->corners + surface->first_corner;
-    for (uint32_t i = 0; i < 3; i++) {
-        corners[i] = &first[mapped->corners[i]];
-    }
+    corners[0] = &first[mapped->corners[0]];
+    corners[1] = &first[mapped->corners[1]];
+    corners[2] = &first[mapped->corners[2]];
 }
 
 /* fxl_renderer_shader, once in a program: the record that begins with the shader. */
