@@ -72,8 +72,8 @@ static inline bool fxl_is_within_slopes(const fxl_view_frustum *frustum,
 {
     const int32_t x = (int32_t)(point->x >> 32), y = (int32_t)(point->y >> 32),
                   z = (int32_t)(point->z >> 32);
-    const int32_t across = (int32_t)(fxl_multiply_s31(frustum->x_slope, z) >> 32) * 4,
-                  upright = (int32_t)(fxl_multiply_s31(frustum->y_slope, z) >> 32) * 4;
+    const int32_t across = fxl_upper_term(frustum->x_slope, point->z) * 4,
+                  upright = fxl_upper_term(frustum->y_slope, point->z) * 4;
     return (((x ^ x >> 31) - across) & ((y ^ y >> 31) - upright) &
             ((int32_t)(frustum->near_z >> 32) - z) & (z - (int32_t)(frustum->far_z >> 32))) < 0;
 }
