@@ -17,6 +17,7 @@
 #define F_RUNS 8 /* where the next run goes; then the end */
 #define F_SIZE 16
 
+#define HAS_REST 0x40000000 /* of r12 */
 #define OF_OCTAVE(member) (member - DEPTH_ROWS_ZEROS)
 
 /* Results: \low, \high: the 32 lowest bits of (\high:\low) >> \drop, in \low. drop: 1 to 34. */
@@ -137,7 +138,8 @@
 
 /* --- rows ------------------------------------------------------------------------------------- */
 
-/* r0: rows, r12: how many, and in the uppermost bit whether the next run is in the row below. */
+/* r0: rows, r12: how many, and in the uppermost bit whether the next run is in the row below; HAS_REST:
+ * whether pixels of this row are in octaves after this one. */
 .Lrow_below\@:
     orr     r12, r12, #0x80000000
 .Lrow\@:
@@ -259,11 +261,9 @@
 
     .align  2
 .Lpart_done\@:
-    ldrd    r0, r6, [sp, #F_ROWS]
-    cmp     r6, #0
-    bne     .Lrest\@
-    cmp     r12, #0
-    bmi     .Lno_run\@
+    ldr     r0, [sp, #F_ROWS]
+    tst     r12, #(0x80000000 | HAS_REST)
+    bne     .Lno_run\@
 .Lrow_done\@:
     subs    r12, r12, #1
     bne     .Lrow_below\@
@@ -273,8 +273,10 @@
     add     sp, #F_SIZE
     pop     {r4-r11, pc}
 
-    /* A row of no visible pixel has an empty run. */
+    /* Unless there are more octaves, a row of no visible pixel has an empty run. */
 .Lno_run\@:
+    tst     r12, #HAS_REST
+    bne     .Lrest\@
     mov     r1, r10
     list_run r10, .Lfull_end\@
     ldr     r0, [sp, #F_ROWS]
@@ -447,13 +449,14 @@
     add     r3, r2, r0
     sub     r3, r3, r9
     str     r3, [sp, #F_REST]
+    orr     r12, r12, #HAS_REST
     sub     r0, r9, r2                  /* pixels of the first octave */
     b       .Lone_octave\@
 
     /* The rest of a row, r6 pixels. */
 .Lrest\@:
-    movs    r7, #0
-    str     r7, [sp, #F_REST]
+    ldr     r6, [sp, #F_REST]
+    bic     r12, r12, #HAS_REST
     add     r1, r0, #DEPTH_ROWS_ZEROS
     mov     r0, r6
     ldrd    r10, r2, [r1, #OF_OCTAVE(DEPTH_ROWS_REST)]
