@@ -196,13 +196,10 @@
 .Llast_partial:
     ldr     r3, [sp, #.LF_SHORT]
     ldr     r5, [sp, #.LF_END]
-    add     pixels, pixels, r3, lsl #WIDE
-    subs    r3, r5, pixels
+    subs    r4, r5, pixels
+    rsb     r4, r4, #(16 << WIDE)
     sub     pixels, r5, #(16 << WIDE)
-    rsb     r3, r3, #(16 << WIDE)
-    .if     WIDE
-    lsrs    r3, r3, #1
-    .endif
+    add     r3, r3, r4, lsr #WIDE
     str     r3, [sp, #.LF_BEFORE]
     ldrd    r4, r5, [sp, #.LF_CODE]
     mla     r3, r3, r5, r4
@@ -215,19 +212,14 @@
 .Lpartial:
     ldr     r5, [sp, #.LF_SKIP]
     mla     p, step, r5, p
-    ldr     r3, [sp, #.LF_SHORT]
-    add     r5, r5, r3
-    add     pixels, pixels, r5, lsl #WIDE
+    ldr     r4, [sp, #.LF_SHORT]
     ldr     r3, [sp, #.LF_END]
-    sub     r3, r3, pixels
-    .if     WIDE
-    lsrs    r3, r3, #1
-    .endif
-    rsb     r3, r3, #16
-    cmp     r3, r5
-    it      lt
-    movlt   r3, r5
-    sub     pixels, pixels, r3, lsl #WIDE
+    add     r5, r5, r4
+    subs    r3, r3, pixels
+    rsb     r3, r3, #(16 << WIDE)       /* what of 16 pixels is beyond the end */
+    bic     r3, r3, r3, asr #31
+    subs    pixels, pixels, r3
+    add     r3, r5, r3, lsr #WIDE
     str     r3, [sp, #.LF_BEFORE]
     ldr     r4, [sp, #.LF_FULL]
     str     r4, [sp, #.LF_GO]
