@@ -145,6 +145,13 @@
 #define FXL_SCANS_BY_CHAINS 1
 #endif
 
+/* Compact, segments of textures are painted one by one where no kernel paints a run of them. */
+#if FXL_IS_COMPACT && !FXL_KERNELS_ARMV6M
+#define FXL_SEGMENTS_ONE_BY_ONE 1
+#else
+#define FXL_SEGMENTS_ONE_BY_ONE 0
+#endif
+
 /* Compact, it fills rows by a text of a sixth of the bytes. */
 #if FXL_KERNELS_ARMV7M && !FXL_KERNELS_MVE && FXL_IS_COMPACT
 #define FXL_FILLS_COMPACT 1

@@ -70,6 +70,7 @@ static inline bool has_kernel(const fxl_segment_face *face)
     return face->ramp == NULL && face->kind == FXL_TEXELS_PLAIN;
 }
 
+#define HAS_RAMPS 1
 #include "segment_runs.h"
 
 /* The kernels of Armv6-M paint texels. */

@@ -61,6 +61,7 @@ static inline bool has_kernel(const fxl_segment_face *face)
     return face->kind == FXL_TEXELS_PLAIN;
 }
 
+#define HAS_RAMPS 0
 #include "segment_runs.h"
 
 void fxl_paint_segments_565(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,

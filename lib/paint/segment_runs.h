@@ -10,6 +10,8 @@
  *
  *   static inline bool has_kernel(const fxl_segment_face *face);
  *
+ * and HAS_RAMPS, 1 or 0: whether a face may be lit.
+ *
  * Internal. */
 #ifndef FXL_SEGMENT_RUNS_H
 #define FXL_SEGMENT_RUNS_H
@@ -18,16 +20,197 @@
 #include "plain_run.h"
 #include "segment_lengths.h"
 
+/* What a segment has at one end. */
+typedef struct {
+    int32_t u, v, light;
+} segment_end;
+
+FXL_ONCE int64_t shifted(int64_t product, int32_t left)
+{
+    return product >> (left < 0 ? 0 : left > 63 ? 63 : left);
+}
+
+/* A product, shifted. The weight is large enough that it is not shifted to the left. */
+FXL_ONCE int32_t divided(int32_t value, const fxl_reciprocal *reciprocal, int32_t drop)
+{
+    const int64_t product = fxl_multiply_s32(value, reciprocal->value);
+    return (int32_t)(uint32_t)shifted(product, 32 + drop - (int32_t)reciprocal->zeros);
+}
+
+static inline int32_t difference(int32_t a, int32_t b)
+{
+    return (int32_t)((uint32_t)a - (uint32_t)b);
+}
+
+/* A coordinate some steps on. An end beyond the face may lie far away: then a sum wraps. */
+static inline int32_t after(int32_t value, int32_t step, uint32_t steps)
+{
+    return (int32_t)((uint32_t)value + (uint32_t)step * steps);
+}
+
+/* A 16th of a difference's part of 2^log, rounded to nearest. */
+static inline int32_t step_of(int32_t from, int32_t to, uint32_t log)
+{
+    return (int32_t)((uint32_t)difference(to, from) + (8u << log)) >> (4u + log);
+}
+
+static inline uint32_t position_of(const segment_end *end)
+{
+    return (uint32_t)(end->u >> 4) << 16 | ((uint32_t)end->v >> 4 & 0xFFFFu);
+}
+
+/* SPEC 9.5 */
+static inline void find_texels(const segment_end *from, const segment_end *to, uint32_t log,
+                               fxl_texel_run *run)
+{
+    run->position = position_of(from);
+    run->step = ((uint32_t)step_of(from->u, to->u, log) << 16) +
+                (uint32_t)(int32_t)(int16_t)(uint16_t)step_of(from->v, to->v, log);
+    run->light = (uint32_t)from->light;
+    run->light_step = (uint32_t)(to->light >> log) - (uint32_t)(from->light >> log);
+}
+
+static inline int32_t held(int32_t coordinate)
+{
+    return coordinate < 0 ? 0 : coordinate > 0xFFFF ? 0xFFFF : coordinate;
+}
+
+/* --- rows of constant weight ---------------------------------------------------------------- */
+
+/* A coordinate of 32 bits, and its changes in 16 columns and in one. */
+typedef struct {
+    uint32_t at, change, step;
+} row_line;
+
+/* The upper half of a step, rounded to nearest; its lower half is 0. */
+static inline uint32_t upper_half(uint32_t step)
+{
+    return (step + 0x8000u) & 0xFFFF0000u;
+}
+
+/* The change's upper word is rounded: 2^-31 of the largest value on the screen, at most 64 times.
+ * What a step loses is given back in the middle of 16 columns, and half a unit of the position,
+ * which is cut off. */
+static inline void find_line(int64_t value, int64_t change, const fxl_reciprocal *reciprocal,
+                             int32_t drop, uint32_t segment, row_line *line)
+{
+    const int32_t left = 32 + drop - FXL_ROW_BITS - (int32_t)reciprocal->zeros;
+    const int32_t upper = (int32_t)(((uint64_t)change + 0x80000000u) >> 32);
+    const int64_t product = fxl_multiply_s32(upper, reciprocal->value);
+    line->change = (uint32_t)shifted(product, left);
+    line->step = (uint32_t)shifted(product, left + 4);
+    line->at =
+        (uint32_t)shifted(fxl_multiply_s32((int32_t)(value >> 32), reciprocal->value), left) +
+        segment * line->change + 8u * (line->step - upper_half(line->step)) + 0x8000u;
+}
+
+/* --- a row, one segment after the other ------------------------------------------------------ */
+
+#if FXL_SEGMENTS_ONE_BY_ONE
+
+/* The upper word of a value at a column. Steps are multiples of 16: exact. */
+/* surfaces 2.2 */
+static FXL_ONE_COPY int32_t value_at(int64_t first, int64_t step, uint32_t column)
+{
+    return (int32_t)(sum(first, step >> 4, column) >> 32);
+}
+
+/* What a row has at column number `segment` of those that are multiples of 2^log. */
+static FXL_ONE_COPY void find_end(const fxl_segment_face *face, const fxl_paint_row *row,
+                                  uint32_t log, uint32_t segment, segment_end *end)
+{
+    const uint32_t column = segment << log;
+    const int64_t *attributes = row->attributes;
+    const fxl_reciprocal reciprocal =
+        fxl_reciprocal_of((uint32_t)value_at(row->weight, face->weight_step, column));
+    end->u = divided(value_at(attributes[FXL_ATTRIBUTE_U], face->u_step, column), &reciprocal,
+                     face->u_drop);
+    end->v = divided(value_at(attributes[FXL_ATTRIBUTE_V], face->v_step, column), &reciprocal,
+                     face->v_drop);
+    end->light = 0;
+    if (HAS_RAMPS && face->ramp != NULL) {
+        const uint32_t light = (uint32_t)(attributes[FXL_SEGMENT_LIGHT] >> 32) +
+                               segment * (uint32_t)(face->light_step >> (4u - log));
+        end->light = divided((int32_t)light, &reciprocal, face->light_drop);
+    }
+}
+
+/* Pixels of a texture that does not repeat. */
+static inline void paint_clamped(const fxl_segment_face *face, const fxl_paint_row *row,
+                                 const segment_end *from, const segment_end *to, uint32_t log,
+                                 int32_t x0, int32_t x1)
+{
+    const int32_t u_step = step_of(from->u, to->u, log), v_step = step_of(from->v, to->v, log);
+    const uint32_t skip = (uint32_t)x0 & ((1u << log) - 1u);
+    int32_t u = after(from->u >> 4, u_step, skip), v = after(from->v >> 4, v_step, skip);
+    fxl_texel_run run = {0, 0, 0, 0};
+    for (; x0 < x1; x0++) {
+        run.position = (uint32_t)held(u) << 16 | (uint32_t)held(v);
+        paint_texels(face, row, &run, x0, 1);
+        u = after(u, u_step, 1);
+        v = after(v, v_step, 1);
+    }
+}
+
+static inline void find_line_run(const fxl_segment_face *face, const fxl_paint_row *row,
+                                 uint32_t segment, fxl_texel_run *run)
+{
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of((uint32_t)(row->weight >> 32));
+    row_line u, v;
+    find_line(row->attributes[FXL_ATTRIBUTE_U], face->u_step, &reciprocal, face->u_drop, segment,
+              &u);
+    find_line(row->attributes[FXL_ATTRIBUTE_V], face->v_step, &reciprocal, face->v_drop, segment,
+              &v);
+    run->position = (u.at & 0xFFFF0000u) | v.at >> 16;
+    run->step = upper_half(u.step) + (uint32_t)((int32_t)upper_half(v.step) >> 16);
+    run->light = run->light_step = 0;
+}
+
+static inline void paint_row_segments(const fxl_segment_face *face, const fxl_paint_row *row,
+                                      int32_t x0, int32_t x1)
+{
+    const bool is_line = face->is_constant && (!HAS_RAMPS || face->ramp == NULL);
+    uint32_t last_log = 5; /* none */
+    segment_end ends[2];
+    while (x0 < x1) {
+        const uint32_t log =
+            is_line ? 4
+                    : log_of(face, (uint64_t)sum(row->weight, face->weight_step, (uint32_t)x0 >> 4));
+        const uint32_t segment = (uint32_t)x0 >> log, skip = (uint32_t)x0 - (segment << log);
+        const int32_t next = (int32_t)((segment + 1u) << log), end = next < x1 ? next : x1;
+        fxl_texel_run run;
+        if (is_line) {
+            find_line_run(face, row, segment, &run);
+        } else {
+            if (log == last_log) {
+                ends[0] = ends[1];
+            } else {
+                find_end(face, row, log, segment, &ends[0]);
+                last_log = log;
+            }
+            find_end(face, row, log, segment + 1u, &ends[1]);
+            find_texels(&ends[0], &ends[1], log, &run);
+        }
+        if (face->kind == FXL_TEXELS_CLAMPED) {
+            paint_clamped(face, row, &ends[0], &ends[1], log, x0, end);
+        } else {
+            run.position += run.step * skip;
+            run.light += run.light_step * skip;
+            paint_texels(face, row, &run, x0, (uint32_t)(end - x0));
+        }
+        x0 = end;
+    }
+}
+
+#else
+
+/* --- a row, all segments of one length after the other ---------------------------------------- */
+
 /* The weight, u and v at a column, their steps, and the light's upper word, and its step. */
 typedef struct {
     int64_t values[3], steps[3];
     int32_t light, light_step;
 } segment_values;
-
-/* What a segment has at one end. */
-typedef struct {
-    int32_t u, v, light;
-} segment_end;
 
 /* The values at column number `segment` of those that are multiples of 2^log. Steps are multiples
  * of 16: exact. */
@@ -66,18 +249,6 @@ static inline void advance(segment_values *at)
     at->light = (int32_t)((uint32_t)at->light + (uint32_t)at->light_step);
 }
 
-FXL_ONCE int64_t shifted(int64_t product, int32_t left)
-{
-    return product >> (left < 0 ? 0 : left > 63 ? 63 : left);
-}
-
-/* A product, shifted. The weight is large enough that it is not shifted to the left. */
-FXL_ONCE int32_t divided(int32_t value, const fxl_reciprocal *reciprocal, int32_t drop)
-{
-    const int64_t product = fxl_multiply_s32(value, reciprocal->value);
-    return (int32_t)(uint32_t)shifted(product, 32 + drop - (int32_t)reciprocal->zeros);
-}
-
 static inline void find_end(const fxl_segment_face *face, const segment_values *at,
                             const fxl_reciprocal *reciprocal, segment_end *end)
 {
@@ -87,39 +258,6 @@ static inline void find_end(const fxl_segment_face *face, const segment_values *
     if (face->ramp != NULL) {
         end->light = divided(at->light, reciprocal, face->light_drop);
     }
-}
-
-static inline int32_t difference(int32_t a, int32_t b)
-{
-    return (int32_t)((uint32_t)a - (uint32_t)b);
-}
-
-/* A coordinate some steps on. An end beyond the face may lie far away: then a sum wraps. */
-static inline int32_t after(int32_t value, int32_t step, uint32_t steps)
-{
-    return (int32_t)((uint32_t)value + (uint32_t)step * steps);
-}
-
-/* A 16th of a difference's part of 2^log, rounded to nearest. */
-static inline int32_t step_of(int32_t from, int32_t to, uint32_t log)
-{
-    return (int32_t)((uint32_t)difference(to, from) + (8u << log)) >> (4u + log);
-}
-
-static inline uint32_t position_of(const segment_end *end)
-{
-    return (uint32_t)(end->u >> 4) << 16 | ((uint32_t)end->v >> 4 & 0xFFFFu);
-}
-
-/* SPEC 9.5 */
-static inline void find_texels(const segment_end *from, const segment_end *to, uint32_t log,
-                               fxl_texel_run *run)
-{
-    run->position = position_of(from);
-    run->step = ((uint32_t)step_of(from->u, to->u, log) << 16) +
-                (uint32_t)(int32_t)(int16_t)(uint16_t)step_of(from->v, to->v, log);
-    run->light = (uint32_t)from->light;
-    run->light_step = (uint32_t)(to->light >> log) - (uint32_t)(from->light >> log);
 }
 
 /* The pixels of a segment of 2^log columns from x0 on, before x1; returns how many they are. */
@@ -134,11 +272,6 @@ static inline int32_t paint_part(const fxl_segment_face *face, const fxl_paint_r
     part.light += run->light_step * skip;
     paint_texels(face, row, &part, x0, count);
     return (int32_t)count;
-}
-
-static inline int32_t held(int32_t coordinate)
-{
-    return coordinate < 0 ? 0 : coordinate > 0xFFFF ? 0xFFFF : coordinate;
 }
 
 /* Whether a coordinate of the pixels from `first` to `last` is within the texture. If it is beyond
@@ -228,35 +361,6 @@ FXL_APART void paint_each(const fxl_segment_face *face, const fxl_paint_row *row
     }
 }
 
-/* --- rows of constant weight ---------------------------------------------------------------- */
-
-/* A coordinate of 32 bits, and its changes in 16 columns and in one. */
-typedef struct {
-    uint32_t at, change, step;
-} row_line;
-
-/* The upper half of a step, rounded to nearest; its lower half is 0. */
-static inline uint32_t upper_half(uint32_t step)
-{
-    return (step + 0x8000u) & 0xFFFF0000u;
-}
-
-/* The change's upper word is rounded: 2^-31 of the largest value on the screen, at most 64 times.
- * What a step loses is given back in the middle of 16 columns, and half a unit of the position,
- * which is cut off. */
-static inline void find_line(int64_t value, int64_t change, const fxl_reciprocal *reciprocal,
-                             int32_t drop, uint32_t segment, row_line *line)
-{
-    const int32_t left = 32 + drop - FXL_ROW_BITS - (int32_t)reciprocal->zeros;
-    const int32_t upper = (int32_t)(((uint64_t)change + 0x80000000u) >> 32);
-    const int64_t product = fxl_multiply_s32(upper, reciprocal->value);
-    line->change = (uint32_t)shifted(product, left);
-    line->step = (uint32_t)shifted(product, left + 4);
-    line->at =
-        (uint32_t)shifted(fxl_multiply_s32((int32_t)(value >> 32), reciprocal->value), left) +
-        segment * line->change + 8u * (line->step - upper_half(line->step)) + 0x8000u;
-}
-
 FXL_APART void paint_line(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
                           int32_t x1)
 {
@@ -314,5 +418,7 @@ static inline void paint_row_segments(const fxl_segment_face *face, const fxl_pa
         x0 = end;
     }
 }
+
+#endif
 
 #endif
