@@ -65,6 +65,39 @@ static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row,
 
 #include "lit_row.h"
 
+#if FXL_IS_SMALL
+
+/* place sampling: positions in a segment, and their texels: keys, patterns, 4 bits too */
+/* Texels of a segment, each as paint_pixel shows it. */
+static void paint_texels(const fxl_segment_face *face, const fxl_paint_row *row,
+                         const fxl_texel_run *run, int32_t x, uint32_t count)
+{
+    const uint32_t log_width = face->log_width;
+    uint32_t position = run->position;
+    for (const int32_t end = x + (int32_t)count; x != end; x++, position += run->step) {
+        const uint32_t i = position >> (32u - log_width);
+        const uint32_t j = (position >> face->row_drop & face->rows_mask) >> log_width;
+        const int32_t values[FXL_ATTRIBUTES] = {(int32_t)(i << 16), (int32_t)(j << 16), 0};
+        paint_pixel(face->paint, row, x, values);
+    }
+}
+
+#define HAS_RAMPS 0
+#include "segment_runs.h"
+
+void fxl_paint_segments_565(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                            int32_t x1)
+{
+    paint_row_segments(face, row, x0, x1);
+}
+
+bool fxl_paint_rows_565(fxl_plain_rows *rows)
+{
+    return fxl_paint_rows_by(rows, fxl_paint_segments_565);
+}
+
+#endif
+
 /* Opaque texels of 16 or of 8 bits, repeated and without a key: paint_pixel's colours. The compiler
  * cannot tell pixels from what the loop reads, so it has copies. */
 static inline __attribute__((always_inline)) void
@@ -157,7 +190,7 @@ static void paint_opaque(const fxl_paint *paint, const fxl_paint_row *row, int32
         int32_t end = fxl_segments_end(row, x0, x1);
         if (end > x0) {
             fxl_paint_segments_565(row->segments, row, x0, end);
-            if (paint->is_evenly_lit) {
+            if (!FXL_IS_SMALL && paint->is_evenly_lit) {
                 uint16_t *pixels = (uint16_t *)(void *)row->pixels;
                 mix_evenly(paint, pixels + x0, pixels + end);
             }

@@ -4,7 +4,7 @@
 
 #include "../math/family.h"
 
-#if !FXL_TEXELS_IN_ASSEMBLY
+#if !FXL_TEXELS_IN_ASSEMBLY && !FXL_IS_SMALL
 
 /* place sampling: positions in a segment, and their texels: keys, patterns, 4 bits too */
 /* Texels that are not plain. */

@@ -43,7 +43,7 @@ static inline int32_t difference(int32_t a, int32_t b)
 }
 
 /* A coordinate some steps on. An end beyond the face may lie far away: then a sum wraps. */
-static inline int32_t after(int32_t value, int32_t step, uint32_t steps)
+static inline int32_t moved(int32_t value, int32_t step, uint32_t steps)
 {
     return (int32_t)((uint32_t)value + (uint32_t)step * steps);
 }
@@ -110,7 +110,7 @@ static inline void find_line(int64_t value, int64_t change, const fxl_reciprocal
 
 /* The upper word of a value at a column. Steps are multiples of 16: exact. */
 /* surfaces 2.2 */
-static FXL_ONE_COPY int32_t value_at(int64_t first, int64_t step, uint32_t column)
+static FXL_ONE_COPY int32_t upper_at(int64_t first, int64_t step, uint32_t column)
 {
     return (int32_t)(sum(first, step >> 4, column) >> 32);
 }
@@ -122,10 +122,10 @@ static FXL_ONE_COPY void find_end(const fxl_segment_face *face, const fxl_paint_
     const uint32_t column = segment << log;
     const int64_t *attributes = row->attributes;
     const fxl_reciprocal reciprocal =
-        fxl_reciprocal_of((uint32_t)value_at(row->weight, face->weight_step, column));
-    end->u = divided(value_at(attributes[FXL_ATTRIBUTE_U], face->u_step, column), &reciprocal,
+        fxl_reciprocal_of((uint32_t)upper_at(row->weight, face->weight_step, column));
+    end->u = divided(upper_at(attributes[FXL_ATTRIBUTE_U], face->u_step, column), &reciprocal,
                      face->u_drop);
-    end->v = divided(value_at(attributes[FXL_ATTRIBUTE_V], face->v_step, column), &reciprocal,
+    end->v = divided(upper_at(attributes[FXL_ATTRIBUTE_V], face->v_step, column), &reciprocal,
                      face->v_drop);
     end->light = 0;
     if (HAS_RAMPS && face->ramp != NULL) {
@@ -142,13 +142,13 @@ static inline void paint_clamped(const fxl_segment_face *face, const fxl_paint_r
 {
     const int32_t u_step = step_of(from->u, to->u, log), v_step = step_of(from->v, to->v, log);
     const uint32_t skip = (uint32_t)x0 & ((1u << log) - 1u);
-    int32_t u = after(from->u >> 4, u_step, skip), v = after(from->v >> 4, v_step, skip);
+    int32_t u = moved(from->u >> 4, u_step, skip), v = moved(from->v >> 4, v_step, skip);
     fxl_texel_run run = {0, 0, 0, 0};
     for (; x0 < x1; x0++) {
         run.position = (uint32_t)held(u) << 16 | (uint32_t)held(v);
         paint_texels(face, row, &run, x0, 1);
-        u = after(u, u_step, 1);
-        v = after(v, v_step, 1);
+        u = moved(u, u_step, 1);
+        v = moved(v, v_step, 1);
     }
 }
 
@@ -295,9 +295,9 @@ static inline int32_t paint_clamped(const fxl_segment_face *face, const fxl_pain
     const uint32_t left = (uint32_t)(x1 - x0);
     const uint32_t count = left < columns - skip ? left : columns - skip;
     int32_t u_step = step_of(from->u, to->u, log), v_step = step_of(from->v, to->v, log);
-    int32_t u = after(from->u >> 4, u_step, skip), v = after(from->v >> 4, v_step, skip);
-    const bool is_u_within = hold_within(&u, after(u, u_step, count - 1u), &u_step);
-    const bool is_v_within = hold_within(&v, after(v, v_step, count - 1u), &v_step);
+    int32_t u = moved(from->u >> 4, u_step, skip), v = moved(from->v >> 4, v_step, skip);
+    const bool is_u_within = hold_within(&u, moved(u, u_step, count - 1u), &u_step);
+    const bool is_v_within = hold_within(&v, moved(v, v_step, count - 1u), &v_step);
     fxl_texel_run run = {0, 0, 0, 0};
     if (is_u_within && is_v_within) {
         run.position = ((uint32_t)u << 16) + (uint32_t)v;
@@ -308,8 +308,8 @@ static inline int32_t paint_clamped(const fxl_segment_face *face, const fxl_pain
     for (uint32_t i = 0; i < count; i++) {
         run.position = (uint32_t)held(u) << 16 | (uint32_t)held(v);
         paint_texels(face, row, &run, x0 + (int32_t)i, 1);
-        u = after(u, u_step, 1);
-        v = after(v, v_step, 1);
+        u = moved(u, u_step, 1);
+        v = moved(v, v_step, 1);
     }
     return (int32_t)count;
 }

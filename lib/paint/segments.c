@@ -107,6 +107,9 @@ static bool find(const fxl_paint *paint, fxl_segment_face *face)
     face->in_beam = NULL;
     face->table = paint->table;
     face->kind = FXL_TEXELS_PLAIN;
+#if FXL_IS_SMALL
+    face->paint = paint;
+#endif
     return find_least(paint, face);
 }
 
