@@ -189,7 +189,7 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face,
     const fxl_mapped_face *mapped;
     const fxl_surface_set *set = surfaces->set;
     uint32_t number = 0;
-    if (surfaces->beams == NULL && renderer->target == &FXL_TARGET) {
+    if (!FXL_IS_COMPACT && surfaces->beams == NULL && renderer->target == &FXL_TARGET) {
         number = set->face_map[face - renderer->scene->faces];
     }
     if (number != 0) {

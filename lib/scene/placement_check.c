@@ -111,7 +111,8 @@ bool fxl_placement_places_are_in_range(const fxl_scene *scene)
     const fxl_instance *const end = &scene->instances[scene->instance_count];
     for (; instance < end; instance++, placement++) {
         const fxl_q16_16 radius = scene->models[instance->model].radius;
-        if (!is_surely_in_range(placement->scale, &instance->centre, radius) &&
+        if ((FXL_IS_COMPACT ||
+             !is_surely_in_range(placement->scale, &instance->centre, radius)) &&
             !is_in_range(placement->scale, &instance->centre, radius)) {
             return false;
         }
