@@ -4,6 +4,7 @@
 #ifndef FXL_SCENE_CHECK_H
 #define FXL_SCENE_CHECK_H
 
+#include "../math/family.h"
 #include "fixel/scene.h"
 
 #ifdef __cplusplus
@@ -33,8 +34,8 @@ static inline bool fxl_motion_limits_in_range(const fxl_motion_limits *limits)
 
 /* place field: the check of its values, in the file of its table */
 /* The status, and where it is not FXL_OK what of the scene is at fault; fault may be null. */
-static inline fxl_status fxl_fault_at(fxl_scene_fault *fault, const char *what, uint32_t index,
-                                      fxl_status status)
+FXL_ONCE fxl_status fxl_fault_at(fxl_scene_fault *fault, const char *what, uint32_t index,
+                                 fxl_status status)
 {
     if (fault != NULL) {
         fault->what = what;
