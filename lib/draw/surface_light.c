@@ -43,7 +43,7 @@ static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *rend
     const uint32_t number = scene->placements != NULL ? fxl_instance_number(scene, instance) : 0;
     const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
     const bool has_places = settings->point_count != 0 || settings->fog_far != 0;
-    if (turned == NULL && !has_places) {
+    if (!FXL_IS_COMPACT && turned == NULL && !has_places) {
         fxl_light_corners_of(settings, normals, corners, values);
         return;
     }
@@ -63,6 +63,8 @@ static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *rend
     }
 }
 
+#if FXL_DRAWS_SMOOTH_OUTLINES
+
 static void light_plain_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
                                 const fxl_corner *const corners[3], int32_t values[3],
                                 const fxl_instance *instance)
@@ -80,7 +82,13 @@ static fxl_corner_light *corner_light_of(const fxl_surfaces *surfaces, const fxl
                : light_corners;
 }
 
-static const fxl_surface_light_code code = {light_corners, corner_light_of};
+#define CORNER_LIGHT_OF corner_light_of
+
+#else
+#define CORNER_LIGHT_OF NULL
+#endif
+
+static const fxl_surface_light_code code = {light_corners, CORNER_LIGHT_OF};
 
 /* surfaces 5.5 */
 fxl_status fxl_attach_lit(fxl_renderer *renderer, fxl_lit_surfaces *lit)
