@@ -115,6 +115,22 @@ static bool has_drawn(const polygon *of, const fxl_band *band, fxl_depth_drawn d
     return true;
 }
 
+/* The corners of a triangle, of three of four whose points are in the columns of the band. */
+static bool find_corners(const polygon *of, const fxl_band *band, fxl_screen_corners *corners)
+{
+    fxl_screen_point least = of->points[0], most = least;
+    for (uint32_t i = 0; i < 3; i++) {
+        const fxl_screen_point at = corners->points[i] = of->points[i];
+        least.x = at.x < least.x ? at.x : least.x;
+        least.y = at.y < least.y ? at.y : least.y;
+        most.x = at.x > most.x ? at.x : most.x;
+        most.y = at.y > most.y ? at.y : most.y;
+    }
+    corners->width = most.x - least.x;
+    corners->height = most.y - least.y;
+    return least.x >= 0 && most.x <= band->width << 16 && (any_32() & 0x600u) != 0;
+}
+
 static bool draw_smooth(const polygon *of, const fxl_band *band)
 {
     fxl_smooth_outline smooth;
@@ -122,6 +138,10 @@ static bool draw_smooth(const polygon *of, const fxl_band *band)
     if (!fxl_smooth_outline_begin(&by_core, &of->plane, &of->paint, band, of->pixel_bits / 8,
                                   &smooth)) {
         return false;
+    }
+    fxl_screen_corners corners;
+    if (of->pixel_bits == 16 && of->count == 3 && find_corners(of, band, &corners)) {
+        return has_drawn(of, band, fxl_draw_smooth_triangle_16(&corners, band, &smooth));
     }
     const fxl_depth_drawn drawn =
         (of->pixel_bits == 16 ? fxl_draw_smooth_outline_16

@@ -338,7 +338,7 @@ def test_the_command(tmp_path):
     assert words and all("ESTIMATE" in line for line in words)
 
 
-@pytest.mark.parametrize("workload, kernels", [("vcold", {"fxl_draw_colour_outline": 1000}), ("head", {"fxl_draw_smooth_outline_16": 60}),
+@pytest.mark.parametrize("workload, kernels", [("vcold", {"fxl_draw_colour_outline": 1000}), ("head", {"fxl_draw_smooth_triangle_16": 60}),
                                                ("c500-depth", {"fxl_draw_depth_face_16": 400})])
 def test_the_kernel_of_a_scene_draws_its_faces(tmp_path, workload, kernels):
     """Where a face takes another way its pixels are the same, so no other test sees that a kernel is not called: so often a frame at least."""

@@ -16,6 +16,7 @@
  *   FXL_FILL_BAND           fxl_target.fill
  *   FXL_DRAW_DEPTH_OUTLINE  the kernel of outlines with a depth, for a depth of 16 bits
  *   FXL_DRAW_SMOOTH         the same of smooth outlines
+ *   FXL_DRAW_SMOOTH_FACE    the same of a triangle, from its corners
  *   FXL_DRAW_COLOURS        the same of outlines with colours at their corners, where pixels are
  *                           mixed: only these have such faces
  *
@@ -42,6 +43,8 @@
 #define FXL_FILL_BAND          fxl_fill_band_palette
 #define FXL_DRAW_DEPTH_OUTLINE fxl_draw_depth_outline_8
 #define FXL_DRAW_SMOOTH        fxl_draw_smooth_outline_8
+#define FXL_DRAW_SMOOTH_FACE(corners, band, smooth) \
+    FXL_DRAW_SMOOTH((corners)->points, 3, band, smooth)
 
 typedef uint8_t fxl_pixel;
 typedef uint32_t fxl_filling; /* the colour in each byte */
@@ -91,6 +94,7 @@ static inline fxl_status fxl_check_band(const fxl_band *band)
 #define FXL_FILL_BAND          fxl_fill_band_rgb565
 #define FXL_DRAW_DEPTH_OUTLINE fxl_draw_depth_outline_16
 #define FXL_DRAW_SMOOTH        fxl_draw_smooth_outline_16
+#define FXL_DRAW_SMOOTH_FACE   fxl_draw_smooth_triangle_16
 #define FXL_DRAW_COLOURS       fxl_draw_colour_outline
 
 typedef uint16_t fxl_pixel;

@@ -246,7 +246,7 @@ draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
         fxl_smooth_outline_of_colour(&paint, face->material, FXL_PIXEL_BITS / 8, smooth);
     }
     fxl_smooth_outline_of_words(head, one, FXL_PIXEL_BITS / 8, smooth);
-    return FXL_DRAW_SMOOTH(corners->points, 3, band, smooth);
+    return FXL_DRAW_SMOOTH_FACE(corners, band, smooth);
 }
 
 /* A triangle of the run, from its vertices to its pixels, if it lies inside all planes and its planes
@@ -287,7 +287,7 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
         drawn = draw_inside_light(surfaces, of, &corners, model_view, face, traversal, run);
         if (drawn == FXL_DEPTH_NOT_CLEAR) {
             clear_under(workspace, corners.points, 3, traversal->band);
-            drawn = FXL_DRAW_SMOOTH(corners.points, 3, traversal->band, &run->outline.smooth);
+            drawn = FXL_DRAW_SMOOTH_FACE(&corners, traversal->band, &run->outline.smooth);
         }
     }
     if (drawn == FXL_DEPTH_NOT_DRAWN) {

@@ -34,15 +34,15 @@
     adc     r8, r8, r10
     .endm
 
-/* For kernels that draw only where rows are cleared. r3: the outline, whose cells are at an offset;
- * r6: the first row, r7: the last row plus 1; r4, r5 and r8 are overwritten. */
-    .macro test_clear cells
-    ldr     r4, [r3, #\cells]
-    ldrsh   r5, [r4, #DEPTH_HEAD_CLEAR_FROM - DEPTH_HEAD_SIZE]
-    ldrsh   r8, [r4, #DEPTH_HEAD_CLEAR_TO - DEPTH_HEAD_SIZE]
-    cmp     r6, r5
+/* For kernels that draw only where rows are cleared. \outline: its cells are at an offset;
+ * \first: the first row, \end: the last row plus 1; the others are overwritten, \at by the cells. */
+    .macro test_clear cells, outline=r3, first=r6, end=r7, at=r4, from=r5, to=r8
+    ldr     \at, [\outline, #\cells]
+    ldrsh   \from, [\at, #DEPTH_HEAD_CLEAR_FROM - DEPTH_HEAD_SIZE]
+    ldrsh   \to, [\at, #DEPTH_HEAD_CLEAR_TO - DEPTH_HEAD_SIZE]
+    cmp     \first, \from
     it      ge
-    cmpge   r8, r7
+    cmpge   \to, \end
     blt     .Lnot_clear
     .endm
 
@@ -155,9 +155,9 @@
     .endm
 
 /* Of the edges of such points: the functions at the centre, r1, r2, r7, their changes
- * from column to column, r10, r11, r0, and from row to row, r5, r6, r4. Goes to .Lsmall_not where the
+ * from column to column, r10, r11, r0, and from row to row, r5, r6, r4. Goes to \turned where the
  * triangle does not go clockwise by more than rounding takes away. */
-    .macro functions_of_points
+    .macro functions_of_points turned=.Lsmall_not
     rsb     r10, r4, #0
     rsb     r11, r6, #0
     rsb     r0, r8, #0
@@ -166,7 +166,7 @@
     edge_function r7, r12, r0, r9, r4, r5, r0
     adds    r5, r1, r2              /* twice the area, or somewhat less */
     adds    r5, r5, r7
-    bmi     .Lsmall_not
+    bmi     \turned
     sub     r5, r6, r4              /* dx of each */
     sub     r6, r8, r6
     sub     r4, r4, r8

@@ -73,6 +73,10 @@ fxl_depth_drawn fxl_draw_smooth_outline_8(const fxl_screen_point *points, uint32
 fxl_depth_drawn fxl_draw_smooth_outline_16(const fxl_screen_point *points, uint32_t count,
                                            const fxl_band *band, fxl_smooth_outline *smooth);
 
+/* fxl_draw_smooth_outline_16 of the corners of a triangle, which are in the columns of the band. */
+fxl_depth_drawn fxl_draw_smooth_triangle_16(const fxl_screen_corners *corners, const fxl_band *band,
+                                            fxl_smooth_outline *smooth);
+
 #endif
 
 /* Sets what all polygons of a band and a ramp share whose pixels have `pixel_bytes` bytes. Requires

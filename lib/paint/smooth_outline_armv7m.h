@@ -96,56 +96,100 @@
 
 #endif
 
-#if PIXEL_BITS == 16
-/* Triangles whose box has so many rows, columns and centres at most: their rows are found by edge
- * functions, as those of small_triangle_armv7m.h. */
-#define SMALL_ROWS    6
-#define SMALL_COLUMNS 8
-#define SMALL_CENTRES 20
-#endif
-
 #include "../raster/outline_armv7m.h"
 
 #if PIXEL_BITS == 16
 
+/* fxl_draw_smooth_triangle_16: the rows of a triangle whose box has so many rows, columns and centres at most
+ * are found by edge functions, as those of small_triangle_armv7m.h. Others are drawn as outlines are. */
+#define SMALL_ROWS    6
+#define SMALL_COLUMNS 8
+#define SMALL_CENTRES 20
+
 /* In the stack frame: the edge functions at the first centre of a row, their changes from row to row,
- * columns, the last row plus 1, cells a row, what the survey has found, and the last column plus 1. Below
+ * columns, the last row plus 1, cells a row, the last column plus 1, the first row, corners and band. Below
  * it are the spans: the end of the cells, code, cell and light, after a word that is 0. */
 #define SMALL_CHANGES 12
 #define SMALL_COLUMN  24
 #define SMALL_END     28
 #define SMALL_WIDTH   32
-#define SMALL_SURVEY  36
-#define SMALL_RIGHT   64
+#define SMALL_RIGHT   36
+#define SMALL_ROW     40
+#define SMALL_POINTS  44
 
-    /* r0: points, r2: band, r3: outline, r6: first row, r7: last row plus 1, r8: rows, r11: 32767 */
-.Lsmall:
-    small_box SMALL_COLUMNS, SMALL_CENTRES
-    mul     lr, lr, r5              /* the first cell of the row */
-    add     r4, sp, #SMALL_SURVEY
-    stm     r4, {r0-r2, r6-r9}
-    strd    r12, r7, [sp, #SMALL_COLUMN]
-    str     r5, [sp, #SMALL_WIDTH]
-    add     r12, r12, r10
-    str     r12, [sp, #SMALL_RIGHT]
-    test_clear SMOOTH_OUTLINE_CELLS
-    add     lr, r4, lr, lsl #1
-    lsl     r10, r10, #16
-    lsl     r11, r6, #16
+/* \least becomes that of three words. */
+    .macro least_of least, a, b, c
+    mov     \least, \a
+    cmp     \b, \least
+    it      lt
+    movlt   \least, \b
+    cmp     \c, \least
+    it      lt
+    movlt   \least, \c
+    .endm
+
+    .global fxl_draw_smooth_triangle_16
+    .type fxl_draw_smooth_triangle_16, %function
+    .thumb_func
+
+/* r0: corners, r1: band, r2: outline; returns as above. */
+fxl_draw_smooth_triangle_16:
+    push    {r4-r11, lr}
+    sub     sp, sp, #FRAME_SIZE
+    ldm     r0, {r4-r9}
+    ldrd    r10, r11, [r0, #SCREEN_CORNERS_WIDTH]
+    strd    r0, r1, [sp, #SMALL_POINTS]
 /* place fill-rule: small triangles for Armv7-M */
+    movw    r3, #0x7FFF
+    least_of r12, r4, r6, r8
+    least_of lr, r5, r7, r9
+    add     r12, r12, r3
+    add     lr, lr, r3
+    add     r10, r10, r12
+    add     r11, r11, lr
+    asr     r12, r12, #16           /* the first column */
+    asr     lr, lr, #16             /* the first row */
+    rsb     r10, r12, r10, asr #16  /* columns */
+    rsb     r11, lr, r11, asr #16   /* rows */
+    mul     r3, r10, r11
+    sub     r3, r3, #1              /* 2^32 - 1: no centre */
+    cmp     r11, #SMALL_ROWS
+    itt     ls
+    cmpls   r10, #SMALL_COLUMNS
+    cmpls   r3, #SMALL_CENTRES - 1
+    bhi     .Lsmall_not
+    ldrh    r3, [r1, #BAND_FIRST_ROW]
+    ldrh    r0, [r1, #BAND_ROWS]
+    ldrh    r1, [r1, #BAND_WIDTH]
+    sub     r3, lr, r3              /* the row in the band */
+    subs    r0, r0, r11
+    it      hs
+    cmphs   r0, r3
+    blo     .Lsmall_not
+    mul     r3, r3, r1              /* the first cell of the row */
+    add     r11, r11, lr
+    add     r0, r12, r10
+    strd    r10, r11, [sp, #SMALL_COLUMN]
+    strd    r1, r0, [sp, #SMALL_WIDTH]
+    str     lr, [sp, #SMALL_ROW]
+    test_clear SMOOTH_OUTLINE_CELLS, r2, lr, r11, r0, r1, r10
+    lsl     r10, r12, #16
+    lsl     r11, lr, #16
     add     r10, r10, #32768
     add     r11, r11, #32768
-    edge_functions
+    add     lr, r0, r3, lsl #1
+    adds    r3, r2, #SMOOTH_OUTLINE_CODE_ALONG
+    relative_points
+    functions_of_points .Lsmall_turned
     strd    r1, r2, [sp]
     str     r7, [sp, #8]
     strd    r5, r6, [sp, #SMALL_CHANGES]
     str     r4, [sp, #SMALL_CHANGES + 8]
-    ldr     r8, [sp, #SMALL_SURVEY + 12]
+    ldr     r8, [sp, #SMALL_ROW]
     mov     r9, sp
     movs    r5, #0
     str     r5, [sp, #-16]!
     mov     r12, lr
-    adds    r3, r3, #SMOOTH_OUTLINE_CODE_ALONG
 
     /* A row. r1, r2, r7: the edge functions, r10, r11, r0: their change a column, r4: columns that are
      * left, r3: the words, r8: the row, r9: the frame, r12: the cell of column 0 */
@@ -227,12 +271,17 @@
 
 .Lsmall_held:
     mov     sp, r9
-    subs    r3, r3, #SMOOTH_OUTLINE_CODE_ALONG
+.Lsmall_turned:
+    subs    r2, r3, #SMOOTH_OUTLINE_CODE_ALONG
 .Lsmall_not:
-    add     r4, sp, #SMALL_SURVEY
-    ldm     r4, {r0-r2, r6-r9}
+    mov     r3, r2
+    ldrd    r0, r2, [sp, #SMALL_POINTS]
+    ldrh    r4, [r2, #BAND_WIDTH]
     movw    r11, #32767
-    b       .Ltwo_chains
+    add     r4, r4, #1
+    lsl     r4, r4, #16
+    add     r1, r0, #24
+    b       .Ltriangle
 
 #endif
 
