@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_find_depth_runs and fxl_find_visible_runs for Armv7-M and Armv8-M Mainline: lib/paint/depth_rows.h
  * states what they require and do. The first one keeps what lib/paint/depth_row.h keeps. A row takes
- * about 70 instructions before its pixels, with its run. A visible pixel takes 3 where nothing was
+ * about 65 instructions before its pixels, with its run. A visible pixel takes 3 where nothing was
  * drawn before, and 6 elsewhere; a hidden one 4. */
 #include "../math/family.h"
 #include "../math/offsets.h"
