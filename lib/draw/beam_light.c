@@ -107,7 +107,7 @@ static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *
         }
         return emit(of, pieces, face, lit.outline, count, false);
     }
-    const bool reverse = pieces->traversal->renderer->near_first;
+    const bool reverse = pieces->traversal->near_first;
     for (uint32_t i = 0; i < made->piece_count; i++) {
         const fxl_lit_piece *piece = &made->pieces[reverse ? made->piece_count - 1 - i : i];
         if (!fxl_lit_outline(made, piece, lit.outline)) {

@@ -173,12 +173,36 @@ void fxl_depth_clear_all(fxl_workspace *workspace, const fxl_band *band, uint32_
     fxl_depth_clear(workspace, band, band->first_row, band->first_row + band->rows, cell_bytes);
 }
 
-/* SPEC 10.5, surfaces 4.4 */
-static void draw_pass(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band,
-                      uint8_t pass)
+/* What a pass tests, and by what. */
+static void begin_pass(fxl_workspace *workspace, const fxl_band *band, uint8_t pass,
+                       bool near_first, uint32_t pixel_bytes)
 {
-    ((fxl_depth_head *)workspace->target_memory)->pass = pass;
-    (void)fxl_draw_band(renderer, workspace, band);
+    fxl_depth_head *head = (fxl_depth_head *)workspace->target_memory;
+    head->pass = pass;
+    head->or_equal = !near_first;
+    workspace->draws_outlines =
+        FXL_DRAWS_DEPTH_OUTLINES && fxl_depth_outline_can_draw(head, band, pixel_bytes);
+}
+
+/* Whether opaque faces of a frame that is drawn far to near may come near to far, by the kernels for that: of
+ * equal codes the same one is seen. Not those of a display list, or whose rows are kept. */
+static bool may_turn(const fxl_frame *frame)
+{
+    return frame->display_list.used == 0 && frame->state != FXL_FRAME_MEASURED;
+}
+
+/* All opaque faces, near to far. The pass of those that are blended counts all. A list of sorted faces is kept
+ * by the number of its instance, which is another one in the other direction. */
+static void draw_opaque(const fxl_renderer *renderer, fxl_workspace *workspace,
+                        const fxl_band *band)
+{
+    static const fxl_resume_point all = {0, 0};
+    const bool is_counted = workspace->rest_counted;
+    workspace->rest_counted = true;
+    workspace->sorted_instance = UINT16_MAX;
+    (void)fxl_draw_band_from(renderer, workspace, band, true, all);
+    workspace->sorted_instance = UINT16_MAX;
+    workspace->rest_counted = is_counted;
 }
 
 /* What is drawn over the faces that are not blended. The pass is that of all faces, so that the
@@ -193,12 +217,23 @@ static void draw_over(const fxl_renderer *renderer, fxl_workspace *workspace, co
     }
 }
 
-static void draw_part(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
+/* SPEC 10.5, surfaces 4.4 */
+static void draw_part(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band,
+                      uint32_t pixel_bytes)
 {
-    draw_pass(renderer, workspace, band, renderer->near_first ? FXL_DEPTH_ALL : FXL_DEPTH_OPAQUE);
+    const bool near_first = renderer->near_first, turns = !near_first && may_turn(&renderer->frame);
+    begin_pass(workspace, band, near_first ? FXL_DEPTH_ALL : FXL_DEPTH_OPAQUE, near_first || turns,
+               pixel_bytes);
+    if (turns) {
+        draw_opaque(renderer, workspace, band);
+        begin_pass(workspace, band, FXL_DEPTH_OPAQUE, false, pixel_bytes);
+    } else {
+        (void)fxl_draw_band(renderer, workspace, band);
+    }
     draw_over(renderer, workspace, band);
-    if (!renderer->near_first) {
-        draw_pass(renderer, workspace, band, FXL_DEPTH_BLENDED);
+    if (!near_first) {
+        begin_pass(workspace, band, FXL_DEPTH_BLENDED, false, pixel_bytes);
+        (void)fxl_draw_band(renderer, workspace, band);
     }
 }
 
@@ -221,16 +256,13 @@ void fxl_depth_draw_parts(const fxl_renderer *renderer, fxl_workspace *workspace
     uint32_t left = band->rows;
     FXL_ASSERT(room > 0);
     head->scale = scale_of(&renderer->frame.view.lens);
-    head->or_equal = !renderer->near_first;
     for (;;) {
         part.rows = (uint16_t)(left < room ? left : room);
         head->clear_from = head->clear_to = (int16_t)part.first_row;
         if (part.rows < CLEARED_BY_FACES) {
             fxl_depth_clear_all(workspace, &part, cell_bytes);
         }
-        workspace->draws_outlines =
-            FXL_DRAWS_DEPTH_OUTLINES && fxl_depth_outline_can_draw(head, &part, pixel_bytes);
-        draw_part(renderer, workspace, &part);
+        draw_part(renderer, workspace, &part, pixel_bytes);
         left -= part.rows;
         if (left == 0) {
             return;

@@ -48,7 +48,7 @@ void fxl_list_model(const fxl_traversal *traversal, const fxl_model_view *model_
 bool fxl_submit_walk(const fxl_traversal *traversal, const fxl_model_view *model_view,
                      const fxl_model *model, fxl_next_face *next)
 {
-    const bool reverse = traversal->renderer->near_first;
+    const bool reverse = traversal->near_first;
     const uint32_t first = traversal->resume->faces;
     const fxl_shader *shader = model_view->shader;
     fxl_face_walk walk;

@@ -33,6 +33,7 @@ struct fxl_traversal {
     fxl_resume_point *resume; /* where to go on; kept where the traversal is stopped */
     fxl_counters *counters;
     fxl_submit_mode mode;
+    bool near_first; /* faces come near to far: as of fxl_draw_band_from */
     bool draws_one; /* a band is drawn, by a clipper that gives one polygon of a face at most */
     /* FXL_SUBMIT_ANY: draws a face at once, over what is there. Null: it goes the way of all. */
     bool (*draw)(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band);
@@ -50,6 +51,7 @@ static inline fxl_traversal fxl_traversal_of(const fxl_renderer *renderer, fxl_w
                                      .resume = resume,
                                      .counters = &workspace->counters,
                                      .mode = FXL_SUBMIT_ANY,
+                                     .near_first = renderer->near_first,
                                      .draws_one = false,
                                      .draw = NULL};
     return traversal;
@@ -115,6 +117,10 @@ const fxl_instance *fxl_view_instance(const fxl_traversal *traversal, const fxl_
  * counted must then be forgotten. */
 fxl_status fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
                          const fxl_band *band);
+
+/* The same of the rest from a resume point on, near to far or far to near. */
+fxl_status fxl_draw_band_from(const fxl_renderer *renderer, fxl_workspace *workspace,
+                              const fxl_band *band, bool near_first, fxl_resume_point resume);
 
 /* What draws models with clusters. */
 struct fxl_cluster_code {

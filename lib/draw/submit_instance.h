@@ -40,7 +40,7 @@ static inline bool fxl_submit_convex(const fxl_traversal *traversal,
                                      fxl_facing_test *is_front)
 {
     const fxl_face *faces = traversal->renderer->scene->faces;
-    const bool reverse = traversal->renderer->near_first;
+    const bool reverse = traversal->near_first;
     const uint32_t first = traversal->resume->faces, step = reverse ? UINT32_MAX : 1;
     const bool drops = !FXL_WALKS_FACES && model->kind == FXL_MODEL_SORTED &&
                        fxl_drops_outside(traversal, model_view, model);
@@ -99,7 +99,7 @@ static inline bool fxl_submit_all_by(const fxl_traversal *traversal, fxl_instanc
 {
     const fxl_frame *frame = &traversal->renderer->frame;
     const uint32_t count = frame->visible_count;
-    const bool reverse = traversal->renderer->near_first;
+    const bool reverse = traversal->near_first;
     const bool measures = ONE_LOOP && traversal->mode == FXL_SUBMIT_MEASURE;
     const bool passes_over = ONE_LOOP && frame->state == FXL_FRAME_MEASURED;
     const fxl_rows wanted = passes_over ? fxl_rows_of_band(traversal->band) : fxl_no_rows;

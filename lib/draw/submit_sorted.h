@@ -100,7 +100,7 @@ static inline bool fxl_submit_sorted(const fxl_traversal *traversal,
     order_faces(traversal, model_view, model);
     const fxl_face *faces = &traversal->renderer->scene->faces[model->first_face];
     const uint32_t first = traversal->resume->faces, front = workspace->sorted_count;
-    const bool reverse = traversal->renderer->near_first;
+    const bool reverse = traversal->near_first;
     const bool measures = by_rows && traversal->mode == FXL_SUBMIT_MEASURE;
     const bool passes_over = by_rows && !measures && workspace->face_rows_known;
     const fxl_rows wanted = passes_over ? fxl_rows_of_band(traversal->band) : fxl_no_rows;
