@@ -93,10 +93,11 @@ def test_the_text_of_a_condition(column, text, condition):
     assert coverage.condition_at([text, "      b + 1 || c) {"], 1, column) == condition
 
 
-@pytest.mark.parametrize("line, name", [(1, "MAX"), (2, "MAX"), (5, "first"), (9, "second"), (10, "second")])
+@pytest.mark.parametrize("line, name", [(1, "MAX"), (2, "MAX"), (5, "first"), (9, "second"), (10, "second"), (11, "third"), (13, "fourth")])
 def test_the_function_of_a_line(line, name):
     text = ["#define MAX(a, b) \\", "    ((a) > (b) ? (a) : (b))", "int first(int a);", "static const int *first(int a,", "    int b) { a; }", "",
-            "FXL_COLD fxl_status", "second(int a)", "{", "}"]
+            "FXL_COLD fxl_status", "second(int a)", "{", "}", "static __attribute__((noinline)) int third(int a)",
+            "static __attribute__((noinline)) int", "fourth(int a)"]
     assert coverage.function_of(text, line) == name
 
 

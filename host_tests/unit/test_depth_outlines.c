@@ -234,6 +234,10 @@ void test_the_code_of_a_style(void)
     TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_render(&renderer, &pose, frame, WIDTH));
     attach_outlines(true);
     draw(&pose, frame);
+    static fxl_renderer none;
+    style = style_of(true);
+    none.scene = &tiny->scene; /* and no target yet */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_outlines(&none, &outlines, &style));
 }
 
 static void expect_conflict(const char *first, const char *second)

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Lines and points in frames, however these are drawn; what does not go with them, and what is
- * refused. */
+/* Lines and points in frames, however drawn; what does not go with them, and what is refused. */
 #include "study/study.h"
 
 #include "line_scene.h" /* last: its names are those of parameters */
@@ -437,7 +436,10 @@ void test_a_line_of_the_world_that_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_line(&renderer, &renderer.workspace, &line, &band));
     TEST_ASSERT_EQUAL_MEMORY(again, frame, sizeof again); /* it is behind the eye */
     line = good;
+    band.first_row = HEIGHT - 9;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_line(&renderer, NULL, &line, &band));
+    TEST_ASSERT_EQUAL_MEMORY(again, frame, sizeof again); /* its rows are others */
+    band.first_row = 9;
     start(&fxl_palette, false);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_orthographic(&renderer, Q16(3)));
     begin_band(&ahead);

@@ -367,17 +367,19 @@ void test_depths_of_faces_at_the_limits(void)
 {
     const struct {
         fxl_direction normal;
+        fxl_q16_16 far_z;
         bool is_seen;
-    } cases[] = {{{0, 0, -FXL_Q2_30_ONE}, true},
-                 {{4, 4, -FXL_Q2_30_ONE}, true},
-                 {{FXL_Q2_30_ONE, 0, -1}, false},
-                 {{0, FXL_Q2_30_ONE, -1}, false}};
+    } cases[] = {{{0, 0, -FXL_Q2_30_ONE}, FXL_FAR_MAX, true},
+                 {{4, 4, -FXL_Q2_30_ONE}, FXL_FAR_MAX, true},
+                 {{FXL_Q2_30_ONE, 0, -1}, 2 * FXL_NEAR_MIN, false},
+                 {{FXL_Q2_30_ONE, 0, -1}, Q16(2), false},
+                 {{0, FXL_Q2_30_ONE, -1}, Q16(2), false}};
     const fxl_point corner = {0, 0, Q16(1)};
-    for (uint32_t i = 0; i < 4; i++) {
+    for (uint32_t i = 0; i < 5; i++) {
         const bool is_seen = cases[i].is_seen;
         const fxl_depth_plane plane =
             depth_of_face(is_seen ? FXL_ORTHOGRAPHIC_SCALE_MAX : FXL_ORTHOGRAPHIC_SCALE_MIN,
-                          FXL_NEAR_MIN, is_seen ? FXL_FAR_MAX : Q16(2), corner, cases[i].normal);
+                          FXL_NEAR_MIN, cases[i].far_z, corner, cases[i].normal);
         TEST_ASSERT_EQUAL(is_seen, plane.one != 0);
         TEST_ASSERT_TRUE(plane.gradient.along == 0 && plane.gradient.down == 0);
     }

@@ -293,6 +293,8 @@ void test_steps_that_are_refused(void)
     refuse_step(FXL_SETUP_RENDERER, FXL_E_RANGE, "config->fov", "FXL_DEGREES(10)");
     config = fxl_config_default(WIDTH, HEIGHT);
     refuse_step(FXL_SETUP_CENTRE, FXL_E_RANGE, "plan->scale", "FXL_ORTHOGRAPHIC_SCALE_MAX");
+    plan.scale = FXL_ORTHOGRAPHIC_SCALE_MAX + 1;
+    refuse_step(FXL_SETUP_CENTRE, FXL_E_RANGE, "plan->scale", "FXL_ORTHOGRAPHIC_SCALE_MAX");
     plan.scale = FXL_UNITS(20); /* the centre comes after it */
     plan.set_centre = fxl_renderer_set_centre;
     plan.centre_x = FXL_UNITS(2000);

@@ -108,7 +108,7 @@ static inline uint32_t transform(const fxl_model_view *model_view, uint32_t numb
     return vertex->clip_flags;
 #else
     fxl_transform_vertex(model_view, number, vertex);
-    return vertex->clip_flags != 0 ? project(model_view, vertex) : 0;
+    return project(model_view, vertex);
 #endif
 }
 

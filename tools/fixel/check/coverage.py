@@ -39,6 +39,7 @@ DECISION = re.compile(r"(?:  \|)+---> MC/DC Decision Region")
 CONDITION = re.compile(r"(?:  \|)+     Condition C\d+ --> \((?P<line>\d+):(?P<column>\d+)\)")
 PAIR = re.compile(r"(?:  \|)+  C(?P<number>\d+)-Pair: (?P<how>.*)")
 FUNCTION = re.compile(r"#define (?P<macro>\w+)|(?!typedef)(?:[A-Za-z_][\w *]*[ *])?(?P<name>[A-Za-z_]\w*)\(")
+ATTRIBUTE = re.compile(r"__attribute__\(\(\w+\)\) ?")
 WORDS = 2000    # the last characters of what a program said
 LEVELS = 3      # of a path: lib/include/fixel
 LINES = 6       # at most, of a condition
@@ -202,7 +203,7 @@ def views(shown, checkout):
 def function_of(text, line):
     """The function, or the macro, that has a line: each begins in column 0."""
     for above in range(line - 1, -1, -1):
-        found = FUNCTION.match(text[above])
+        found = FUNCTION.match(ATTRIBUTE.sub("", text[above]))
         if found and not text[above].endswith(";"):
             return found["macro"] or found["name"]
     return ""
