@@ -34,7 +34,11 @@ FXL_ONCE int64_t shifted(int64_t product, int32_t left)
 FXL_ONCE int32_t divided(int32_t value, const fxl_reciprocal *reciprocal, int32_t drop)
 {
     const int64_t product = fxl_multiply_s32(value, reciprocal->value);
-    return (int32_t)(uint32_t)shifted(product, 32 + drop - (int32_t)reciprocal->zeros);
+    const int32_t left = drop - (int32_t)reciprocal->zeros;
+    if (!FXL_IS_COMPACT && left >= 0) { /* the upper word has all of it */
+        return (int32_t)(product >> 32) >> (left > 31 ? 31 : left);
+    }
+    return (int32_t)(uint32_t)shifted(product, 32 + left);
 }
 
 static inline int32_t difference(int32_t a, int32_t b)
