@@ -10,14 +10,16 @@
 #define FACE_OUTLINE    FACE_FACE /* until the vertices are known */
 #define FACE_SCREEN     (FRAME_SIZE + 36) /* above what is pushed */
 
-view        .req r4
+half        .req r4         /* 0x7FFF */
 entries     .req r5
 mask        .req r6
 tag         .req r7
 points      .req r8
 face        .req r9
 
-/* The next vertex, on the screen, and its flags. */
+/* place fill-rule: the first centres of a vertex of a small face for Armv7-M, which adds 0x7FFF itself */
+/* The next vertex, on the screen, and its flags. r0-r3 after both calls: as transform_vertex_armv7m.S and
+ * project_inside_armv7m.S say. */
     .macro  face_vertex number, flags
     ldrh    r1, [face, #FACE_INDICES + 2 * \number]
     and     r2, r1, mask
@@ -26,39 +28,42 @@ face        .req r9
     ldrd    r0, \flags, [r2]
     add     r3, r1, tag
     cmp     r0, r3
-    bne     .Lface_new\number
-    lsls    r0, \flags, #24
-    bne     .Lface_unready\number
-    ldrd    r1, r3, [r2, #CACHED_VERTEX_SCREEN]
-.Lface_ready\number:
-    strd    r1, r3, [points, #8 * \number]
-    .endm
-
-/* place fill-rule: the first centres of a vertex of a small face for Armv7-M, which adds 0x7FFF itself */
-/* A vertex that is new, or not projected. r0-r3 after both calls: as transform_vertex_armv7m.S and
- * project_inside_armv7m.S say. */
-    .macro  other_vertex number, flags
-.Lface_new\number:
+    beq     .Lface_cached\number
     ldr     r0, [sp, #FACE_MODEL_VIEW]
-    bl      fxl_transform_and_project
-    cbnz    r0, .Lface_not_placed\number
+    bl      fxl_transform_and_project       /* returns flags of r0 */
+    bne     .Lface_not_placed
 .Lface_placed\number:
-    movw    r0, #0x7FFF
-    add     \flags, r1, r0
-    add     r0, r3, r0
+    add     \flags, r1, half
+    add     r0, r3, half
     lsr     \flags, \flags, #16
     lsrs    r0, r0, #16
     lsls    r0, r0, #20
     orr     \flags, r0, \flags, lsl #8
     str     \flags, [r2, #CACHED_VERTEX_CLIP_FLAGS - CACHED_VERTEX_SCREEN]
-    b       .Lface_ready\number
-.Lface_not_placed\number:
-    b       .Lface_not_placed
-.Lface_unready\number:
+.Lface_ready\number:
+    strd    r1, r3, [points, #8 * \number]
+    .endm
+
+/* A vertex that is in the cache. */
+    .macro  cached_vertex number, flags
+.Lface_cached\number:
+    ldrd    r1, r3, [r2, #CACHED_VERTEX_SCREEN]
+    lsls    r0, \flags, #24
+    beq     .Lface_ready\number
     cmp     \flags, #VERTEX_UNPROJECTED
     bne     .Lface_other
     bl      .Lface_project
     b       .Lface_placed\number
+    .endm
+
+    /* What the survey of its outline wants, whose plane is found. */
+    .macro  face_survey
+    ldr     r0, [sp, #FACE_SCREEN]
+    ldr     r2, [sp, #FACE_BAND]
+    str     r0, [r3, #DEPTH_OUTLINE_ZEROS]  /* above 32 */
+    adds    r0, r0, #SCREEN_POLYGON_POINTS
+    subs    r2, r2, #1
+    begin_survey
     .endm
 
 /* The least and the greatest of three words, unsigned, and three words at most. */
@@ -89,9 +94,10 @@ fxl_draw_depth_face_16:
     strd    r3, r0, [sp, #FACE_BAND]
     str     r2, [sp, #FACE_OUTLINE]
     ldr     r2, [sp, #FACE_SCREEN]
-    ldm     r0, {r4-r7}                     /* view, entries, mask, tag */
+    ldm     r0, {r4-r7}                     /* -, entries, mask, tag */
     add     points, r2, #SCREEN_POLYGON_POINTS
     mov     face, r1
+    movw    half, #0x7FFF
     face_vertex 0, r10
     face_vertex 1, r11
     face_vertex 2, r12
@@ -135,21 +141,19 @@ fxl_draw_depth_face_16:
     str     r1, [sp, #SMALL_BEGIN]
     /* The plane through the first vertex, unless another one has taken its place in the cache. */
 .Lface_plane:
-    ldr     r4, [sp, #FACE_MODEL_VIEW]
-    ldr     r0, [sp, #FACE_FACE]
-    adds    r2, r4, #MODEL_VIEW_ENTRIES
-    ldm     r2!, {r5-r7}                    /* entries, mask, tag */
+    ldrd    r4, r0, [sp, #FACE_MODEL_VIEW]
+    ldm     r4, {r5-r8}                     /* view, entries, mask, tag */
     ldrh    r1, [r0, #FACE_INDICES]
-    and     r2, r1, r6
+    and     r2, r1, r7
     add     r2, r2, r2, lsl #2
-    add     r2, r5, r2, lsl #3
-    ldr     r5, [r2], #CACHED_VERTEX_POSITION
-    add     r7, r7, r1
-    cmp     r5, r7
+    add     r2, r6, r2, lsl #3
+    ldr     r6, [r2], #CACHED_VERTEX_POSITION
+    add     r8, r8, r1
+    cmp     r6, r8
     bne     .Lface_other
     ldr     r1, [r4, #MODEL_VIEW_AXES]
     push    {r3, r4}
-    ldr     r3, [r4, #MODEL_VIEW_VIEW]
+    mov     r3, r5
     bl      fxl_find_depth_plane
     pop     {r3, r4}
     ldr     r0, [r3, #DEPTH_PLANE_ONE]
@@ -161,17 +165,15 @@ fxl_draw_depth_face_16:
     blt     .Lface_other
     add     r4, r3, #DEPTH_OUTLINE_ONE
     stm     r4, {r0, r1, r2}
-    ldr     r0, [sp, #FACE_SCREEN]
-    ldr     r2, [sp, #FACE_BAND]
     ldr     r4, [sp, #SMALL_BEGIN]
-    str     r0, [r3, #DEPTH_OUTLINE_ZEROS]  /* above 32 */
-    adds    r0, r0, #SCREEN_POLYGON_POINTS
-    subs    r2, r2, #1
-    strd    r0, r2, [sp, #SMALL_POINTS]
     cmp     r4, #0
     bne     .Lsmall_codes
-    begin_survey
+    face_survey
     b       .Ltriangle
+    /* It has more than one octave. */
+.Lface_several:
+    face_survey
+    b       .Lsurvey
 
     /* r10, r11, r12: flags; then columns alone */
 .Lface_high:
@@ -192,14 +194,16 @@ fxl_draw_depth_face_16:
     beq     .Lface_between
     b       .Lface_whole
 
-    other_vertex 0, r10
-    other_vertex 1, r11
-    other_vertex 2, r12
+    cached_vertex 0, r10
+    cached_vertex 1, r11
+    cached_vertex 2, r12
 
     /* Returns what fxl_project_inside gives of the entry at r2. */
 .Lface_project:
     str     lr, [sp]
-    add     r0, view, #VIEW_PROJECTION
+    ldr     r0, [sp, #FACE_MODEL_VIEW]
+    ldr     r0, [r0, #MODEL_VIEW_VIEW]
+    adds    r0, r0, #VIEW_PROJECTION
     add     r1, r2, #CACHED_VERTEX_POSITION
     adds    r2, r2, #CACHED_VERTEX_SCREEN
     bl      fxl_project_inside

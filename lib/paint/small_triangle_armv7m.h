@@ -13,7 +13,7 @@
 #define SMALL_ROW     52
 #define SMALL_COLUMN  56
 /* Until the codes are known: */
-#define SMALL_POINTS  60 /* odd: it is a face of depth_face_armv7m.h, whose plane is not known */
+#define SMALL_POINTS  60 /* odd: it is a face of depth_face_armv7m.h, which has the points and the band elsewhere */
 #define SMALL_BAND    64
 #define SMALL_BEGIN   72 /* columns from the first centre on, in its row */
 /* And then: the code of the row's first cell, and its change a row. */
@@ -156,18 +156,18 @@
     mla     lr, lr, r8, r8
     add     r9, r9, lr
     cmp     r9, #0x40000000
-    bhs     .Lsmall_not
+    bhs     .Lsmall_several
     sub     lr, r11, r9
     add     r9, r11, r9
     eor     r9, r9, lr
     clz     r9, r9
     clz     r11, r11
     cmp     r9, r11
-    ble     .Lsmall_not
-    find_octave r11, r6, r8, r9, r12, .Lsmall_not, .Lsmall_not
+    ble     .Lsmall_several
+    find_octave r11, r6, r8, r9, r12, .Lsmall_several, .Lsmall_several
     sub     r12, r9, #1
     cmp     r12, #31                /* drop: 1 to 32 */
-    bhi     .Lsmall_not
+    bhi     .Lsmall_several
     rsb     r12, r9, #32
     lsr     r8, r4, r9
     lsl     r4, r4, r12
@@ -262,5 +262,14 @@
     lsls    r1, r0, #31
     bne     .Lface_whole
 #endif
+.Lsmall_survey:
     begin_survey
     b       .Lsurvey
+
+.Lsmall_several:
+    ldrd    r0, r2, [sp, #SMALL_POINTS]
+#if PIXEL_BITS == 16
+    lsls    r1, r0, #31
+    bne     .Lface_several
+#endif
+    b       .Lsmall_survey

@@ -69,8 +69,8 @@ void fxl_transform_vertex(const fxl_model_view *model_view, uint32_t number,
                           fxl_cached_vertex *entry);
 
 #if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
-/* The same, with the tag of the entry, and fxl_project_inside of a vertex that is inside all planes: FXL_OK
- * or FXL_E_RANGE, and then no clip flags are set. -1: it is outside of one. */
+/* The same, with its tag, and fxl_project_inside of a vertex that is inside all planes: FXL_OK or
+ * FXL_E_RANGE, and then its clip flags are not those that it has. -1: it is outside of one. */
 int32_t fxl_transform_and_project(const fxl_model_view *model_view, uint32_t number,
                                   fxl_cached_vertex *entry, uint32_t tag);
 #endif
@@ -96,11 +96,11 @@ bool fxl_face_is_outside(const fxl_model_view *model_view, const fxl_face *face)
 FXL_IN_PLACE void fxl_rotate(const fxl_axes *axes, const fxl_point *point,
                              const fxl_view_point *origin, fxl_view_point *sum)
     FXL_REQUIRES(FXL_OBJECT(axes) && FXL_OBJECT(point) && FXL_OBJECT(origin) && FXL_OBJECT(sum))
-        FXL_REQUIRES(FXL_DIRECTION(&axes->right) && FXL_DIRECTION(&axes->up))
-            FXL_REQUIRES(FXL_DIRECTION(&axes->forward) && FXL_POINT_BELOW(point, 1 << 30))
-                FXL_REQUIRES(FXL_POINT_BELOW(origin, (int64_t)1 << 62)) FXL_ASSIGNS(*sum)
+    FXL_REQUIRES(FXL_DIRECTION(&axes->right) && FXL_DIRECTION(&axes->up))
+    FXL_REQUIRES(FXL_DIRECTION(&axes->forward) && FXL_POINT_BELOW(point, 1 << 30))
+    FXL_REQUIRES(FXL_POINT_BELOW(origin, (int64_t)1 << 62)) FXL_ASSIGNS(*sum)
 #if FXL_IS_SMALL && !defined(FXL_HERE)
-                    ;
+    ;
 #else
 {
     const int32_t x = point->x, y = point->y, z = point->z;
@@ -127,10 +127,10 @@ static inline void fxl_model_view_position(const fxl_model_view *model_view, uin
  * Source: A6 (Listing 65.3, TransformPoint). */
 void fxl_transform_point(const fxl_camera *camera, const fxl_point *point, fxl_view_point *view)
     FXL_REQUIRES(FXL_OBJECT(camera) && FXL_OBJECT(point) && FXL_OBJECT(view))
-        FXL_REQUIRES(fxl_point_in_range(point) && fxl_point_in_range(&camera->position))
-            FXL_REQUIRES(FXL_DIRECTION(&camera->axes.right) && FXL_DIRECTION(&camera->axes.up))
-                FXL_REQUIRES(FXL_DIRECTION(&camera->axes.forward)) FXL_ASSIGNS(*view)
-                    FXL_ENSURES(FXL_POINT_BELOW(view, (int64_t)7 << 59));
+    FXL_REQUIRES(fxl_point_in_range(point) && fxl_point_in_range(&camera->position))
+    FXL_REQUIRES(FXL_DIRECTION(&camera->axes.right) && FXL_DIRECTION(&camera->axes.up))
+    FXL_REQUIRES(FXL_DIRECTION(&camera->axes.forward)) FXL_ASSIGNS(*view)
+    FXL_ENSURES(FXL_POINT_BELOW(view, (int64_t)7 << 59));
 
 #ifdef __cplusplus
 }

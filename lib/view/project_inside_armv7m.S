@@ -94,6 +94,7 @@ slow_path:
     sub     sp, sp, #4                      /* a call wants a multiple of 8 */
     bl      fxl_project_any
     add     sp, sp, #4
+    cmp     r0, #0
     mov     screen, r4
     ldrd    r1, r3, [screen]
     pop     {r4-r11, pc}

@@ -178,7 +178,7 @@ fxl_find_clip_flags:
 
 /* The same for fxl_clip_by_view, with its tag in r3, and a vertex that is inside all planes is projected
  * in the same frame on the stack. r0 returns what fxl_project_inside returns, with r1, r2 and r3: then the
- * clip flags are not needed. Or r0 returns -1: they are in r1 and in the entry, as the vertex is outside a plane. */
+ * clip flags are not needed. The flags are those of r0. Or r0 returns -1: they are in r1 and in the entry, as the vertex is outside a plane. */
 fxl_transform_and_project:
     transform _and
 .Lflags_and:
@@ -194,7 +194,7 @@ fxl_transform_and_project:
     add     sp, sp, #8                      /* below are r4-r11 and lr */
     b.w     fxl_project_inside_loaded
 .Loutside_and:
-    mov     r0, #-1
+    movs    r0, #-1
     pop     {r2-r11, pc}
 .Lscaled_and:
     scale_vertex
