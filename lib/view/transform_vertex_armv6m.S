@@ -181,7 +181,7 @@ some_planes:
     ldr     r4, [r1, #FRUSTUM_NEAR_Z + 4]
     ldr     r5, [r1, #FRUSTUM_FAR_Z + 4]
     cmp     r3, r4
-    ble     depths
+    ble     sides                           /* slopes are for points beyond near_z */
     cmp     r3, r5
     bge     depths
     b       decided
