@@ -424,3 +424,28 @@ void test_lines_in_rgb565(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_frame_draw_line(&renderer, NULL, &line, &band));
 }
+
+/* The second face of each line is one from the 31st on, alike: what is kept of the first 32 is not of these. */
+/* lines 2.4a */
+void test_lines_on_the_last_of_many_faces(void)
+{
+    static fxl_face many[42];
+    static uint8_t few[PIXELS];
+    const fxl_pose pose = {{Q16(1), Q16(2), Q16(-5)}, 0, 0, 0};
+    make_edges(1);
+    start(&fxl_palette_depth_16, true);
+    draw(&pose, few);
+    for (uint32_t i = 0; i < 42; i++) {
+        many[i] = tiny->faces[i < 36 ? i % 6 : i - 30];
+    }
+    tiny->models[0].face_count = tiny->models[1].first_face = 36;
+    tiny->scene.faces = many;
+    tiny->scene.face_count = 42;
+    for (uint32_t i = 0; i < EDGES; i++) {
+        lines[i].faces[1] = (uint16_t)(lines[i].faces[1] + 30);
+    }
+    start(&fxl_palette_depth_16, true);
+    draw(&pose, frame);
+    TEST_ASSERT_EQUAL_MEMORY(few, frame, sizeof frame);
+    TEST_ASSERT_TRUE(attached.counters.backfacing > 0 && attached.counters.drawn > 0);
+}
