@@ -320,3 +320,88 @@ void test_a_small_texture_is_seen_through_a_pane_that_is_drawn_first(void)
     }
     TEST_ASSERT_GREATER_THAN(20, spots);
 }
+
+/* --- opaque faces of a frame that blends, which come near to far where they may ------------------ */
+
+/* Two sorted models, each a square of several faces. The front face of the far one has another number than those
+ * of the near one, of which two are at the same place, and one is blended. hides_far: the far one has none. */
+static void make_squares(bool hides_far)
+{
+    static const fxl_point corners[] = {
+        {-4 * 65536, -4 * 65536, 0}, {-4 * 65536, 4 * 65536, 0}, {4 * 65536, 4 * 65536, 0},
+        {4 * 65536, -4 * 65536, 0},  {-65536, -65536, 0},        {-65536, 65536, 0},
+        {65536, 65536, 0},           {65536, -65536, 0},         {-32768, -32768, -6553},
+        {-32768, 32768, -6553},      {32768, 32768, -6553},      {32768, -32768, -6553}};
+    static const uint16_t indices[] = {0, 1, 2, 3, 3, 2, 1, 0, 3, 2, 1, 0,
+                                       0, 1, 2, 3, 0, 1, 2, 3, 4, 5, 6, 7};
+    static fxl_face faces[] = {{{0, 0, -FXL_Q2_30_ONE}, 4, 40, FXL_INDICES_AT(0, 0)},
+                               {{0, 0, FXL_Q2_30_ONE}, 4, 41, FXL_INDICES_AT(3, 4)},
+                               {{0, 0, FXL_Q2_30_ONE}, 4, 42, FXL_INDICES_AT(3, 8)},
+                               {{0, 0, -FXL_Q2_30_ONE}, 4, 43, FXL_INDICES_AT(0, 12)},
+                               {{0, 0, -FXL_Q2_30_ONE}, 4, 44, FXL_INDICES_AT(0, 16)},
+                               {{0, 0, -FXL_Q2_30_ONE}, 4, 20, FXL_INDICES_AT(4, 20)}};
+    static const fxl_model both[] = {
+        {.vertex_count = 4, .face_count = 2, .kind = FXL_MODEL_SORTED, .radius = 6 * 65536},
+        {.first_vertex = 4,
+         .vertex_count = 8,
+         .first_face = 2,
+         .face_count = 4,
+         .kind = FXL_MODEL_SORTED,
+         .radius = 2 * 65536}};
+    static const fxl_instance instances[] = {{{0, 0, 8 * 65536}, 0, 0, 0},
+                                             {{0, 0, 4 * 65536}, 1, 0, 0}};
+    static uint16_t face_map[] = {0, 0, 0, 0, 0, 1};
+    made = depth_scene_make();
+    faces[0].normal.z = hides_far ? FXL_Q2_30_ONE : -FXL_Q2_30_ONE;
+    made->scene.vertices = corners;
+    made->scene.vertex_count = 12;
+    made->scene.indices = indices;
+    made->scene.index_count = 24;
+    made->scene.faces = faces;
+    made->scene.face_count = 6;
+    made->scene.models = both;
+    made->scene.model_count = 2;
+    made->scene.instances = instances;
+    made->scene.instance_count = 2;
+    for (uint16_t i = 0; i < 3; i++) {
+        made->mapped_corners[i].vertex = (uint16_t)(4u + i);
+    }
+    made->set.face_map = face_map;
+    made->surface = (fxl_surface){.flags = FXL_SURFACE_BLEND, .opacity = 16};
+    made->set.blend = panes;
+    made->set.blend_first = 20;
+    made->set.blend_count = 1;
+    made->is_mapped = true;
+}
+
+/* SPEC 10.4c, 10.5a-c */
+void test_opaque_faces_of_a_frame_that_blends_are_those_of_a_display_list(void)
+{
+    static const fxl_target *const targets[] = {&fxl_palette_depth_16, &fxl_palette_depth_32};
+    static const fxl_pose ahead = {{0, 0, 0}, 0, 0, 0};
+    for (uint32_t i = 0; i < sizeof panes; i++) {
+        panes[i] = (uint8_t)(i ^ 0x80);
+    }
+    for (uint32_t i = 0; i < 8; i++) {
+        const bool hides_far = i >= 4;
+        uint32_t near = 0, far = 0, blended = 0;
+        make_squares(hides_far);
+        depth_scene_start_with(made, targets[i % 2]);
+        made->renderer.frame.display_list.capacity = i % 4 < 2 ? 0 : 256;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&made->renderer, &ahead));
+        const fxl_band band = UNIT_BAND(made->again, DEPTH_SCENE_WIDTH, 0, DEPTH_SCENE_HEIGHT);
+        fxl_frame_fill(&made->renderer, &band, DEPTH_SCENE_BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&made->renderer, &band));
+        for (uint32_t at = 0; at < DEPTH_SCENE_WIDTH * DEPTH_SCENE_HEIGHT; at++) {
+            far += made->again[at] == 40;
+            near += made->again[at] == 44; /* of the two the greater number */
+            blended += made->again[at] == (44 ^ 0x80);
+            TEST_ASSERT_TRUE(made->again[at] != 43 && made->again[at] != (43 ^ 0x80));
+        }
+        TEST_ASSERT_TRUE(near > 50 && (far > 100) != hides_far && blended > 20);
+        const fxl_counters *counters = &made->renderer.workspace.counters;
+        TEST_ASSERT_EQUAL(6, counters->in);
+        TEST_ASSERT_EQUAL(4 - hides_far, counters->drawn);
+        TEST_ASSERT_EQUAL(2 + hides_far, counters->backfacing);
+    }
+}

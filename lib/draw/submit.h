@@ -34,7 +34,7 @@ struct fxl_traversal {
     fxl_counters *counters;
     fxl_submit_mode mode;
     bool near_first; /* faces come near to far: as of fxl_draw_band_from */
-    bool draws_one; /* a band is drawn, by a clipper that gives one polygon of a face at most */
+    bool draws_one;  /* a band is drawn, by a clipper that gives one polygon of a face at most */
     /* FXL_SUBMIT_ANY: draws a face at once, over what is there. Null: it goes the way of all. */
     bool (*draw)(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band);
 };
