@@ -100,6 +100,7 @@ static inline void set_lit_face(const fxl_paint *paint, lit_face *face)
     run->least = face->least[0];
     face->is_lit = run->part_of_level != 0;
     run->sixteenths = paint->of_565.sixteenths;
+/* place stipple: a blend: which kernel of runs mixes it, and what is added */
     run->lowest = paint->of_565.adds ? FXL_LOWEST_565 : 0;
     run->paint = face->is_lit           ? fxl_paint_lit_columns
                  : run->sixteenths != 0 ? paint_blended_columns

@@ -50,7 +50,8 @@ static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_ro
     }
     for (; pixels != end; position += step) {
         const uint32_t place = (position >> row_drop & mask) + (position >> column_drop);
-        *pixels++ = palette[in_beam != NULL ? in_beam[texels[place]] : texels[place]];
+        const uint32_t texel = texels[place];
+        *pixels++ = palette[FXL_IS_COMPACT && in_beam == NULL ? texel : in_beam[texel]];
     }
 }
 
