@@ -329,8 +329,9 @@
     bls     .Leight_or_seven\@
     b       .Lfew\@
 
-    /* Some of eight pixels may be hidden. */
+    /* Some of eight pixels may be hidden. r6-r9: their cells */
 .Leach_of_eight\@:
+    .if     \keeps
     .rept   8
     ldrh    r6, [r4]
     lsrs    r0, r3, #16
@@ -339,9 +340,32 @@
     keep_code \keeps
     add     r3, r3, lr
     .endr
+    .else
+    .irp    two, r6, r7, r8, r9
+    cmp     r3, \two, lsl #16           /* a code's part below 1 hides nothing */
+    blo     .Lfirst\@_\two
+    add     r3, r3, lr
+    lsrs    r0, r3, #16
+    cmp     r0, \two, lsr #16
+    blo     .Lsecond\@_\two
+    add     r3, r3, lr
+    .endr
+    adds    r4, r4, #16
+    .endif
     cmp     r4, r11
     bls     .Leight\@
     b       .Lfew\@
+    .if     !\keeps
+    .irp    two, r9, r8, r7, r6
+.Lsecond\@_\two:
+    adds    r4, r4, #2
+.Lfirst\@_\two:
+    .ifnc   \two, r6
+    adds    r4, r4, #2
+    .endif
+    .endr
+    b       .Lhidden\@
+    .endif
 
 /* --- octaves ---------------------------------------------------------------------------------- */
 
