@@ -196,11 +196,10 @@ static bool may_turn(const fxl_frame *frame)
 static void draw_opaque(const fxl_renderer *renderer, fxl_workspace *workspace,
                         const fxl_band *band)
 {
-    static const fxl_resume_point all = {0, 0};
     const bool is_counted = workspace->rest_counted;
     workspace->rest_counted = true;
     workspace->sorted_instance = UINT16_MAX;
-    (void)fxl_draw_band_from(renderer, workspace, band, true, all);
+    (void)fxl_draw_band_turned(renderer, workspace, band, true);
     workspace->sorted_instance = UINT16_MAX;
     workspace->rest_counted = is_counted;
 }

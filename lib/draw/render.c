@@ -281,13 +281,15 @@ static inline bool draw_display_list(const fxl_traversal *traversal)
 }
 
 /* SPEC 4.10, 7.5 */
-fxl_status fxl_draw_band_from(const fxl_renderer *renderer, fxl_workspace *workspace,
-                              const fxl_band *band, bool near_first, fxl_resume_point resume)
+fxl_status fxl_draw_band_turned(const fxl_renderer *renderer, fxl_workspace *workspace,
+                                const fxl_band *band, bool is_turned)
 {
+    static const fxl_resume_point all = {0, 0};
+    fxl_resume_point resume = is_turned ? all : renderer->frame.resume;
     fxl_counters uncounted;
     fxl_traversal traversal = fxl_traversal_of(renderer, workspace, &resume);
     traversal.band = band;
-    traversal.near_first = near_first;
+    traversal.near_first = renderer->near_first != is_turned;
     traversal.draws_one = renderer->clipper->next == NULL;
     if (!FXL_IS_SMALL && renderer->target->draws_over && traversal.draws_one) {
         traversal.draw = renderer->target->flat;
@@ -308,8 +310,7 @@ fxl_status fxl_draw_band_from(const fxl_renderer *renderer, fxl_workspace *works
 fxl_status fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
                          const fxl_band *band)
 {
-    return fxl_draw_band_from(renderer, workspace, band, renderer->near_first,
-                              renderer->frame.resume);
+    return fxl_draw_band_turned(renderer, workspace, band, false);
 }
 
 void fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour)

@@ -33,7 +33,7 @@ struct fxl_traversal {
     fxl_resume_point *resume; /* where to go on; kept where the traversal is stopped */
     fxl_counters *counters;
     fxl_submit_mode mode;
-    bool near_first; /* faces come near to far: as of fxl_draw_band_from */
+    bool near_first; /* faces come near to far: as of fxl_draw_band_turned */
     bool draws_one;  /* a band is drawn, by a clipper that gives one polygon of a face at most */
     /* FXL_SUBMIT_ANY: draws a face at once, over what is there. Null: it goes the way of all. */
     bool (*draw)(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band);
@@ -118,9 +118,9 @@ const fxl_instance *fxl_view_instance(const fxl_traversal *traversal, const fxl_
 fxl_status fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
                          const fxl_band *band);
 
-/* The same of the rest from a resume point on, near to far or far to near. */
-fxl_status fxl_draw_band_from(const fxl_renderer *renderer, fxl_workspace *workspace,
-                              const fxl_band *band, bool near_first, fxl_resume_point resume);
+/* The same; if it is turned, of all faces of the scene, and in the other direction than the frame's. */
+fxl_status fxl_draw_band_turned(const fxl_renderer *renderer, fxl_workspace *workspace,
+                                const fxl_band *band, bool is_turned);
 
 /* What draws models with clusters. */
 struct fxl_cluster_code {
