@@ -13,6 +13,7 @@ uint64_t memory[4096];
 uint64_t cells[FXL_DEPTH_BYTES(WIDTH, HEIGHT, 32) / 8];
 uint16_t palette[256];
 uint8_t frame[PIXELS];
+int32_t far_by_near = FAR_BY_NEAR;
 
 const fxl_pose ahead = {{0, 0, 0}, 0, 0, 0};
 
@@ -72,7 +73,7 @@ fxl_config config_of(const fxl_target *target)
 {
     fxl_config config = fxl_config_for(WIDTH, HEIGHT, target);
     config.near_z = NEAR;
-    config.far_z = NEAR * FAR_BY_NEAR;
+    config.far_z = NEAR * far_by_near;
     config.fov = DEGREES(90);
     config.background = BACKGROUND;
     config.palette = palette;
@@ -113,8 +114,9 @@ void begin_band(const fxl_pose *pose)
 /* The least whole number e for which 257/256 far <= 2^e near. */
 static int exact_octaves(void)
 {
+    const fxl_lens *lens = &renderer.frame.view.lens;
     int octaves = 0;
-    while (ldexp(1, octaves) < FAR_BY_NEAR * 257.0 / 256) {
+    while (ldexp(lens->near_z, octaves) < lens->far_z * 257.0 / 256) {
         octaves++;
     }
     return octaves;

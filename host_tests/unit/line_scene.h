@@ -14,8 +14,8 @@ enum {
     LINE = 200, /* colours from here on are of lines */
     EDGES = 12,
     PIXELS = WIDTH * HEIGHT,
-    NEAR = 1 << 14, /* of the lens, as its far */
-    FAR_BY_NEAR = 400
+    NEAR = 1 << 14, /* of the lens */
+    FAR_BY_NEAR = 400 /* but where a test has another */
 };
 
 extern tiny_scene *tiny;
@@ -28,6 +28,7 @@ extern uint64_t memory[4096];
 extern uint64_t cells[FXL_DEPTH_BYTES(WIDTH, HEIGHT, 32) / 8];
 extern uint16_t palette[256];
 extern uint8_t frame[PIXELS];
+extern int32_t far_by_near; /* of the lens of config_of */
 
 /* The targets of a palette with a depth buffer. */
 extern const fxl_target *const depths[2];
@@ -67,7 +68,7 @@ static inline uint32_t cell_at(uint32_t bits, int32_t pixel)
     return bits == 16 ? ((const uint16_t *)first)[pixel] : ((const uint32_t *)first)[pixel];
 }
 
-/* The code of a depth by SPEC.md, section 10.3; and that of the straight line that it follows in the octave of another
+/* The code of a depth by SPEC.md, section 10.3, with the renderer's lens; and that of the straight line that it follows in the octave of another
  * depth. */
 double exact_code(double depth);
 double exact_code_beyond(double depth, double other);

@@ -122,27 +122,48 @@ static bool is_outside(const fxl_view *view, const fxl_model_view *model_view, c
     return false;
 }
 
+/* Faces of 3 to 8 of a cube's vertices: any of them, as they need no plane. */
+static void make_any_faces(fxl_face faces[6], uint16_t indices[6 * 8])
+{
+    for (uint16_t f = 0; f < 6; f++) {
+        faces[f].count = (uint8_t)(3 + f);
+        for (uint32_t i = 0; i < 8; i++) {
+            indices[8 * f + i] = (uint16_t)(unit_random() % 8);
+        }
+        fxl_face_take_indices(&faces[f], indices, 8u * f);
+    }
+}
+
 /* Exactly the faces with all vertices on the outer side of one plane, and the others as they were.
  */
 void test_exactly_those_outside_one_plane_are_left_out(void)
 {
-    uint32_t dropped = 0, kept = 0;
-    for (int number = 0; number < POSES; number++) {
-        const fxl_pose pose = pose_number(number);
+    uint32_t dropped = 0, kept = 0, dropped_large = 0;
+    for (int number = 0; number < 2 * POSES; number++) {
+        const fxl_pose pose = pose_number(number / 2);
         tiny_scene *tiny = start(LIST_WORDS);
         const fxl_face *faces = &tiny->faces[tiny->models[1].first_face];
         fxl_view *view = &renderers[0].frame.view;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(view, &pose));
         for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
             fxl_draw_entry entries[6], expected[6];
+            fxl_face any[6];
+            uint16_t indices[6 * 8];
             fxl_model_view model_view;
             uint32_t left = 0;
             fxl_model_view_of_instance(&model_view, &tiny->scene, &tiny->instances[i], view,
                                        &renderers[0].workspace.cache);
+            if (number % 2 != 0) {
+                make_any_faces(any, indices);
+                faces = any;
+                model_view.indices = indices;
+            }
             for (uint16_t f = 0; f < 6; f++) {
                 entries[f] = fxl_draw_entry_of(((uint64_t)f << 33) + 5, f, 0);
                 if (!is_outside(view, &model_view, &faces[f])) {
                     expected[left++] = entries[f];
+                } else {
+                    dropped_large += faces[f].count > 4;
                 }
             }
             TEST_ASSERT_EQUAL_UINT32(left, fxl_drop_outside(&model_view, faces, entries, 6));
@@ -155,7 +176,7 @@ void test_exactly_those_outside_one_plane_are_left_out(void)
             kept += left;
         }
     }
-    TEST_ASSERT_TRUE(dropped > 50 && kept > 50);
+    TEST_ASSERT_TRUE(dropped > 50 && kept > 50 && dropped_large > 50);
 }
 
 static fxl_renderer renderer;

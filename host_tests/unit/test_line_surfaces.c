@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "line_scene.h"
+#include "paint/line_paint.h"
 
 static const fxl_target *const targets[4] = {&fxl_palette_depth_16, &fxl_palette_depth_32,
                                              &fxl_rgb565_depth_16, &fxl_rgb565_depth_32};
@@ -353,8 +354,8 @@ void test_codes_beside_a_face_whose_codes_are_linear(void)
 }
 
 /* Whether the codes that the line has beside its face are all those of the plane, or of the linear function, held
- * between the least code and the largest. Counts those that are held. */
-static bool are_beside(bool is_linear, uint32_t *held)
+ * between the least code and the largest. Counts those that are held at each. */
+static bool are_beside(bool is_linear, uint32_t held[2])
 {
     const fxl_point *of[3];
     corners_of(0, of);
@@ -362,7 +363,7 @@ static bool are_beside(bool is_linear, uint32_t *held)
         if (frame[i] == LINE && alone[0][i] == 0) {
             const double depth = depth_at(of, i);
             double code = is_linear ? code_beyond(of, depth) : exact_code(depth);
-            *held += code < 1 || code > 65535;
+            held[code > 1] += code < 1 || code > 65535;
             code = code < 1 ? 1 : code > 65535 ? 65535 : code;
             if (on_one[0][i] > code + 0.1 || on_one[0][i] < code - 1.1) {
                 return false;
@@ -372,27 +373,76 @@ static bool are_beside(bool is_linear, uint32_t *held)
     return true;
 }
 
+/* A triangle of a height of 3/4 pixel, whose depths are 0.5 to 0.55 and 0.75 to 0.85, so that it is in one octave, and
+ * 2 pixels beside it are beyond the largest code. Its corners are on the screen exactly where seen_at has them. */
+static void make_thin_pair(void)
+{
+    const fxl_q16_16 far_z = 64 * unit_between(464, 511), near_z = 64 * unit_between(301, 341);
+    seen[0] = seen_at(9 * 65536, 0, far_z);
+    seen[1] = seen_at(-9 * 65536, 0, far_z);
+    seen[2] = seen_at(0, 49152, near_z);
+    seen[3] = seen_at(0, -49152, far_z);
+    make_pair(false, false);
+}
+
 /* A steep face, whose linear function leaves all codes beside it. */
 /* lines 3.2b */
 void test_codes_beside_a_steep_face_are_held(void)
 {
-    uint32_t low = 0, held = 0;
+    uint32_t low = 0, held[2] = {0, 0};
     for (int round = 0; round < 600; round++) {
         make_any_pair(20, (fxl_q16_16)ldexp(unit_between(65536, 131072), round % 7 - 1), 30, false,
                       false);
+        far_by_near = round % 8 == 0 ? 100 : FAR_BY_NEAR; /* of 7 octaves codes are up to 57345 */
+        if (round % 8 == 0) {
+            make_thin_pair();
+        }
         lines[0].width = FXL_LINE_WIDTH_MAX;
-        make_surface(0, LIGHT + (uint32_t)round % 2);
+        make_surface(0, COLOURS - (uint32_t)round % 2);
         make_surface(1, NOTHING);
         draw_line_alone();
         draw_codes(2, FIRST, false, alone[0]);
         draw_codes(2, FIRST, true, on_one[0]);
-        uint32_t of_plane = 0;
-        if (!are_beside(false, &of_plane)) {
-            TEST_ASSERT_TRUE(are_beside(true, &held));
+        uint32_t of_plane[2] = {0, 0};
+        if (!are_beside(false, of_plane)) {
+            TEST_ASSERT_TRUE(are_beside(true, held));
             low++;
         }
     }
-    TEST_ASSERT_TRUE(low > 20 && held > 50);
+    far_by_near = FAR_BY_NEAR;
+    TEST_ASSERT_TRUE(low > 20 && held[0] > 50 && held[1] > 50);
+}
+
+/* An upper word of such a face's depths is more than an octave, and a line along a row of centres has those of the first. */
+/* lines 3.2a */
+void test_codes_on_a_plane_that_is_nearly_edge_on(void)
+{
+    make_edges(1);
+    tiny->instances[0].centre.z = Q16(-9);
+    tiny->scene.instance_count = 1;
+    for (uint32_t round = 0; round < 200; round++) {
+        const uint32_t bits = targets[round % 2]->depth_bits;
+        const int32_t one = unit_between(35, 40), y = unit_between(0, HEIGHT - 1);
+        const int64_t first = unit_between(1 << 24, INT32_MAX), along = unit_between(0, 1 << 29);
+        const fxl_gradient gradient = {first - ((int64_t)y << 56), along, (int64_t)1 << 56};
+        const fxl_screen_point from = {1, y * 65536 + 32768}, to = {WIDTH * 65536 - 1, from.y};
+        const fxl_band band = whole_band(frame);
+        fxl_line_plane face = {.plane = {gradient, one}};
+        const fxl_painted_line line = {
+            .ends = {from, to}, .colour = LINE, .width = 1, .plane_count = 1, .planes = {&face}};
+        fxl_line_canvas canvas;
+        start(targets[round % 2], false);
+        begin_band(&ahead);
+        memset(cells + 1, 0, sizeof cells - sizeof cells[0]);
+        fxl_line_plane_begin(&face);
+        fxl_line_canvas_begin(&canvas, &band, (const fxl_depth_head *)cells, NEAR, bits == 32);
+        fxl_paint_wide_line(&canvas, &line);
+        for (int32_t x = 0; x < WIDTH; x++) {
+            TEST_ASSERT_EQUAL(LINE, frame[y * WIDTH + x]);
+            expect_code(exact_code(ldexp((double)(first + x * along), -one)), bits,
+                        cell_at(bits, y * WIDTH + x));
+        }
+    }
 }
 
 /* place pixel-format: what an extra does in frames of the format */

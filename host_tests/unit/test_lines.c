@@ -357,6 +357,40 @@ void test_lines_are_counted_once(void)
 
 /* --- the depth of a line -------------------------------------------------------------------- */
 
+/* Draws a line or a point of the world, of which each pixel has the depth of its definition: off by less than 2^-25
+ * of itself, so a code of 32 bits by less than 2^4; and at most 512 less by rounding. */
+static void check_depths(const fxl_world_line *line, uint32_t bits)
+{
+    const bool is_point = memcmp(&line->from, &line->to, sizeof line->from) == 0;
+    const fxl_band band = whole_band(frame);
+    const double near_z = (double)renderer.frame.view.lens.near_z * FXL_Q2_30_ONE;
+    fxl_screen_point a, b;
+    fxl_view_point at, behind;
+    begin_band(&ahead);
+    place(&line->from, &a, &at);
+    place(&line->to, &b, &behind);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_line(&renderer, NULL, line, &band));
+    const double d0 = near_z / (double)at.z, d1 = near_z / (double)behind.z;
+    const bool is_steep = llabs(b.y - a.y) > llabs(b.x - a.x);
+    for (int32_t i = 0; i < PIXELS; i++) {
+        if (frame[i] != LINE) {
+            continue;
+        }
+        const double centre = (is_steep ? i / WIDTH : i % WIDTH) * 65536.0 + 32768;
+        const double from_a = is_steep ? a.y : a.x, to_b = is_steep ? b.y : b.x;
+        const double t = is_point ? 0 : (centre - from_a) / (to_b - from_a);
+        const double depth = d0 + t * (d1 - d0);
+        const uint32_t code = cell_at(bits, i);
+        if (depth < 1) {
+            const double exact = exact_code(depth) * 65536;
+            const double error = exact - code * (bits == 16 ? 65536.0 : 1.0);
+            TEST_ASSERT_TRUE(error > -18 && error < 19 + (bits == 16 ? 65536 : 512));
+        } else { /* of a line whose depth is near everywhere, or of its end: nearly so */
+            TEST_ASSERT_TRUE(code == (bits == 16 ? UINT16_MAX : UINT32_MAX) || d0 < d1 || d1 < d0);
+        }
+    }
+}
+
 /* lines 3.3a, 3.3b, 3.3c, 3.3d */
 void test_a_line_has_the_depth_of_its_points(void)
 {
@@ -365,30 +399,39 @@ void test_a_line_has_the_depth_of_its_points(void)
     tiny->instances[0].centre.z = Q16(-9);
     start(&fxl_palette_depth_32, false);
     for (int round = 0; round < UNIT_REPEAT / 200; round++) {
-        const bool is_point = round % 8 == 0;
-        const fxl_point from = visible_point(), to = is_point ? from : visible_point();
-        const fxl_world_line line = {from, to, LINE, (uint8_t)unit_between(1, 3)};
-        const fxl_band band = whole_band(frame);
-        fxl_screen_point a, b;
-        fxl_view_point at, behind;
-        begin_band(&ahead);
-        place(&from, &a, &at);
-        place(&to, &b, &behind);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_line(&renderer, NULL, &line, &band));
-        const double near_z = 0.25 * 70368744177664.0;
-        const double d0 = near_z / (double)at.z, d1 = near_z / (double)behind.z;
-        const bool is_steep = llabs(b.y - a.y) > llabs(b.x - a.x);
-        for (int32_t i = 0; i < PIXELS; i++) {
-            if (frame[i] != LINE) {
-                continue;
-            }
-            const double centre = (is_steep ? i / WIDTH : i % WIDTH) * 65536.0 + 32768;
-            const double from_a = is_steep ? a.y : a.x, to_b = is_steep ? b.y : b.x;
-            const double t = is_point ? 0 : (centre - from_a) / (to_b - from_a);
-            const double exact = exact_code(d0 + t * (d1 - d0)) * 65536;
-            const double error = exact - (double)cell_at(32, i);
-            TEST_ASSERT_TRUE(error > -2 - exact * 0x1p-25 && error < 3 + exact * 0x1p-25 + 512);
+        const fxl_point from = visible_point();
+        const fxl_world_line line = {from, round % 8 == 0 ? from : visible_point(), LINE,
+                                     (uint8_t)unit_between(1, 3)};
+        check_depths(&line, 32);
+    }
+}
+
+/* Of a lens with nearly as many octaves as there can be; depths from far on, where the upper word of one has fewer
+ * bits than a code, to near, where a depth is 1. */
+/* lines 3.3a, 3.3b, 3.3c, 3.3d */
+void test_a_line_from_near_to_far_has_the_depth_of_its_points(void)
+{
+    for (int round = 0; round < UNIT_REPEAT / 200; round++) {
+        const uint32_t bits = round % 2 ? 16 : 32;
+        fxl_config config = config_of(depths[bits / 32]);
+        fxl_point ends[2];
+        config.near_z = FXL_NEAR_MIN;
+        config.far_z = FXL_NEAR_MIN << 20;
+        make_edges(1);
+        tiny->scene.instance_count = 1;
+        tiny->instances[0].centre.z = Q16(-9);
+        start_with(&config, sizeof memory);
+        for (uint32_t i = 0; i < 2; i++) {
+            const bool is_near = round % 3 == 0 || (round % 3 == 1 && i == 0);
+            const fxl_q16_16 z = is_near ? FXL_NEAR_MIN
+                                         : 3 * (FXL_NEAR_MIN / 2) << unit_random() % 20;
+            const int32_t x = unit_between(-20, 19), y = unit_between(-15, 14);
+            ends[i].x = (fxl_q16_16)((2 * x + 1) * (int64_t)z / WIDTH); /* of a pixel's centre */
+            ends[i].y = (fxl_q16_16)((2 * y + 1) * (int64_t)z / WIDTH);
+            ends[i].z = z;
         }
+        const fxl_world_line line = {ends[0], ends[1], LINE, (uint8_t)unit_between(1, 3)};
+        check_depths(&line, bits);
     }
 }
 
