@@ -2,8 +2,9 @@
 /* Lines on faces with surfaces: the codes of the depth buffer, to the bit. And lines in RGB565. */
 #include <math.h>
 
-#include "line_scene.h"
 #include "paint/line_paint.h"
+
+#include "line_scene.h" /* last: its names are those of parameters */
 
 static const fxl_target *const targets[4] = {&fxl_palette_depth_16, &fxl_palette_depth_32,
                                              &fxl_rgb565_depth_16, &fxl_rgb565_depth_32};
