@@ -167,6 +167,46 @@ void test_rectangles_are_parts_of_the_frame(void)
     }
 }
 
+/* About the zenith or the nadir, far from the axis of a wide lens, a row rises and falls, and in a narrow part its level may
+ * change just where it turns: so in rows of which each half is alike, then in rows that turn beside the part (the first
+ * part); in a row before such, whose second half changes within (the second); or in one whose second half is alike. */
+/* horizon 1.1a, 1.4a */
+void test_narrow_parts_whose_level_changes_where_a_row_turns(void)
+{
+    static const struct {
+        int32_t degrees;
+        fxl_angle pitch, roll;
+        fxl_q2_30 sine;
+        uint16_t first, columns;
+    } parts[] = {{129, 3185434078u, 1339640739u, -1070730468, 25, 5},
+                 {149, 2409953872u, 1429753746u, -1069836303, 42, 3},
+                 {131, 2565049913u, 1659250203u, -1068745613, 36, 2}};
+    for (uint32_t i = 0; i < 3; i++) {
+        const fxl_pose pose = {{0, 0, 0}, 0, parts[i].pitch, parts[i].roll};
+        const fxl_angle fov = (fxl_angle)DEGREES(parts[i].degrees);
+        fxl_lens lens;
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_lens_from_fov(WIDTH, HEIGHT, fov, Q16(0.25), Q16(500), 0, &lens));
+        any_horizon(1);
+        sines[0] = parts[i].sine;
+        start(&lens);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &pose, frame, WIDTH));
+        expect_levels(&lens, &pose, frame);
+        const fxl_band band = {.pixels = again + parts[i].first,
+                               .width = WIDTH,
+                               .stride = WIDTH,
+                               .rows = HEIGHT,
+                               .first_column = parts[i].first,
+                               .columns = parts[i].columns};
+        memcpy(again, frame, sizeof again);
+        for (uint32_t y = 0; y < HEIGHT; y++) {
+            memset(again + y * WIDTH + band.first_column, 255, band.columns);
+        }
+        fxl_frame_fill(&renderer, &band, 77);
+        TEST_ASSERT_EQUAL_MEMORY(frame, again, sizeof frame);
+    }
+}
+
 /* Of large frames the excess is followed from row to row; of bands of one row it is not. */
 /* horizon 1.4a */
 void test_rows_together_are_those_drawn_one_by_one(void)
