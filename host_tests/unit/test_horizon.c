@@ -167,9 +167,9 @@ void test_rectangles_are_parts_of_the_frame(void)
     }
 }
 
-/* About the zenith or the nadir, far from the axis of a wide lens, a row rises and falls, and in a narrow part its level may
- * change just where it turns: so in rows of which each half is alike, then in rows that turn beside the part (the first
- * part); in a row before such, whose second half changes within (the second); or in one whose second half is alike. */
+/* About the zenith or the nadir, far from the axis of a wide lens, a row rises and falls, and in a narrow part its level
+ * may change just where it turns: so in rows of which each half is alike, then in rows that turn beside the part (the
+ * first part); in a row before such, whose second half changes within (the second); or in one whose second half is alike. */
 /* horizon 1.1a, 1.4a */
 void test_narrow_parts_whose_level_changes_where_a_row_turns(void)
 {

@@ -414,7 +414,7 @@ void test_codes_beside_a_steep_face_are_held(void)
     TEST_ASSERT_TRUE(low > 20 && held[0] > 50 && held[1] > 50);
 }
 
-/* An upper word of such a face's depths is more than an octave, and a line along a row of centres has those of the first. */
+/* An upper word of such a plane is more than an octave. A line along a row of centres has depths of the first word. */
 /* lines 3.2a */
 void test_codes_on_a_plane_that_is_nearly_edge_on(void)
 {

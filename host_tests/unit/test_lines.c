@@ -168,9 +168,9 @@ static double within_line(const seen_end *a, const seen_end *b, bool is_steep, i
 /* Whether a point is drawn: how far it is within the sides, in pixels. */
 static double within_view(const seen_end *end)
 {
-    return end->z < NEAR / 65536.0 ? -1
-                                   : fmin(fmin(end->right, WIDTH - end->right),
-                                          fmin(end->down, HEIGHT - end->down));
+    return end->z < NEAR / 65536.0
+               ? -1
+               : fmin(fmin(end->right, WIDTH - end->right), fmin(end->down, HEIGHT - end->down));
 }
 
 /* What rounding may move. */
@@ -209,12 +209,13 @@ void test_lines_are_cut_by_the_view_and_points_are_not(void)
     for (int round = 0; round < 300 + UNIT_REPEAT / 100; round++) {
         const fxl_pose pose = {{unit_between(Q16(-2), Q16(2)), unit_between(Q16(-2), Q16(2)),
                                 unit_between(Q16(-4), Q16(1))},
-                               unit_random(), (uint32_t)unit_between(-1000, 1000) << 20,
+                               unit_random(),
+                               (uint32_t)unit_between(-1000, 1000) << 20,
                                unit_random()};
         make_edges(1);
         tiny->scene.instance_count = 1;
-        lines[0] = (fxl_line){(uint16_t)unit_between(0, 7), (uint16_t)unit_between(0, 7), {0, 0},
-                              LINE, 1, 0};
+        lines[0] = (fxl_line){
+            (uint16_t)unit_between(0, 7), (uint16_t)unit_between(0, 7), {0, 0}, LINE, 1, 0};
         line_map[1] = line_map[2] = set.count = 1;
         if (lines[0].from == lines[0].to) {
             lines[0].width = 9;
@@ -423,8 +424,8 @@ void test_a_line_from_near_to_far_has_the_depth_of_its_points(void)
         start_with(&config, sizeof memory);
         for (uint32_t i = 0; i < 2; i++) {
             const bool is_near = round % 3 == 0 || (round % 3 == 1 && i == 0);
-            const fxl_q16_16 z = is_near ? FXL_NEAR_MIN
-                                         : 3 * (FXL_NEAR_MIN / 2) << unit_random() % 20;
+            const fxl_q16_16 z =
+                is_near ? FXL_NEAR_MIN : 3 * (FXL_NEAR_MIN / 2) << unit_random() % 20;
             const int32_t x = unit_between(-20, 19), y = unit_between(-15, 14);
             ends[i].x = (fxl_q16_16)((2 * x + 1) * (int64_t)z / WIDTH); /* of a pixel's centre */
             ends[i].y = (fxl_q16_16)((2 * y + 1) * (int64_t)z / WIDTH);
