@@ -299,6 +299,35 @@ void test_by_a_depth_buffer_the_nearest_is_picked(void)
     }
 }
 
+/* Triangles of a few pixels, many of them in one row, which some cores draw without the clipper. */
+/* pick 2.2 */
+void test_by_a_depth_buffer_a_triangle_of_few_pixels_is_picked(void)
+{
+    uint32_t pixels = 0;
+    for (uint32_t i = 0; i < 6; i++) { /* of the first model, which all instances have */
+        fxl_face *face = &tiny->faces[i];
+        const uint16_t *of = fxl_face_indices(tiny->corners, face);
+        face->count = 3;
+        for (uint32_t k = 0; k < 3; k++) {
+            face->indices[k] = of[k];
+        }
+    }
+    tiny->instances[1].model = 0;
+    for (uint32_t round = 0; round < 12; round++) {
+        const fxl_pose pose = random_pose();
+        for (int32_t i = 0; i < TINY_INSTANCES; i++) {
+            tiny->instances[i].centre = (fxl_point){unit_between(Q16(-4), Q16(4)),
+                                                    unit_between(Q16(-4), Q16(4)), Q16(18 + 4 * i)};
+        }
+        pick_by_order(&pose);
+        choose_depth(round % 2 ? 32 : 16, false);
+        draw(&pose);
+        TEST_ASSERT_EQUAL_UINT32(0, expect_picks());
+        pixels += WIDTH * HEIGHT - count_of(BACKGROUND);
+    }
+    TEST_ASSERT_GREATER_THAN(10, pixels);
+}
+
 /* A surface that is blended is drawn in a pass of its own, and is picked where it is not hidden. */
 /* pick 2.4e */
 void test_what_is_blended_is_picked_before_what_it_covers(void)

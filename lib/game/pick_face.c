@@ -365,7 +365,9 @@ static void begin_probe(probe *of, fxl_renderer *renderer, uint16_t x, uint16_t 
     const uint16_t width = renderer->frame.view.lens.width;
     of->renderer = renderer;
     of->x = x;
-    const fxl_band row = {.width = width, .stride = width, .first_row = y, .rows = 1};
+    /* Not as one row of a whole frame: kernels that draw triangles without the clipper leave it alone. */
+    const fxl_band row = {
+        .width = width, .stride = (uint16_t)(width + 1u), .first_row = y, .rows = 1};
     of->band = row;
     of->band.palette = renderer->palette;
     of->band.pixels = (uint8_t *)((uintptr_t)&of->pixel -
