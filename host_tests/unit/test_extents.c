@@ -287,6 +287,34 @@ void test_the_next_frame_has_all_its_memory_again(void)
     }
 }
 
+/* Where a target sorts no faces, their entries are lent, too; where the next target sorts them, they are free
+ * again, whatever the world's renderer was in between. */
+void test_another_target_has_all_its_memory_again(void)
+{
+    const fxl_pose pose = {{-Q16(20), 0, 0}, DEGREES(90), 0, 0};
+    const setting near_first = {&fxl_clipper_view, &choice_depth_16, 0, 12},
+                  sorted = {&fxl_clipper_view, &choice_sorted, 0, 0};
+    fxl_counters expected;
+    height = 48;
+    make_scene();
+    for (uint32_t i = 0; i < INSTANCES; i++) { /* all of them are in sight */
+        instances[i] = (fxl_instance){{0, (int32_t)i * Q16(2) - Q16(8), 0}, (uint16_t)(i % 2), 0, 0};
+    }
+    draw_whole(&sorted, &pose, &expected);
+    start(&near_first);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    TEST_ASSERT_EQUAL(FXL_IS_COMPACT, renderer.workspace.cache.entries == NULL);
+    draw_bands(&renderer.workspace, other, 7);
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      choice_take(&renderer, &choice_sorted, spans_room, sizeof spans_room));
+    renderer.frame.display_list.capacity = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    TEST_ASSERT_NULL(renderer.workspace.cache.entries);
+    draw_bands(&renderer.workspace, other, height);
+    TEST_ASSERT_EQUAL_MEMORY(whole, other, (size_t)WIDTH * height);
+    check_counters(&expected);
+}
+
 /* How often the clipper was asked for a frame in bands of three rows. */
 static uint32_t asked_in_bands(uint32_t words, uint32_t spare, const fxl_pose *pose)
 {

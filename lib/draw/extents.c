@@ -113,7 +113,7 @@ static uint32_t measure_convex(const fxl_traversal *traversal, const fxl_model_v
 /* The first address behind the memory of the instances' entries. */
 static uintptr_t end_of_order(const fxl_renderer *renderer)
 {
-    return (uintptr_t)(renderer->frame.draw_list + renderer->instance_capacity);
+    return (uintptr_t)renderer->workspace.face_list;
 }
 
 /* Vertices of an instance are then transformed once a band, not once a face. */

@@ -161,6 +161,9 @@ FXL_COLD void fxl_set_direction(fxl_renderer *renderer, bool near_first)
     const fxl_scene *scene = renderer->scene;
     const bool had_list = renderer->by_number != FXL_FACES_AT_ONCE;
     const uint32_t faces = scene->draw_list_needed - fxl_list_instances_most(scene);
+    if (!FXL_IS_SMALL) {
+        fxl_extents_take_back(renderer, &renderer->workspace); /* by where the order ends now */
+    }
     renderer->near_first = near_first;
     if (!near_first || renderer->target->depth_bits == 0) {
         renderer->by_number = FXL_FACES_SORTED;
