@@ -446,6 +446,35 @@ void test_codes_on_a_plane_that_is_nearly_edge_on(void)
     }
 }
 
+/* A line may name a face on which it does not lie, and whose plane is before near_z: its code is the largest one,
+ * however near it is. */
+/* lines 3.2a */
+void test_codes_on_a_plane_before_near_are_the_largest(void)
+{
+    const fxl_screen_point from = {1, 10 * 65536 + 32768}, to = {WIDTH * 65536 - 1, from.y};
+    const fxl_band band = whole_band(frame);
+    make_edges(1);
+    tiny->instances[0].centre.z = Q16(-9);
+    tiny->scene.instance_count = 1;
+    for (int32_t quarters = 4; quarters < 160; quarters++) {
+        const int32_t kind = quarters % 2, one = unit_between(35, 48);
+        const uint32_t bits = targets[kind]->depth_bits;
+        fxl_line_plane face = {.plane = {{(int64_t)quarters << (one - 2), 0, 0}, one}};
+        const fxl_painted_line line = {
+            .ends = {from, to}, .colour = LINE, .width = 1, .plane_count = 1, .planes = {&face}};
+        fxl_line_canvas canvas;
+        start(targets[kind], false);
+        begin_band(&ahead);
+        memset(cells + 1, 0, sizeof cells - sizeof cells[0]);
+        fxl_line_plane_begin(&face);
+        fxl_line_canvas_begin(&canvas, &band, (const fxl_depth_head *)cells, NEAR, bits == 32);
+        fxl_paint_wide_line(&canvas, &line);
+        for (int32_t x = 0; x < WIDTH; x++) {
+            TEST_ASSERT_EQUAL_HEX32(UINT32_MAX >> (32 - bits), cell_at(bits, 10 * WIDTH + x));
+        }
+    }
+}
+
 /* place pixel-format: what an extra does in frames of the format */
 /* A pixel of 16 bits has the colour that the palette gives the pixel of 8. */
 /* lines 1.1d */

@@ -382,24 +382,24 @@ FXL_COLD void fxl_line_continue_words(fxl_depth_plane *plane, const fxl_screen_p
     gradient->down = (int64_t)down * 65536;
 }
 
-/* near_z is counted as at most 2^46, and what a pixel adds is below 2^30. So sums are below 2^63, and
- * their upper words off by less than 2. The centres of a line's pixels lie within half a pixel of the
- * straight line between its ends, across. Of codes times 2^16 the lower 20 bits are left out: a word
- * has 12. */
+/* The depth of the first pixel, which is beyond near_z on a plane before it, is counted as less than 2^46,
+ * and what a pixel adds is below 2^30. So sums are below 2^63, and their upper words off by less than 2. The
+ * centres of a line's pixels lie within half a pixel of the straight line between its ends, across. Of codes
+ * times 2^16 the lower 20 bits are left out: a word has 12. */
 void fxl_line_plane_begin(fxl_line_plane *face)
 {
     const fxl_gradient *gradient = &face->plane.gradient;
     const uint64_t right = fxl_magnitude(gradient->along);
     const uint64_t down = fxl_magnitude(gradient->down);
     const uint64_t most = right > down ? right : down;
-    const int32_t upper = (int32_t)fxl_bit_length(most | 1u) - 30;
+    const uint64_t first = fxl_magnitude(gradient->at);
     uint32_t added = 4;
     int32_t drop = 20;
     face->span = face->held = 0;
     if (fxl_depth_is_in_words(&face->plane)) {
         added += FXL_LINE_MARGIN_OF_WORDS;
     } else {
-        const int32_t near = face->plane.one - 46, least = upper > near ? upper : near;
+        const int32_t least = (int32_t)fxl_bit_length(most | first >> 16 | 1u) - 30;
         drop = least > -16 ? least : -16;
     }
     face->drop = drop;
