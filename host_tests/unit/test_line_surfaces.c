@@ -529,3 +529,45 @@ void test_lines_on_the_last_of_many_faces(void)
     TEST_ASSERT_EQUAL_MEMORY(few, frame, sizeof frame);
     TEST_ASSERT_TRUE(attached.counters.backfacing > 0 && attached.counters.drawn > 0);
 }
+
+/* Planes of four faces are kept. Two points on copies of the line's faces, before the line or after it: before it
+ * the plane of its second face takes the place of the oldest, which is that of its first. */
+/* lines 3.2a */
+void test_a_face_does_not_take_the_place_of_the_lines_other(void)
+{
+    static uint64_t kept[sizeof cells / sizeof cells[0]];
+    const fxl_pose pose = {{Q16(1), Q16(2), Q16(-5)}, 0, 0, 0};
+    uint32_t drawn = 0;
+    for (uint32_t edge = 0; edge < EDGES; edge++) {
+        static fxl_face many[24];
+        make_edges(3);
+        for (uint32_t i = 0; i < 24; i++) {
+            many[i] = tiny->faces[i < 18 ? i % 6 : i - 12];
+        }
+        tiny->models[0].face_count = tiny->models[1].first_face = 18;
+        tiny->scene.faces = many;
+        tiny->scene.face_count = 24;
+        for (uint16_t i = 0; i < 2; i++) {
+            fxl_line line = lines[edge], point = {line.from, line.from, {0, 0}, LINE, 1, 0};
+            const uint16_t a = line.faces[0], b = line.faces[1];
+            line.faces[1] = (uint16_t)(b + 12);
+            for (uint16_t k = 0; k < 2; k++) {
+                point.faces[0] = (uint16_t)(a + 6 * k);
+                point.faces[1] = (uint16_t)(b + 6 * k);
+                lines[EDGES + k + i] = point;
+            }
+            lines[i == 0 ? EDGES + 2 : EDGES] = line;
+            set.lines = lines + EDGES;
+            set.count = line_map[1] = line_map[2] = 3;
+            memset(cells, 0, sizeof cells);
+            start(&fxl_palette_depth_16, true);
+            draw(&pose, frame);
+            if (i == 0) {
+                memcpy(kept, cells, sizeof cells);
+            }
+        }
+        TEST_ASSERT_EQUAL_MEMORY(kept, cells, sizeof cells);
+        drawn += attached.counters.drawn;
+    }
+    TEST_ASSERT_TRUE(drawn > 9);
+}

@@ -184,6 +184,9 @@ static inline __attribute__((always_inline)) void paint(fxl_line_instance *of, c
     }
     if (count > 1) {
         painted->planes[1] = plane_of(of, faces[1]);
+        if (painted->planes[1] == painted->planes[0]) { /* it is kept where the first one was */
+            painted->planes[0] = new_plane(of, faces[0]);
+        }
     }
     painted->plane_count = (uint8_t)count;
     painted->colour = line->colour;
