@@ -12,7 +12,7 @@ BOARD_OPENOCD := -f interface/cmsis-dap.cfg -f target/nrf51.cfg
 # are sent one by one. One in black and white takes less, and wants eight rows of 128, in RGB565 too.
 BOARD_BAND_BYTES := $(if $(DRIVER),$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),2048,1024),2560)
 BOARD_ORDER_ENTRIES := 200
-BOARD_LIST_BYTES := $(if $(DRIVER),$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),2648,3360),4096)
+BOARD_LIST_BYTES := $(if $(DRIVER),$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),2648,3352),4096)
 BOARD_DRIVER_ROWS := 1
 BOARD_CACHE_ENTRIES := 8
 

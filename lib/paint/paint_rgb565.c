@@ -346,13 +346,6 @@ static inline bool has_plain_texels(const fxl_paint *paint)
     return paint->level.colours == NULL && (paint->level.flags & others) == 0;
 }
 
-/* Whether all that is shown are such texels, or the key. */
-static inline bool has_plain_lines(const fxl_paint *paint)
-{
-    return !FXL_IS_COMPACT && paint->opacity == 16 && paint->level.texels != NULL &&
-           paint->of_565.part_of_level == 0 && has_plain_texels(paint);
-}
-
 /* Requires has_lines, or is_plain: has_plain_lines; and at most MIXED columns. */
 static inline __attribute__((always_inline)) void
 show_texels(const fxl_paint *paint, const fxl_paint_row *row, uint32_t x0, uint32_t x1,
@@ -415,6 +408,13 @@ static int32_t paint_blended_columns(fxl_lit_run *run, uint16_t *pixels, int32_t
 }
 
 #else
+
+/* Whether all that is shown are such texels, or the key. */
+static inline bool has_plain_lines(const fxl_paint *paint)
+{
+    return !FXL_IS_COMPACT && paint->opacity == 16 && paint->level.texels != NULL &&
+           paint->of_565.part_of_level == 0 && has_plain_texels(paint);
+}
 
 /* paint_mixed of most textures. */
 /* surfaces 4.1 */

@@ -88,7 +88,7 @@ entry       .req r1         /* its position */
 fxl_transform_vertex:
     ldr     r3, [r0, #MODEL_VIEW_TAG]
     add     r3, r3, r1
-    transform ,
+    transform
     pop     {r2-r11, pc}
 .Linside:
     mov     r3, entry
