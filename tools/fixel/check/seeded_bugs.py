@@ -37,6 +37,8 @@ TEST_CPU = 120          # seconds of CPU time; a bug that never ends is caught t
 # A core's kernels against the portable ones, on the emulated core: with so many thousand inputs.
 EQUALITY = ("equality/m0", "equality/m3", "equality/m55", "equality/m3-small", "equality/m3-os")
 EQUALITY_THOUSANDS = 20
+# Those that bugs name of UNIT_BARE in host_tests/unit/unit.mk.
+BARE = ("test_pick_methods_bare",)
 # Frames that the host draws and the reference renderer judges, as make run does: "run/SCENE", "run/SCENE/PIXELS".
 RUNS = ("run/room", "run/gallery", "run/gallery/rgb565", "run/grove", "run/landscape", "run/car/rgb565", "run/clamped",
         "run/colours/rgb565")
@@ -58,7 +60,7 @@ class Verdict:
 
 def all_tests(root):
     """Names of the library's Unity programs, of the comparisons of kernels, and of the runs that are judged."""
-    return sorted(file.stem for file in (pathlib.Path(root) / "host_tests/unit").glob("test_*.c")) + [*EQUALITY, *RUNS]
+    return sorted(file.stem for file in (pathlib.Path(root) / "host_tests/unit").glob("test_*.c")) + [*BARE, *EQUALITY, *RUNS]
 
 
 def target(test):

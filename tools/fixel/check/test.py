@@ -54,7 +54,8 @@ def parser():
 
 def before(options):
     """Refuses a word that no suite has in its name: a suite of the host or of a board for a unit test, one for each file of pytest."""
-    units_of = [file.stem for file in TESTS.rglob("test_*.c")]
+    # "_bare": UNIT_BARE in host_tests/unit/unit.mk
+    units_of = [name for file in TESTS.rglob("test_*.c") for name in (file.stem, f"{file.stem}_bare")]
     boards = [folder.name for folder in (TESTS.parent / "boards").iterdir() if (folder / "board.mk").exists()]
     names = {f"{file.parent.name}/{file.stem}" for file in TESTS.glob("*/test_*.py")} | {f"{board}/{unit}" for board in boards for unit in units_of}
     unknown = [word for word in options.only.split() if not any(word in name for name in names)]
