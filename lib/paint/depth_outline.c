@@ -74,6 +74,32 @@ static inline bool find_sheet(const fxl_depth_outline *outline, uint32_t column,
     return true;
 }
 
+#if FXL_KERNELS_ARMV6M
+
+/* The rows of a scan between two chains. */
+static inline __attribute__((always_inline)) void paint_rows(const sheet *codes,
+                                                             const fxl_depth_outline *outline,
+                                                             const fxl_band *band, uint32_t bits)
+{
+    const uint32_t row = fxl_bits_32(outline->scan->row), width = band->width;
+    fxl_depth_sheet of;
+    of.first = (uint32_t)((uintptr_t)outline->cells / 2) + (row - band->first_row) * width - 8u;
+    of.line = codes->at + times((int64_t)codes->down, row) -
+              ((uint64_t)(codes->step * of.first) << 32);
+    of.down = codes->down - ((uint64_t)(codes->step * width) << 32);
+    of.step = codes->step;
+    of.filling = outline->filling;
+    of.pixels = outline->pixels;
+    of.width = width;
+    if (bits == 8) {
+        fxl_paint_depth_sheet_8(&of, outline->scan);
+    } else {
+        fxl_paint_depth_sheet_16(&of, outline->scan);
+    }
+}
+
+#else
+
 /* A pixel of 8 or 16 bits. */
 static inline __attribute__((always_inline)) void
 paint_pixel(uint16_t *cell, void *pixel, uint32_t code, uint32_t filling, uint32_t bits)
@@ -179,6 +205,8 @@ static inline __attribute__((always_inline)) void paint_rows(const sheet *codes,
         }
     }
 }
+
+#endif
 
 static inline __attribute__((always_inline)) fxl_depth_drawn draw(const fxl_screen_point *points,
                                                                   uint32_t count,

@@ -60,6 +60,26 @@ fxl_depth_drawn fxl_draw_depth_outline_8(const fxl_screen_point *points, uint32_
 fxl_depth_drawn fxl_draw_depth_outline_16(const fxl_screen_point *points, uint32_t count,
                                           const fxl_band *band, fxl_depth_outline *outline);
 
+#if FXL_KERNELS_ARMV6M
+
+/* The codes of an outline that has one octave, and what its rows share. Cells are counted from address 0,
+ * in pairs of bytes. */
+typedef struct {
+    uint64_t line;    /* its upper word is the code of cell 0 in the first row, modulo 2^32 */
+    uint32_t filling; /* as of fxl_depth_outline; so pixels */
+    uint32_t step;    /* of a code a pixel */
+    uintptr_t pixels;
+    uint32_t first; /* the cell of column 0 in the first row, less 8 */
+    uint64_t down;  /* the change of `line` a row */
+    uint32_t width; /* cells a row */
+} fxl_depth_sheet;
+
+/* Paints the rows of a scan between two chains that reaches a row, was begun, and has not been read.
+ * The scan has no row left then. */
+void fxl_paint_depth_sheet_8(const fxl_depth_sheet *sheet, fxl_scan *scan);
+void fxl_paint_depth_sheet_16(const fxl_depth_sheet *sheet, fxl_scan *scan);
+
+#endif
 #endif
 
 /* What became of a triangle. The second and third are those of fxl_depth_drawn. */

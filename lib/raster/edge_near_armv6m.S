@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_edge_set_near for Armv6-M. The arithmetic, with its bounds, is that of
+/* fxl_edge_set_near and fxl_scan_begin_edge for Armv6-M. The arithmetic, with its bounds, is that of
  * lib/raster/edge_divide.h and lib/raster/edge_divide.h. */
 #include "../math/family.h"
 #include "../math/offsets.h"
@@ -183,6 +183,65 @@ fxl_edge_set_near:
 
     .pool
     .size fxl_edge_set_near, . - fxl_edge_set_near
+
+    .section .text.fxl_scan_begin_edge, "ax", %progbits
+    .global fxl_scan_begin_edge
+    .type fxl_scan_begin_edge, %function
+    .thumb_func
+
+/* r0: scan, r1: chain, r2: row, r3: edge */
+fxl_scan_begin_edge:
+    push    {r0-r7, lr}
+    ldrb    r4, [r1, #CHAIN_VERTEX]
+    ldrb    r5, [r1, #CHAIN_ONWARD]
+    ldrb    r6, [r0, #SCAN_COUNT]
+    ldr     r7, [r0, #SCAN_POINTS]
+    ldr     r3, =32767
+1:  lsls    r0, r4, #3
+    adds    r4, r4, r5
+    cmp     r4, r6
+    blo     2f
+    subs    r4, r4, r6
+2:  lsls    r1, r4, #3
+    adds    r1, r1, r7
+    ldr     r5, [r1, #SCREEN_POINT_Y]
+    adds    r5, r5, r3
+    asrs    r5, r5, #16                     /* the row at which the edge ends */
+    cmp     r5, r2
+    ble     3f
+    adds    r0, r0, r7
+    ldr     r6, [r0, #SCREEN_POINT_Y]
+    adds    r6, r6, r3
+    asrs    r6, r6, #16                     /* its first row */
+    cmp     r6, r2
+    blt     .Lany
+    subs    r2, r5, r6
+    subs    r2, #1
+    beq     .Lany                           /* one row */
+    ldr     r3, [sp, #12]
+    bl      fxl_edge_set_near
+    cmp     r0, #0
+    beq     .Lany
+    ldr     r1, [sp, #4]
+    strh    r5, [r1, #CHAIN_END_ROW]
+    strb    r4, [r1, #CHAIN_VERTEX]
+    movs    r0, r5
+    b       4f
+3:  ldr     r5, [sp, #4]                    /* it ends above: the next one */
+    ldrb    r5, [r5, #CHAIN_ONWARD]
+    b       1b
+.Lany:
+    mov     r4, sp
+    ldm     r4!, {r0-r3}
+    bl      fxl_scan_begin_any_edge
+    ldr     r1, [sp, #4]
+    movs    r0, #CHAIN_END_ROW
+    ldrsh   r0, [r1, r0]
+4:  add     sp, #16
+    pop     {r4-r7, pc}
+
+    .pool
+    .size fxl_scan_begin_edge, . - fxl_scan_begin_edge
 
 /* fxl_edge_reciprocals of edge_divide.h. */
     .section .rodata.edge_reciprocals, "a", %progbits

@@ -236,6 +236,18 @@ static void begin_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_
     chain->vertex = (uint8_t)(row + rows == end_row ? next : vertex);
 }
 
+#if FXL_KERNELS_ARMV6M
+
+void fxl_scan_begin_any_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_edge *edge)
+{
+    begin_edge(scan, chain, row, edge);
+}
+
+#define BEGIN_EDGE fxl_scan_begin_edge
+#else
+#define BEGIN_EDGE begin_edge
+#endif
+
 const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan)
 {
     fxl_trapezoid *trapezoid = &scan->trapezoid;
@@ -249,7 +261,7 @@ const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan)
         if (chain->end_row > row) {
             fxl_edge_advance(&trapezoid->edges[side], (uint32_t)(row - trapezoid->first_row));
         } else {
-            begin_edge(scan, chain, row, &trapezoid->edges[side]);
+            (void)BEGIN_EDGE(scan, chain, row, &trapezoid->edges[side]);
         }
         end_row = chain->end_row < end_row ? chain->end_row : end_row;
     }

@@ -14,6 +14,7 @@
 
 #include "fixel/records.h"
 #include "../math/core.h"
+#include "../math/family.h"
 #include "../math/pixel_centre.h"
 
 #ifdef __cplusplus
@@ -57,6 +58,16 @@ fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height);
  * belongs to scan and is valid until the next call. It is a kernel: each family of
  * cores has its own, and all give the same bits. Exact. Source: A6. */
 const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan);
+
+#if FXL_KERNELS_ARMV6M
+
+/* Goes down a chain of a scan to the edge that crosses a row, and sets the edge on that row. Returns the
+ * row at which it ends. It is a kernel, which leaves an edge of one row, one that begins above the row, and
+ * a high one to the text in C. */
+int32_t fxl_scan_begin_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_edge *edge);
+void fxl_scan_begin_any_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_edge *edge);
+
+#endif
 
 /* Whether the trapezoid that was returned is known to be the last; true saves a call. */
 static inline bool fxl_scan_is_over(const fxl_scan *scan)
