@@ -34,6 +34,23 @@ static inline void locate(fxl_corner_planes *planes)
 
 /* --- a value -------------------------------------------------------------------------------- */
 
+/* What a gradient changes from the centre of pixel (0, 0) to corner 0; its steps are rounded down to
+ * 2^-16. By their words, a core with long products takes fewer instructions: steps are below 2^62, and
+ * x and y below 2^27, so the sum of upper products is below 2^58, and what is shifted wraps as all does. */
+static inline int64_t off(const fxl_corner_planes *planes, const fxl_gradient *gradient)
+{
+    const int64_t along = gradient->along, down = gradient->down;
+#if FXL_CORE_ARMV7M
+    const int64_t upper = fxl_product((int32_t)(along >> 32), planes->x) +
+                          fxl_product((int32_t)(down >> 32), planes->y);
+    return (int64_t)((uint64_t)upper << 16) +
+           fxl_product((int32_t)((uint32_t)along >> 16), planes->x) +
+           fxl_product((int32_t)((uint32_t)down >> 16), planes->y);
+#else
+    return fxl_product_wide(along >> 16, planes->x) + fxl_product_wide(down >> 16, planes->y);
+#endif
+}
+
 /* The gradient of a value that is below 2^30 at the corners, scaled so that it is below 2^62 on the
  * whole screen. Returns the exponent: its 64 bits are the value times 2^exponent, from 4 to 36.
  *
@@ -64,9 +81,7 @@ static int plane_of(const fxl_corner_planes *planes, const int32_t values[3],
     *slope = along_high;
     gradient->along = shifted(along, drop);
     gradient->down = shifted(down, drop);
-    gradient->at = (int64_t)((uint64_t)(int64_t)values[0] << exponent) -
-                   fxl_product_wide(gradient->along >> 16, planes->x) -
-                   fxl_product_wide(gradient->down >> 16, planes->y);
+    gradient->at = (int64_t)((uint64_t)(int64_t)values[0] << exponent) - off(planes, gradient);
     return exponent;
 }
 
@@ -184,6 +199,7 @@ static inline void add_twist(const fxl_corner_planes *planes, const int32_t valu
                              int32_t slope, int shift, twists *of)
 {
     int32_t least = INT32_MAX, most = INT32_MIN; /* upper words, below 2^30 */
+    FXL_EACH_OF_THREE
     for (uint32_t i = 0; i < 3; i++) {
         const int32_t twist = (int32_t)((uint64_t)(fxl_product(slope, planes->weights[i]) -
                                                    fxl_product(planes->weight_slope, values[i])) >>
@@ -276,6 +292,7 @@ static void find_perspective(const fxl_corner_planes *planes, int32_t (*values)[
     for (uint32_t i = 0; i < gradients->count; i++) {
         const int shift = (int)room_of(values[i]) - 1;
         int32_t slope;
+        FXL_EACH_OF_THREE
         for (uint32_t k = 0; k < 3; k++) {
             values[i][k] =
                 fxl_upper_product((int32_t)((uint32_t)values[i][k] << shift), planes->weights[k]);
