@@ -137,7 +137,7 @@
 
     .align  2
 .Lwithin_next:
-    ldr     r3, [sp, #.LF_LAST]
+    ldrd    r3, r4, [sp, #.LF_LAST]
     cmp     pixels, r3
     bhi     .Lrest
     .align  2

@@ -63,25 +63,25 @@
     str     r6, [sp, #.LF_SKIP]
     add     pixels, r7, r5, lsl #WIDE
     cmp     pixels, r8
-    it      ls
-    cmpls   r6, #0
-    ite     eq
-    ldreq   r3, [sp, #.LF_FULL]
-    adrne   r3, .Lpartial + 1
-    str     r3, [sp, #.LF_GO]
+    adr     r3, .Lonly + 1
+    bhi     1f
+    ldr     r3, [sp, #.LF_FULL]
+    cbz     r6, 1f
+    adr     r3, .Lskipping + 1
+1:  str     r3, [sp, #.LF_GO]
     ldr     pc, [sp, #.LF_BEGIN]
 
-/* u and v, which are not divided, where segment r12 begins, and the weight in column 0. r1: row. Overwrites
- * r2 and r3. */
+/* u and v, which are not divided, where segment r12 begins, and the weight in column 0; r2, r3: its step.
+ * r1: row. Overwrites r4 and r5. */
     .macro  begin_coordinates
     ldm     r1, {r6-r11}                /* weight, u, v */
-    ldrd    r2, r3, [sp, #8]
-    umlal   u_low, u, r2, r12
-    mla     u, r3, r12, u
-    ldr     r2, [sp, #16]
-    ldr     r3, [sp, #.LF_V_HIGH]
-    umlal   v_low, v, r2, r12
-    mla     v, r3, r12, v
+    ldm     sp, {r2-r5}
+    umlal   u_low, u, r4, r12
+    mla     u, r5, r12, u
+    ldr     r4, [sp, #16]
+    ldr     r5, [sp, #.LF_V_HIGH]
+    umlal   v_low, v, r4, r12
+    mla     v, r5, r12, v
     .endm
 
 /* Divides u and v by w; r3 becomes the reciprocal. Goes to far where a drop is below 0. low: takes the lower
@@ -109,7 +109,6 @@
     .align  2
 .Lbegin:
     begin_coordinates
-    ldrd    r2, r3, [sp]
     umlal   w_low, w, r2, r12
     mla     w, r3, r12, w
     str     w_low, [sp, #.LF_W_LOW]
@@ -155,11 +154,28 @@
     adrne   r9, \resume + 1
     .if     WIDE
     cmp     r5, #PIXEL_PLAIN
-    it      eq
-    adreq   r9, .Leach_colour + 1
+    bne     1f
+    ldrb    r9, [r0, #SEGMENT_FACE_LOG_WIDTH]
+    rsb     r9, r9, #20                 /* from U to the column */
+    lsl     r8, r9, #1
+    subs    r8, #20                     /* from V to the row */
+    ldrd    r10, r11, [sp, #.LF_U_DROP]
+    add     r10, r10, r9
+    add     r11, r11, r8
+    strd    r10, r11, [sp, #.LF_U_DROP]
+    ldrd    r10, r11, [sp, #(.LF_SAVED + 20)] /* u_0 and v_0, if they are kept */
+    asr     r10, r10, r9
+    asr     r11, r11, r8
+    strd    r10, r11, [sp, #(.LF_SAVED + 20)]
+    adr     r9, .Leach_colour + 1
+1:
     .endif
     adr     r8, .Lsegment_\log + 1
     .else
+    .if     WIDE
+    ldrd    r10, r11, [r0, #SEGMENT_FACE_U_DROP]
+    strd    r10, r11, [sp, #.LF_U_DROP]
+    .endif
     mla     r7, r6, r8, r7
     ittee   eq
     adreq   r8, .Lclamped_segment_\log + 1

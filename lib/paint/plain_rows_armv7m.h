@@ -15,7 +15,7 @@
  * without a table from .Lplain_5 on, which is right behind it. A texel takes 5 instructions (6 by a table) if the texture is
  * 32 to 256 texels wide and no higher than wide; any other takes 9 or 10. A segment takes 46 more;
  * where the weight is constant, 16 columns take 9 more. A row takes about 95. Wide texels that are pixels and are each divided
- * take 37. */
+ * take 34. */
 #ifndef FXL_PLAIN_ROWS_ARMV7M_H
 #define FXL_PLAIN_ROWS_ARMV7M_H
 
@@ -64,9 +64,8 @@
 /* Any other clamped face: U and V at the end of the segment before. */
     slot_of .LF_PREVIOUS, .LF_COLUMN
 
-/* Wide texels that are pixels, each divided: how far U, shifted to bit 31, is shifted to the column;
- * in the byte above, V to the row. */
-    slot_of .LF_SHIFTS, .LF_TABLE
+/* Wide texels that are pixels: the columns less 1, a mask. */
+    slot_of .LF_COLUMNS, .LF_TABLE
 
     slot_of .LF_OF_16, .LF_OWN /* of texels of 4 bits: what each becomes. Such a face saves no registers. */
 
@@ -268,10 +267,10 @@ RUNS:
     movs    r5, #PIXEL
     b       3f
 1:  .if     WIDE
-    movw    r5, #(12 << 8 | 28)         /* .LF_SHIFTS */
-    sub     r5, r5, r4, lsl #9
-    subs    r5, r5, r4
-    str     r5, [sp, #.LF_SHIFTS]
+    movs    r5, #16
+    lsls    r5, r5, r4
+    subs    r5, #1
+    str     r5, [sp, #.LF_COLUMNS]
     .endif
     movw    r5, #WHOLE_PLAIN
     mul     r4, r4, r5

@@ -53,7 +53,7 @@
     .macro  segments log
     .align  2
 .Lsegment_\log:
-    ldr     r3, [sp, #.LF_LAST]
+    ldrd    r3, r4, [sp, #.LF_LAST]
     cmp     pixels, r3
     bhi     .Lrest
     .align  2
@@ -89,7 +89,7 @@
     b.w     .Lresume_\log
     .align  2
 .Lclamped_segment_\log:
-    ldr     r3, [sp, #.LF_LAST]
+    ldrd    r3, r4, [sp, #.LF_LAST]
     cmp     pixels, r3
     bhi.w   .Lrest
     next_values
@@ -144,7 +144,8 @@
     ldm     r3, {texels, mask, table, pc}   /* F_GO */
 
     .if     WIDE
-/* The same where texels are pixels, of a texture that has code of its own. r5: F_LAST. */
+/* The same where texels are pixels, of a texture that has code of its own: U and V are shifted on to the
+ * column and the row. r5: F_LAST. */
     .align  2
 .Leach_colour:
     ldr     texels, [sp, #.LF_TEXELS]
@@ -166,13 +167,10 @@
     ldr     r3, [sp, #.LF_V_HIGH]
     adc     v, v, r3
     divide  r12, lr, r2, r1, lr, r2, .Leach_colour_far
-2:  ldrd    r1, r2, [sp, #(.LF_TEXELS + 4)] /* the mask and F_SHIFTS */
-    lsl     r3, r12, #12
-    lsrs    r3, r3, r2
-    lsrs    r2, r2, #8
-    lsr     r2, lr, r2
-    ands    r1, r1, r2
-    adds    r1, r1, r3
+2:  ldrd    r1, r2, [sp, #(.LF_TEXELS + 4)] /* the mask and F_COLUMNS */
+    and     r1, r1, lr
+    and     r2, r2, r12
+    adds    r1, r1, r2
     ldrh    r1, [texels, r1, lsl #1]
     strh    r1, [pixels, #2]!
     cmp     pixels, r5
@@ -180,22 +178,26 @@
     b       .Lrun_end
     .endif
 
-/* Less than a segment is left, or nothing. */
+/* Less than a segment is left, or nothing. r4: F_END. */
     .align  2
 .Lrest:
-    ldr     r3, [sp, #.LF_END]
-    cmp     pixels, r3
+    cmp     pixels, r4
     bhs     .Lrun_end
     adr     r3, .Llast_partial + 1
     str     r3, [sp, #.LF_GO]
     ldr     pc, [sp, #.LF_RESUME]
 
-/* The same as below where no column is skipped and the run ends in the segment: the code of 16 pixels
- * ends at its end. */
+/* The same as below where the run ends in the segment: the code of 16 pixels ends at its end. */
+    .align  2
+.Lonly:
+    ldrd    r5, r3, [sp, #.LF_SKIP]     /* and F_SHORT */
+    mla     p, step, r5, p
+    add     r3, r3, r5
+    b       1f
     .align  2
 .Llast_partial:
     ldr     r3, [sp, #.LF_SHORT]
-    ldr     r5, [sp, #.LF_END]
+1:  ldr     r5, [sp, #.LF_END]
     subs    r4, r5, pixels
     rsb     r4, r4, #(16 << WIDE)
     sub     pixels, r5, #(16 << WIDE)
@@ -205,6 +207,14 @@
     mla     r3, r3, r5, r4
     ldrd    texels, mask, [sp, #.LF_TEXELS]
     bx      r3
+
+/* The same as below where it does not end there. */
+    .align  2
+.Lskipping:
+    ldrd    r5, r3, [sp, #.LF_SKIP]
+    mla     p, step, r5, p
+    add     r3, r3, r5
+    b       1f
 
 /* Pixels from F_SKIP on, up to the end of the run or of the segment: the last ones of the code of 16
  * pixels, whose first pixel is before them by as many as are left out. */
@@ -220,7 +230,7 @@
     bic     r3, r3, r3, asr #31
     subs    pixels, pixels, r3
     add     r3, r5, r3, lsr #WIDE
-    str     r3, [sp, #.LF_BEFORE]
+1:  str     r3, [sp, #.LF_BEFORE]
     ldr     r4, [sp, #.LF_FULL]
     str     r4, [sp, #.LF_GO]
     ldrd    r4, r5, [sp, #.LF_CODE]
