@@ -282,18 +282,16 @@
 #define TEXEL_OUTLINE_CELLS         48
 #define TEXEL_OUTLINE_PIXELS        52
 #define TEXEL_OUTLINE_TEXELS        56
-#define TEXEL_OUTLINE_MASKS         64
-#define TEXEL_OUTLINE_PART_OF_LEVEL 72
+#define TEXEL_OUTLINE_PART_OF_LEVEL 60
+#define TEXEL_OUTLINE_PALETTE       64
+#define TEXEL_OUTLINE_MASKS         68
 #define TEXEL_OUTLINE_KIND          76
 #define TEXEL_OUTLINE_RED_DARK      80
 #define TEXEL_OUTLINE_RED_STEP      84
 #define TEXEL_OUTLINE_GREEN_DARK    88
 #define TEXEL_OUTLINE_GREEN_STEP    92
 #define TEXEL_OUTLINE_END           96
-#define TEXEL_OUTLINE_RESUME        100
-#define TEXEL_OUTLINE_REST_RESUME   104
-#define TEXEL_OUTLINE_REST_END      112
-#define TEXEL_OUTLINE_BORDER        116
+#define TEXEL_OUTLINE_BORDER        100
 
 /* FXL_VERTEX_UNPROJECTED, FXL_PLANES_ALL, some of fxl_depth_drawn and of fxl_clip_result */
 #define PLANES_ALL         0x3F

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_paint_colour_run, fxl_paint_lit_columns, fxl_paint_unlit_columns and fxl_paint_texel_list for Armv7-M
  * and Armv8-M Mainline. A run takes 7 instructions a pixel, and 2 for each eight of them; compilers take 9. A
- * lit texel takes 33, of the palette 35, and 7 less if the dark colour is 0; a segment of them takes 95. An
+ * lit texel takes 33, of the palette 35, and 9 less if the dark colour is 0; a segment of them takes 95. An
  * added texel takes 14.5, another one without light 9 or 10, a segment of them 79; a run takes 88, and 12 more if it is lit. */
 #include "../math/family.h"
 #include "black_texels_armv7m.h"
@@ -76,7 +76,8 @@ fxl_paint_colour_run:
 #define LIT_RUN        28
 #define LIT_PIXELS     32 /* of column 0 */
 #define LIT_X          36 /* the next column, then the last one plus 1 */
-#define LIT_FRAME      44
+#define LIT_MASKS      44
+#define LIT_FRAME      52
 
 /* The number of an attribute at the segment's end, and the attribute in \value. r3: the reciprocal of the
  * weight, r12: the weight's zeros; r11: gathers the drops. */
@@ -215,7 +216,7 @@ fxl_paint_colour_run:
     .type fxl_paint_lit_columns, %function
     .thumb_func
 
-/* A texel in r0, and the part of it in r1. Overwrites r2. */
+/* A texel in r0, and the part of it in r1, as of light_row.h. Overwrites r2. */
     .macro  find_lit wide
     .if     \wide == 0
     ldr     r1, [sp, #LIT_PALETTE]
@@ -239,10 +240,24 @@ fxl_paint_colour_run:
     b       .Lpainted1
     .endm
 
+/* The same, of which r12 is the part of a level, times 2^8, and the masks are in the frame. r11: HALF_STEPS. */
     .macro  paint_black text, wide
 .Llit\text:
-    find_lit \wide
-    mix_black
+    ldrd    r0, r1, [sp, #LIT_MASKS]
+    and     r0, r0, r4, lsr #16
+    and     r1, r1, r5, lsr #16
+    add     r0, r0, r1
+    .if     \wide
+    ldrh    r0, [r7, r0, lsl #1]
+    .else
+    ldr     r1, [sp, #LIT_PALETTE]
+    ldrb    r0, [r7, r0]
+    ldrh    r0, [r1, r0, lsl #1]
+    .endif
+    bic     r1, r6, #255
+    umull   r2, r1, r1, r12
+    add     r1, r1, r2, lsr #31
+    mix_black r11
     keep_lit \text
     .endm
 
@@ -272,16 +287,20 @@ fxl_paint_colour_run:
 
 fxl_paint_lit_columns:
     next_segment 1
-    str     lr, [sp, #LIT_END]
     ldr     r1, [sp, #LIT_RED_STEP]
     ldr     r2, [sp, #LIT_GREEN_STEP]
     orrs    r1, r1, r2
     bne     .Llit_dark
+    strd    r11, r12, [sp, #LIT_MASKS]
+    ldr     r12, [sp, #LIT_PART]
+    mov     r11, #HALF_STEPS
+    lsl     r12, r12, #8
     cmp     r0, #0
     beq     .Llit_wide
     paint_black _narrow, 0
     paint_black _wide, 1
 .Llit_dark:
+    str     lr, [sp, #LIT_END]
     cmp     r0, #0
     beq     .Llit_dark_wide
     paint_lit _dark_narrow, 0

@@ -338,13 +338,12 @@ typedef struct {
     uint16_t *cells;         /* of the band */
     uintptr_t pixels;        /* as of fxl_depth_outline: of the cell after the pixel's */
     const uint8_t *texels;
+    uint32_t part_of_level;           /* 0: unlit */
     const uint16_t *palette;          /* of texels of 8 bits */
     uint32_t columns_mask, rows_mask; /* of u / 2^24, and of v / 2^16 */
-    uint32_t part_of_level;           /* 0: unlit */
     uint32_t kind;                    /* FXL_TEXELS_WIDE, _LIT, _BENT, _BLACK */
     fxl_mixture_565 mixture;          /* of the colour 0 */
-    uint32_t end, resume;             /* the kernel's own, as the next three, of the rest of a row */
-    uint32_t rest_resume, rest_code, rest_end;
+    uint32_t end;                     /* the kernel's own */
     uint32_t border;                  /* fxl_depth_border */
     bool or_equal;
 } fxl_texel_outline;

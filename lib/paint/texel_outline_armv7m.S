@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_draw_texel_outline for Armv7-M and Armv8-M Mainline. lib/paint/smooth_outline.h states what it
- * requires and does; lib/paint/texel_outline.c paints the same pixels, by paint_any. A triangle takes 110
- * instructions, and a row 48, before the pixels; a visible pixel 21, with light 38, and 34 if the dark colour
- * is 0; a hidden one 9 or 10. */
+ * requires and does; lib/paint/texel_outline.c paints the same pixels, by paint_any. A triangle takes 105
+ * instructions, and a row 46, before the pixels; a visible texel of 16 bits 20, with light 37, and 30 if the dark
+ * colour is 0; one of the palette 21, 38 and 32; a hidden one 9 or 10. */
 #include "../math/family.h"
 
 #if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
@@ -16,6 +16,31 @@
 
     .syntax unified
     .thumb
+
+/* The stack frame. An outline is drawn as triangles from its first point on. The points of each are taken from the
+ * highest one, T, on: T, N, P. r0-r11, from 0 on, are the
+ * changes of the edge functions from column to column and row to row, their values in column
+ * FRAME_COLUMN - 1 of a row, the outline, the row and its first cell:
+ *
+ *         column  row  value
+ *   T-N   r10     r5   r8
+ *   N-P   r11     r6   r2
+ *   P-T   r0      r4   r7
+ */
+#define FRAME_ROW      4
+#define FRAME_OF       12
+#define FRAME_FIRST    48 /* of an outline: its first point, and the second one of the triangle */
+#define FRAME_POINT    52
+#define FRAME_BAND     56
+#define FRAME_ANSWER   60
+#define FRAME_END      64 /* the last row plus 1; then bytes of a row of cells */
+#define FRAME_COLUMN   72
+#define FRAME_RESUME   76 /* what follows the pixels */
+#define FRAME_LEFT     80 /* triangles of an outline from this one on, negated; 0: it is one triangle */
+#define FRAME_REST     84 /* the rest of a row: what follows it, and its code */
+#define FRAME_REST_END 92
+#define FRAME_LIT      92 /* what pixels need that black is mixed with, as in the outline but for the cells */
+#define FRAME_SIZE     120
 
     .section .text.fxl_draw_texel_outline, "ax", %progbits
     .global fxl_draw_texel_outline
@@ -32,8 +57,8 @@
     .endm
 
 /* r0: the place of the texel. r4, r5: u, v. Overwrites r1. */
-    .macro  find_place
-    ldrd    r0, r1, [lr, #OF(MASKS)]
+    .macro  find_place of=lr, more=0
+    ldrd    r0, r1, [\of, #OF(MASKS) + \more]
     and     r0, r0, r4, lsr #24
     and     r1, r1, r5, lsr #16
     add     r0, r0, r1
@@ -48,8 +73,10 @@
 
 /* Pixels without light. r2: to the pixel, r6: texels, r10: palette, r12: the end of the cells. */
     .macro  paint_row text, wide
-    ldrd    r6, r10, [lr, #OF(TEXELS)]
-    ldr     r2, [lr, #OF(PIXELS)]
+    ldrd    r2, r6, [lr, #OF(PIXELS)]
+    .if     \wide == 0
+    ldr     r10, [lr, #OF(PALETTE)]
+    .endif
 .Lpixel\text:
     test_pixel \text
     find_place
@@ -63,22 +90,24 @@
     next_pixel \text
     cmp     r11, r12
     blo     .Lpixel\text
-    ldr     pc, [lr, #OF(RESUME)]
+    ldr     pc, [sp, #FRAME_RESUME]
     .endm
 
 /* The texel in r0 and the part of it in r1, of lit pixels; r6: light, r10: its step. */
-    .macro  find_lit_texel text, wide
+    .macro  find_lit_texel text, wide, of=lr, more=0
     test_pixel \text
-    find_place
-    ldrd    r1, r2, [lr, #OF(TEXELS)]
+    find_place \of, \more
     .if     \wide
+    ldrd    r1, r2, [\of, #OF(TEXELS) + \more]
     ldrh    r0, [r1, r0, lsl #1]
+    umull   r2, r1, r6, r2
     .else
+    ldr     r1, [\of, #OF(TEXELS) + \more]
     ldrb    r0, [r1, r0]
+    ldrd    r1, r2, [\of, #OF(PART_OF_LEVEL) + \more]
     ldrh    r0, [r2, r0, lsl #1]
-    .endif
-    ldr     r1, [lr, #OF(PART_OF_LEVEL)]
     umull   r2, r1, r6, r1
+    .endif
     .endm
 
 /* On to the next one. */
@@ -87,7 +116,7 @@
     add     r6, r6, r10
     cmp     r11, r12
     blo     .Lpixel\text
-    ldr     pc, [lr, #OF(RESUME)]
+    ldr     pc, [sp, #FRAME_RESUME]
     .endm
 
 /* The end of the cells, r12, is in the record too. */
@@ -120,10 +149,11 @@
 
 /* The same where the dark colour is 0. */
     .macro  paint_black_row text, wide
+    mov     lr, #HALF_STEPS
 .Lpixel\text:
-    find_lit_texel \text, \wide
-    mix_black
-    ldr     r1, [lr, #OF(PIXELS)]
+    find_lit_texel \text, \wide, sp, FRAME_LIT
+    mix_black lr
+    ldr     r1, [sp, #FRAME_LIT + OF(PIXELS)]
     strh    r0, [r11, r1]
     next_lit_pixel \text
     .endm
@@ -131,41 +161,18 @@
 /* Triangles with so many rows at most. */
 #define ROWS_MAX 64
 
-/* The stack frame. An outline is drawn as triangles from its first point on. The points of each are taken from the
- * highest one, T, on: T, N, P. r0-r11, from 0 on, are the
- * changes of the edge functions from column to column and row to row, their values in column
- * FRAME_COLUMN - 1 of a row, the outline, the row and its first cell:
- *
- *         column  row  value
- *   T-N   r10     r5   r1
- *   N-P   r11     r6   r2
- *   P-T   r0      r4   r7
- */
-#define FRAME_ROW    32
-#define FRAME_FIRST  48 /* the first point */
-#define FRAME_POINT  52 /* the last one of the triangle; then that of the outline */
-#define FRAME_END    60 /* the last row plus 1; then bytes of a row of cells */
-#define FRAME_COLUMN 68
-#define FRAME_BAND   72
-#define FRAME_ANSWER 76
-#define FRAME_SIZE   80
-
 /* r0: points, r1: count, r2: band, r3: outline; returns whether it was drawn. What is drawn twice
  * stays as it is, so an outline may be left to others after some of its triangles. */
 fxl_draw_texel_outline:
     push    {r4-r11, lr}
     sub     sp, sp, #FRAME_SIZE
-    add     r12, r0, r1, lsl #3
-    sub     r12, r12, #8
-    str     r2, [sp, #FRAME_BAND]
-    str     r0, [sp, #FRAME_FIRST]
-    str     r12, [sp, #FRAME_POINT + 4]
-    movs    r4, #DEPTH_NO_ROW
-    str     r4, [sp, #FRAME_ANSWER]
-    adr     r4, .Lnext_row
-    adds    r4, r4, #1              /* Thumb */
-    str     r4, [r3, #TEXEL_OUTLINE_RESUME]
-    cmp     r1, #3
+    add     r12, r3, #TEXEL_OUTLINE_PIXELS
+    ldm     r12, {r4-r9}
+    add     r12, sp, #FRAME_LIT + OF(PIXELS)
+    stm     r12, {r4-r9}
+    adr     r4, .Lnext_row + 1
+    subs    r5, r1, #3
+    strd    r4, r5, [sp, #FRAME_RESUME]
     add     r1, r0, #8
     bne     .Lfan
 
@@ -176,7 +183,6 @@ fxl_draw_texel_outline:
     ldrd    r4, r5, [r0]
     ldrd    r6, r7, [r1], #8
     ldrd    r8, r9, [r1]
-    str     r1, [sp, #FRAME_POINT]
     add     r1, lr, #1
     lsl     r1, r1, #16
     add     r10, r4, r11
@@ -266,8 +272,9 @@ fxl_draw_texel_outline:
     cmpne   r0, #0
     beq     .Llevel_edge
 .Lhave_edges:
+    mov     r8, r1
     mov     r9, lr
-    ldr     r8, [sp, #FRAME_ROW]
+    ldr     r1, [sp, #FRAME_ROW]
     stm     sp, {r0-r11}
 
     /* A row. T-N is a right edge, P-T a left one, and N-P the second of either kind. Where there is one of a kind, the
@@ -279,19 +286,17 @@ fxl_draw_texel_outline:
     bgt     .Ltwo_left
     mvn     r5, r7
     udiv    r5, r5, r0              /* columns outside of left edges, less 1 */
-    sdiv    r4, r1, r10             /* columns inside of right edges, less 1, negated */
+    sdiv    r4, r8, r10             /* columns inside of right edges, less 1, negated */
     sdiv    r6, r2, r11
     cmp     r4, r6
     it      lt
     movlt   r4, r6
 .Lspan:
     adds    r0, r4, r5
-    bpl     .Lnext_row              /* no pixel */
-    rsb     r0, r0, #0              /* pixels */
+    bpl     .Lnext_row              /* no pixel; r0: pixels, negated */
     ldr     r2, [sp, #FRAME_COLUMN]
     add     r2, r2, r5              /* the first one's column */
     add     r11, r9, r2, lsl #1
-    mov     r1, r8
     add     lr, r3, #TEXEL_OUTLINE_ALONG
     ldm     r3, {r3-r10}            /* code, u, v, light, and what a row adds */
     mla     r3, r7, r1, r3
@@ -303,7 +308,7 @@ fxl_draw_texel_outline:
     mla     r4, r8, r2, r4
     mla     r5, r9, r2, r5
     mla     r6, r10, r2, r6
-    add     r12, r11, r0, lsl #1
+    sub     r12, r11, r0, lsl #1
     ldr     r1, [lr, #OF(KIND)]
 .Lkind:
     tbh     [pc, r1, lsl #1]
@@ -313,7 +318,7 @@ fxl_draw_texel_outline:
     .endr
 
     /* Codes have a border: those below it, of pixels beyond it, are doubled. Where the row crosses it, r2 pixels are
-     * drawn first, and then the rest, likewise. r0: pixels, r3-r12: as the loops have them. */
+     * drawn first, and then the rest, likewise. r0: pixels, negated, r3-r12: as the loops have them. */
 .Lkind_bent:
     ldr     r1, [lr, #OF(BORDER)]
     subs    r2, r3, r1
@@ -325,16 +330,15 @@ fxl_draw_texel_outline:
     ble     .Lone_side
     udiv    r2, r2, r1
     add     r2, r2, #1
-    cmp     r2, r0
+    cmn     r2, r0
     bhs     .Lone_side
-    str     r12, [lr, #OF(REST_END)]
+    str     r12, [sp, #FRAME_REST_END]
     add     r12, r11, r2, lsl #1
     mla     r2, r7, r2, r3
-    ldr     r1, [lr, #OF(RESUME)]
-    strd    r1, r2, [lr, #OF(REST_RESUME)]
-    adr     r1, .Lrest
-    adds    r1, r1, #1              /* Thumb */
-    str     r1, [lr, #OF(RESUME)]
+    ldr     r1, [sp, #FRAME_RESUME]
+    strd    r1, r2, [sp, #FRAME_REST]
+    adr     r1, .Lrest + 1
+    str     r1, [sp, #FRAME_RESUME]
 .Lone_side:
     ldr     r1, [lr, #OF(BORDER)]
     subs    r2, r3, r1
@@ -345,13 +349,16 @@ fxl_draw_texel_outline:
     bic     r1, r1, #4
     b       .Lkind
 
+    .align  2
 .Lrest:
-    ldrd    r1, r3, [lr, #OF(REST_RESUME)] /* and the code */
-    str     r1, [lr, #OF(RESUME)]
+    ldrd    r1, r3, [sp, #FRAME_REST] /* and the code */
+    str     r1, [sp, #FRAME_RESUME]
+    ldr     lr, [sp, #FRAME_OF]
+    add     lr, lr, #TEXEL_OUTLINE_CELLS
     ldr     r7, [lr, #OF(ALONG)]
-    ldr     r12, [lr, #OF(REST_END)]
-    sub     r0, r12, r11
-    lsr     r0, r0, #1
+    ldr     r12, [sp, #FRAME_REST_END]
+    sub     r0, r11, r12
+    asr     r0, r0, #1
     b       .Lkind_bent
 
 .Lkind0:
@@ -377,16 +384,17 @@ fxl_draw_texel_outline:
     cmp     r5, r6
     it      lo
     movlo   r5, r6
-    sdiv    r4, r1, r10
+    sdiv    r4, r8, r10
     b       .Lspan
 
+    .align  2
 .Lnext_row:
     ldm     sp, {r0-r11}
     ldrd    r12, lr, [sp, #FRAME_END]
-    add     r8, r8, #1
-    cmp     r8, r12
+    adds    r1, r1, #1
+    cmp     r1, r12
     beq     .Lrows_done
-    add     r1, r1, r5
+    add     r8, r8, r5
     add     r2, r2, r6
     add     r7, r7, r4
     add     r9, r9, lr
@@ -394,28 +402,34 @@ fxl_draw_texel_outline:
     b       .Lrow
 
 .Lrows_done:
+    ldr     r1, [sp, #FRAME_LEFT]
     movs    r0, #1
-    ldrd    r1, r12, [sp, #FRAME_POINT]
-    cmp     r1, r12
-    beq     .Lreturn
+    cbnz    r1, .Ldrawn
+.Lreturn:
+    add     sp, sp, #FRAME_SIZE
+    pop     {r4-r11, pc}
+
+.Ldrawn:
     str     r0, [sp, #FRAME_ANSWER]
 .Ltriangle_done:
-    ldrd    r1, r12, [sp, #FRAME_POINT]
-    cmp     r1, r12
-    beq     .Ldone
-    ldr     r0, [sp, #FRAME_FIRST]
+    ldr     r1, [sp, #FRAME_LEFT]
+    movs    r0, #DEPTH_NO_ROW
+    cmp     r1, #0
+    beq     .Lreturn
+    adds    r1, r1, #1
+    str     r1, [sp, #FRAME_LEFT]
+    ldr     r0, [sp, #FRAME_ANSWER]
+    beq     .Lreturn
+    ldrd    r0, r1, [sp, #FRAME_FIRST]
     ldr     r2, [sp, #FRAME_BAND]
+    adds    r1, r1, #8
+    str     r1, [sp, #FRAME_POINT]
     b       .Ltriangle
 
 .Lsmall_not:                        /* it does not go clockwise, or has hardly any area */
 .Lnot_drawn:
     movs    r0, #DEPTH_NOT_DRAWN
     b       .Lreturn
-.Ldone:
-    ldr     r0, [sp, #FRAME_ANSWER]
-.Lreturn:
-    add     sp, sp, #FRAME_SIZE
-    pop     {r4-r11, pc}
 
     /* An edge that crosses no centre's row leaves no column out. */
 .Llevel_edge:
@@ -438,6 +452,13 @@ fxl_draw_texel_outline:
 
     /* More than three points: a pixel is drawn if the outline winds around it, where all triangles go clockwise. */
 .Lfan:
+    mvn     r5, r5                  /* 2 - count */
+    movs    r4, #DEPTH_NO_ROW
+    strd    r2, r4, [sp, #FRAME_BAND]
+    str     r5, [sp, #FRAME_LEFT]
+    strd    r0, r1, [sp, #FRAME_FIRST]
+    sub     r12, r1, r5, lsl #3     /* the last point */
+.Lnext_corner:
     ldrd    r4, r5, [r0]
     ldrd    r6, r7, [r1], #8
     ldrd    r8, r9, [r1]
@@ -450,7 +471,7 @@ fxl_draw_texel_outline:
     cmp     r11, #0
     blt     .Lnot_drawn
     cmp     r1, r12
-    bne     .Lfan
+    bne     .Lnext_corner
     add     r1, r0, #8
     b       .Ltriangle
 
