@@ -91,8 +91,8 @@ bool portable_find_smooth_planes(const fxl_screen_corners *corners, const fxl_le
                                  fxl_depth_plane *depth);
 
 int32_t portable_find_texel_planes(const fxl_screen_corners *corners, const fxl_words_lens *lens,
-                                   int32_t (*values)[3], fxl_texel_planes *planes, uint32_t count,
-                                   bool is_affine);
+                                   const fxl_corner *const of[3], fxl_texel_planes *planes,
+                                   const int32_t *light, bool is_affine);
 
 void portable_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 

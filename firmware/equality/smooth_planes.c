@@ -63,29 +63,36 @@ static void any_light(int32_t light[3])
     }
 }
 
-/* u and v of three corners, mostly within 128 texels, and light. */
-static void any_values(int32_t (*values)[3])
+/* A value near the first one, or of one of so many bits. */
+static int32_t value_near(int32_t first, uint32_t bits)
+{
+    const int32_t change = (int32_t)any_size(bits);
+    return first + (any_below(2) != 0 ? change : -change);
+}
+
+/* u and v of three corners, mostly within 128 texels. */
+static void any_texels(fxl_corner corners[3])
 {
     const uint32_t bits = any_below(8) != 0 ? 23u : 30u;
-    for (uint32_t i = FXL_ATTRIBUTE_U; i <= FXL_ATTRIBUTE_V; i++) {
-        const int32_t first = (int32_t)any_32() >> 2;
-        for (uint32_t k = 0; k < 3; k++) {
-            const int32_t change = (int32_t)any_size(bits);
-            values[i][k] = first + (any_below(2) != 0 ? change : -change);
-        }
+    const int32_t u = (int32_t)any_32() >> 2, v = (int32_t)any_32() >> 2;
+    for (uint32_t i = 0; i < 3; i++) {
+        corners[i].texel.u = value_near(u, bits);
+        corners[i].texel.v = value_near(v, bits);
     }
-    any_light(values[FXL_SEGMENT_LIGHT]);
 }
 
 static bool has_same_texels(const fxl_screen_corners *corners, const fxl_words_lens *lens)
 {
     fxl_texel_planes core = {{0}, {0}, {0}}, portable = core;
-    int32_t values[FXL_ATTRIBUTES][3];
-    const uint32_t count = 2u + any_below(2);
+    fxl_corner with[3];
+    int32_t values[3];
+    const fxl_corner *const of[3] = {&with[0], &with[1], &with[2]};
+    const int32_t *const light_of = any_below(2) != 0 ? values : NULL;
     const bool is_affine = any_below(4) == 0;
-    any_values(values);
-    const int32_t one = fxl_find_texel_planes(corners, lens, values, &core, count, is_affine);
-    return one == portable_find_texel_planes(corners, lens, values, &portable, count, is_affine) &&
+    any_texels(with);
+    any_light(values);
+    const int32_t one = fxl_find_texel_planes(corners, lens, of, &core, light_of, is_affine);
+    return one == portable_find_texel_planes(corners, lens, of, &portable, light_of, is_affine) &&
            (one == 0 || equality_same_words(&core, &portable, sizeof core));
 }
 

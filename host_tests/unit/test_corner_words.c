@@ -138,28 +138,38 @@ static bool is_found_unlit(int32_t (*values)[3], bool is_found, const fxl_gradie
     return is_unlit && !is_found;
 }
 
+/* fxl_find_texel_planes of corners with such values. */
+static int32_t planes_of(int32_t (*values)[3], fxl_texel_planes *planes, bool is_affine)
+{
+    const fxl_words_lens lens = fxl_words_lens_of(&triangle.view.lens);
+    fxl_corner corners[3];
+    for (uint32_t i = 0; i < 3; i++) {
+        corners[i].texel.u = values[FXL_ATTRIBUTE_U][i];
+        corners[i].texel.v = values[FXL_ATTRIBUTE_V][i];
+    }
+    const fxl_corner *const of[3] = {&corners[0], &corners[1], &corners[2]};
+    return fxl_find_texel_planes(&triangle.corners, &lens, of, planes, values[FXL_SEGMENT_LIGHT],
+                                 is_affine);
+}
+
 /* The same planes from the corners, in one call. */
 static void check_texel_planes(int32_t (*values)[3], bool is_found, const fxl_gradients *gradients,
                                const fxl_depth_plane *plane)
 {
-    const fxl_words_lens lens = fxl_words_lens_of(&triangle.view.lens);
     fxl_texel_planes expected, found;
-    const int32_t one = fxl_find_texel_planes(&triangle.corners, &lens, values, &found, 3, false);
+    const int32_t one = planes_of(values, &found, false);
     TEST_ASSERT_EQUAL_INT32(is_found ? plane->one : 0, one);
     if (is_found) {
         fxl_texel_words_of(gradients, plane, &expected);
         TEST_ASSERT_EQUAL_MEMORY(&expected, &found, sizeof expected);
         values[FXL_ATTRIBUTE_V][2] += 192 << 16;
-        TEST_ASSERT_EQUAL_INT32(0, fxl_find_texel_planes(&triangle.corners, &lens, values, &found,
-                                                         3, true));
+        TEST_ASSERT_EQUAL_INT32(0, planes_of(values, &found, true));
         values[FXL_ATTRIBUTE_V][2] -= 192 << 16;
         triangle.corners.is_triangle = false;
-        TEST_ASSERT_EQUAL_INT32(
-            0, fxl_find_texel_planes(&triangle.corners, &lens, values, &found, 3, false));
+        TEST_ASSERT_EQUAL_INT32(0, planes_of(values, &found, false));
         triangle.corners.is_triangle = true;
         triangle.corners.width += FXL_SMALL_SIDE_MAX;
-        TEST_ASSERT_EQUAL_INT32(
-            0, fxl_find_texel_planes(&triangle.corners, &lens, values, &found, 3, false));
+        TEST_ASSERT_EQUAL_INT32(0, planes_of(values, &found, false));
         triangle.corners.width -= FXL_SMALL_SIDE_MAX;
     }
 }

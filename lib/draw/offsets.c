@@ -286,6 +286,9 @@ AT(fxl_colour_outline, green_step, COLOUR_OUTLINE_GREEN_STEP);
 AT(fxl_colour_outline, border, COLOUR_OUTLINE_BORDER);
 AT(fxl_colour_outline, cells, COLOUR_OUTLINE_CELLS);
 
+AT(fxl_corner, texel.u, CORNER_TEXEL);
+AT(fxl_corner, texel.v, CORNER_TEXEL + 4);
+
 AT(fxl_texel_outline, planes.at, 0);
 AT(fxl_texel_outline, planes.down, TEXEL_OUTLINE_DOWN);
 AT(fxl_texel_outline, planes.along, TEXEL_OUTLINE_ALONG);

@@ -46,30 +46,21 @@ static inline void begin_texels(const fxl_surfaces *surfaces, const fxl_surface 
                           : 0;
 }
 
-/* The values of the corners, and whether light is the same at all of them. Returns how many
- * attributes they are. */
-static inline uint32_t find_texel_values(const fxl_surfaces *surfaces, const fxl_surface *surface,
-                                         const fxl_corner *const of[3],
-                                         const fxl_instance *instance,
-                                         const fxl_renderer *renderer,
-                                         fxl_corner_light *corner_light, int32_t (*values)[3],
-                                         fxl_paint *paint)
+/* Light at the corners, in `values`, and whether it is the same at all of them. Returns false if it is no
+ * attribute. */
+static inline bool find_texel_light(const fxl_surfaces *surfaces, const fxl_surface *surface,
+                                    const fxl_corner *const of[3], const fxl_instance *instance,
+                                    const fxl_renderer *renderer, fxl_corner_light *corner_light,
+                                    int32_t values[3], fxl_paint *paint)
 {
-    values[FXL_ATTRIBUTE_U][0] = of[0]->texel.u;
-    values[FXL_ATTRIBUTE_V][0] = of[0]->texel.v;
-    values[FXL_ATTRIBUTE_U][1] = of[1]->texel.u;
-    values[FXL_ATTRIBUTE_V][1] = of[1]->texel.v;
-    values[FXL_ATTRIBUTE_U][2] = of[2]->texel.u;
-    values[FXL_ATTRIBUTE_V][2] = of[2]->texel.v;
     paint->is_evenly_lit = false;
     if (!fxl_surface_is_lit(surfaces, surface)) {
-        return FXL_SEGMENT_LIGHT;
+        return false;
     }
-    int32_t *light = values[FXL_SEGMENT_LIGHT];
-    corner_light(surfaces, renderer, of, light, instance);
-    paint->is_evenly_lit = light[0] == light[1] && light[0] == light[2];
-    paint->light = (uint16_t)(light[0] >> 8);
-    return paint->is_evenly_lit ? FXL_SEGMENT_LIGHT : FXL_SEGMENT_LIGHT + 1u;
+    corner_light(surfaces, renderer, of, values, instance);
+    paint->is_evenly_lit = values[0] == values[1] && values[0] == values[2];
+    paint->light = (uint16_t)(values[0] >> 8);
+    return !paint->is_evenly_lit;
 }
 
 /* Such a triangle, inside all planes. FXL_DEPTH_NOT_DRAWN if its planes are no words: then nothing is
@@ -82,12 +73,12 @@ draw_texel_corners(const fxl_surfaces *surfaces, const fxl_surface *surface,
 {
     fxl_workspace *workspace = traversal->workspace;
     const fxl_band *band = traversal->band;
-    int32_t values[FXL_ATTRIBUTES][3];
-    const uint32_t attributes =
-        find_texel_values(surfaces, surface, of, model_view->instance, traversal->renderer,
-                          corner_light, values, &run->paint);
+    int32_t light[3];
+    const bool has_light =
+        find_texel_light(surfaces, surface, of, model_view->instance, traversal->renderer,
+                         corner_light, light, &run->paint);
     const int32_t one = fxl_find_texel_planes(
-        corners, lens, values, &run->outline.planes, attributes,
+        corners, lens, of, &run->outline.planes, has_light ? light : NULL,
         surface->division == FXL_AFFINE && fxl_corners_are_on_screen(corners, lens->lens));
     if (one == 0) {
         return FXL_DEPTH_NOT_DRAWN;

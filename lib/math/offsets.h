@@ -276,6 +276,9 @@
 #define COLOUR_OUTLINE_BORDER     52
 #define COLOUR_OUTLINE_CELLS      56
 
+/* fxl_corner */
+#define CORNER_TEXEL 0
+
 /* fxl_texel_outline */
 #define TEXEL_OUTLINE_DOWN          16
 #define TEXEL_OUTLINE_ALONG         32

@@ -288,12 +288,19 @@ bool fxl_find_texels(const fxl_corner_planes *planes, int32_t (*values)[3], uint
 #if !FXL_KERNELS_ARMV7M || FXL_IS_COMPACT
 
 int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_words_lens *lens,
-                              int32_t (*values)[3], fxl_texel_planes *texels, uint32_t count,
-                              bool is_affine)
+                              const fxl_corner *const of[3], fxl_texel_planes *texels,
+                              const int32_t *light, bool is_affine)
 {
+    int32_t values[FXL_ATTRIBUTES][3];
+    const uint32_t count = light != NULL ? FXL_SEGMENT_LIGHT + 1u : FXL_SEGMENT_LIGHT;
     fxl_corner_planes planes;
     fxl_gradients gradients;
     fxl_depth_plane depth;
+    for (uint32_t i = 0; i < 3; i++) {
+        values[FXL_ATTRIBUTE_U][i] = of[i]->texel.u;
+        values[FXL_ATTRIBUTE_V][i] = of[i]->texel.v;
+        values[FXL_SEGMENT_LIGHT][i] = light != NULL ? light[i] : 0;
+    }
     if (!corners->is_triangle || !fxl_has_few_texels(values) ||
         !fxl_corner_planes_begin(corners, lens->lens, FXL_TEXELS_SIDE_MAX, &planes) ||
         !fxl_find_texels(&planes, values, count, is_affine, &gradients, &depth)) {

@@ -29,14 +29,13 @@
     smull   r7, \edge, \edge, r6
     .endm
 
-/* \most and \least become those of 0 and of what two values have more than a third one. */
+/* \most and \least become those of 0 and of what two values have more than a third one. Values are from 0 to
+ * 2^31, or differ by less than 2^23: no difference of two wraps. */
     .macro ends_of_differences most, least, d1, d2
-    cmp     \d1, \d2
-    ittee   gt
-    movgt   \most, \d1
-    movgt   \least, \d2
-    movle   \most, \d2
-    movle   \least, \d1
+    sub     \least, \d1, \d2
+    and     \least, \least, \least, asr #31
+    sub     \most, \d1, \least
+    add     \least, \d2, \least
     bic     \most, \most, \most, asr #31
     and     \least, \least, \least, asr #31
     .endm
@@ -124,13 +123,19 @@
     b       .Lbalanced_light
     .endm
 
-/* The words of attribute \number; chord: a macro that leaves the product of the least weight, r7, and
+/* The words of attribute \number, of light those of the values at r7; chord: a macro that leaves the product of the least weight, r7, and
  * four times what the chord may be off by in r7 and lr. r1: the drop; r3, r6: x, y; r8-r11: the
  * coefficients. Overwrites the others. */
     .macro texel_words number, chord, has_texels
+    .if     \has_texels
     ldr     r7, [sp, #VALUES]
-    ldrd    r0, r2, [r7, #12 * \number]
-    ldr     r5, [r7, #12 * \number + 8]
+    ldm     r7, {r0, r2, r5}
+    ldr     r0, [r0, #CORNER_TEXEL + 4 * \number]
+    ldr     r2, [r2, #CORNER_TEXEL + 4 * \number]
+    ldr     r5, [r5, #CORNER_TEXEL + 4 * \number]
+    .else
+    ldm     r7, {r0, r2, r5}
+    .endif
     sub     r2, r2, r0
     sub     r5, r5, r0
     .if     \has_texels
@@ -166,7 +171,7 @@
     lsl     r7, r7, #16
     .endm
 
-/* Code r0 and its changes r2, r5, texels, and light where it is a third attribute. Where the face is
+/* Code r0 and its changes r2, r5, texels, and light where there are values of it. Where the face is
  * affine its weights count as equal. */
     .macro find_texels
     ldr     r7, [sp, #WORDS]
@@ -181,9 +186,9 @@
     sub     r1, r1, #8
     texel_words 0, chord_of_texels, 1
     texel_words 1, chord_of_texels, 1
-    ldr     r0, [sp, #COUNT]
-    cmp     r0, #3
-    bne     .Lhave_words
+    ldr     r7, [sp, #TEXEL_LIGHT]
+    cmp     r7, #0
+    beq     .Lhave_words
     texel_words 2, chord_of_light, 0
 .Lhave_words:
     ldr     r0, [sp, #CROSSED]
