@@ -36,8 +36,7 @@ static FXL_ONE_COPY uint32_t find_values(const fxl_surfaces *surfaces,
         count = 2;
     }
     if (fxl_surface_is_lit(surfaces, surface)) {
-        surfaces->light_code->light_corners(surfaces, traversal->renderer, corners, values[count],
-                                            model_view->instance);
+        surfaces->light_code->light_corners(model_view, traversal, corners, values[count]);
         count++;
     }
     return count;
@@ -177,9 +176,9 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     const bool has_planes =
         is_projected &&
         fxl_corner_planes_begin(&on_screen, &view->lens,
-                                has_colours                            ? FXL_COLOURS_SIDE_MAX
+                                has_colours                              ? FXL_COLOURS_SIDE_MAX
                                 : may_have_words && texture->levels == 1 ? FXL_TEXELS_SIDE_MAX
-                                                                       : FXL_SMALL_SIDE_MAX,
+                                                                         : FXL_SMALL_SIDE_MAX,
                                 &planes);
     const bool is_small = has_planes && !planes.is_for_words;
     const bool is_affine = has_planes && surface->division == FXL_AFFINE &&
@@ -194,9 +193,9 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     bool is_in_words = false, is_done = is_found;
     polygon->level = 0;
     if (!is_done && has_few && has_planes && surface->division != FXL_DIVIDE_1) {
-        polygon->level =
-            find_small(texture, model_view, face, of, traversal, may_have_words ? find_texels : NULL,
-                       &planes, &corners, is_affine, polygon, &is_in_words);
+        polygon->level = find_small(texture, model_view, face, of, traversal,
+                                    may_have_words ? find_texels : NULL, &planes, &corners,
+                                    is_affine, polygon, &is_in_words);
         is_done = is_small || is_in_words;
     }
     if (!is_done) {

@@ -33,10 +33,12 @@ static void place_corner(const fxl_scene *scene, const fxl_instance *instance, u
 /* Only point lights and fog need the places of corners. fxl_placement_code turns the normal of a
  * face. */
 /* SPEC 9.7, surfaces 5.1 */
-static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
-                          const fxl_corner *const corners[3], int32_t values[3],
-                          const fxl_instance *instance)
+static void light_corners(const fxl_model_view *model_view, const fxl_traversal *traversal,
+                          const fxl_corner *const corners[3], int32_t values[3])
 {
+    const fxl_renderer *renderer = traversal->renderer;
+    const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)renderer->shader;
+    const fxl_instance *instance = model_view->instance;
     const fxl_light_settings *settings = &surfaces->light->settings;
     const fxl_direction *normals = surfaces->set->normals;
     const fxl_scene *scene = renderer->scene;
@@ -65,30 +67,27 @@ static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *rend
 
 #if FXL_DRAWS_SMOOTH_OUTLINES
 
-static void light_plain_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
-                                const fxl_corner *const corners[3], int32_t values[3],
-                                const fxl_instance *instance)
-{
-    (void)renderer;
-    (void)instance;
-    fxl_light_corners_of(&surfaces->light->settings, surfaces->set->normals, corners, values);
-}
-
-static fxl_corner_light *corner_light_of(const fxl_surfaces *surfaces, const fxl_scene *scene)
+static fxl_kept_lights *kept_lights(const fxl_surfaces *surfaces, const fxl_traversal *traversal)
 {
     const fxl_light_settings *settings = &surfaces->light->settings;
-    return scene->placements == NULL && settings->point_count == 0 && settings->fog_far == 0
-               ? light_plain_corners
-               : light_corners;
+    fxl_workspace *workspace = traversal->workspace;
+    fxl_kept_lights *kept = (fxl_kept_lights *)(void *)(&workspace->work.scan + 1);
+    if (sizeof(fxl_scan) + sizeof *kept > sizeof workspace->work ||
+        traversal->renderer->scene->placements != NULL || settings->point_count != 0 ||
+        settings->fog_far != 0) {
+        return NULL;
+    }
+    fxl_kept_lights_begin(kept);
+    return kept;
 }
 
-#define CORNER_LIGHT_OF corner_light_of
+#define KEPT_LIGHT kept_lights, fxl_kept_light_find
 
 #else
-#define CORNER_LIGHT_OF NULL
+#define KEPT_LIGHT NULL, NULL
 #endif
 
-static const fxl_surface_light_code code = {light_corners, CORNER_LIGHT_OF};
+static const fxl_surface_light_code code = {light_corners, KEPT_LIGHT};
 
 /* surfaces 5.5 */
 fxl_status fxl_attach_lit(fxl_renderer *renderer, fxl_lit_surfaces *lit)

@@ -49,15 +49,16 @@ static inline void begin_texels(const fxl_surfaces *surfaces, const fxl_surface 
 /* Light at the corners, in `values`, and whether it is the same at all of them. Returns false if it is no
  * attribute. */
 static inline bool find_texel_light(const fxl_surfaces *surfaces, const fxl_surface *surface,
-                                    const fxl_corner *const of[3], const fxl_instance *instance,
-                                    const fxl_renderer *renderer, fxl_corner_light *corner_light,
+                                    const fxl_corner *const of[3],
+                                    const fxl_model_view *model_view,
+                                    const fxl_traversal *traversal, const run_light *lighting,
                                     int32_t values[3], fxl_paint *paint)
 {
     paint->is_evenly_lit = false;
     if (!fxl_surface_is_lit(surfaces, surface)) {
         return false;
     }
-    corner_light(surfaces, renderer, of, values, instance);
+    find_corner_light(surfaces, model_view, traversal, of, lighting, values);
     paint->is_evenly_lit = values[0] == values[1] && values[0] == values[2];
     paint->light = (uint16_t)(values[0] >> 8);
     return !paint->is_evenly_lit;
@@ -69,14 +70,13 @@ static inline __attribute__((always_inline)) fxl_depth_drawn
 draw_texel_corners(const fxl_surfaces *surfaces, const fxl_surface *surface,
                    const fxl_corner *const of[3], const fxl_screen_corners *corners,
                    const fxl_model_view *model_view, const fxl_traversal *traversal,
-                   const fxl_words_lens *lens, fxl_corner_light *corner_light, texel_run *run)
+                   const fxl_words_lens *lens, const run_light *lighting, texel_run *run)
 {
     fxl_workspace *workspace = traversal->workspace;
     const fxl_band *band = traversal->band;
     int32_t light[3];
     const bool has_light =
-        find_texel_light(surfaces, surface, of, model_view->instance, traversal->renderer,
-                         corner_light, light, &run->paint);
+        find_texel_light(surfaces, surface, of, model_view, traversal, lighting, light, &run->paint);
     const int32_t one = fxl_find_texel_planes(
         corners, lens, of, &run->outline.planes, has_light ? light : NULL,
         surface->division == FXL_AFFINE && fxl_corners_are_on_screen(corners, lens->lens));

@@ -12,6 +12,7 @@
 #include "fixel/surfaces.h"
 #include "../paint/corner_planes.h"
 #include "../paint/depth_row.h"
+#include "../paint/light_level.h"
 #include "../paint/paint.h"
 #include "../paint/smooth_outline.h"
 #include "../view/placement.h"
@@ -24,15 +25,16 @@ extern "C" {
 
 /* The light at the three vertices of a mapped face: levels of the ramp in 16.16, and a half, so that
  * rounding them down gives the nearest. From 32768 to levels - 1/2. */
-typedef void fxl_corner_light(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
-                              const fxl_corner *const corners[3], int32_t values[3],
-                              const fxl_instance *instance);
+typedef void fxl_corner_light(const fxl_model_view *model_view, const fxl_traversal *traversal,
+                              const fxl_corner *const corners[3], int32_t values[3]);
 
 /* What a renderer with lit surfaces links. */
 typedef struct fxl_surface_light_code {
-    fxl_corner_light *light_corners; /* of any scene */
-    /* The same, or what is shorter in a scene in which no corner needs a place or is turned. */
-    fxl_corner_light *(*corner_light_of)(const fxl_surfaces *surfaces, const fxl_scene *scene);
+    fxl_corner_light *light_corners;
+    /* Where light depends on normals alone: the light that is kept, of none yet. It is behind the scan of the
+     * workspace, until a face is cut or faces are sorted. Else null. */
+    fxl_kept_lights *(*kept_lights)(const fxl_surfaces *surfaces, const fxl_traversal *traversal);
+    fxl_kept_light_finder *find_kept;
 } fxl_surface_light_code;
 
 static inline bool fxl_surface_is_lit(const fxl_surfaces *surfaces, const fxl_surface *surface)
@@ -63,8 +65,8 @@ static inline bool fxl_has_light_alone(const fxl_surfaces *surfaces, const fxl_s
 static inline bool fxl_may_have_words(const fxl_surfaces *surfaces, const fxl_surface *surface,
                                       const fxl_texture *texture)
 {
-    const uint32_t other = (surface->opacity ^ 16u) |
-                           (surface->flags & ~(uint32_t)FXL_SURFACE_LIT) | texture->flags;
+    const uint32_t other =
+        (surface->opacity ^ 16u) | (surface->flags & ~(uint32_t)FXL_SURFACE_LIT) | texture->flags;
     return other == 0 && texture->format != FXL_TEXTURE_4 && surfaces->beams == NULL &&
            (surface->division == FXL_DIVIDE_16 || surface->division == FXL_AFFINE);
 }

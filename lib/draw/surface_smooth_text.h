@@ -103,6 +103,28 @@ static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_work
     return clear_and_draw_words(surfaces, workspace, polygon, polygon->colour, points, count, band);
 }
 
+/* How light at corners is found for the faces of a walk. */
+typedef struct {
+    const fxl_surface_light_code *code; /* null where nothing is lit */
+    fxl_kept_lights *kept;              /* undefined then; null where none can be kept */
+} run_light;
+
+/* fxl_corner_light by what is kept. */
+static inline __attribute__((always_inline)) void
+find_corner_light(const fxl_surfaces *surfaces, const fxl_model_view *model_view,
+                  const fxl_traversal *traversal, const fxl_corner *const of[3],
+                  const run_light *run, int32_t light[3])
+{
+    fxl_kept_lights *kept = run->kept;
+    if (kept == NULL) {
+        run->code->light_corners(model_view, traversal, of, light);
+        return;
+    }
+    light[0] = fxl_kept_light(surfaces, of[0]->normal, kept, run->code->find_kept);
+    light[1] = fxl_kept_light(surfaces, of[1]->normal, kept, run->code->find_kept);
+    light[2] = fxl_kept_light(surfaces, of[2]->normal, kept, run->code->find_kept);
+}
+
 /* Whether pixels of a surface are those of the kernel of colours, which have no texture, and need not
  * be divided. */
 static inline bool has_colours_alone(const fxl_surfaces *surfaces, const fxl_surface *surface)
@@ -132,7 +154,7 @@ draw_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
                  const fxl_corner *const of[3], const fxl_screen_corners *corners,
                  const fxl_model_view *model_view, const fxl_screen_point *points, uint32_t count,
                  const fxl_traversal *traversal, const fxl_words_lens *words_lens,
-                 fxl_corner_light *corner_light, fxl_colour_outline *outline)
+                 const run_light *run, fxl_colour_outline *outline)
 {
     fxl_workspace *workspace = traversal->workspace;
     const fxl_lens *lens = &model_view->view->lens;
@@ -140,7 +162,7 @@ draw_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
     fxl_corner_colours(of, values.of);
     if (fxl_surface_is_lit(surfaces, surface)) {
         int32_t light[3];
-        corner_light(surfaces, traversal->renderer, of, light, model_view->instance);
+        run->code->light_corners(model_view, traversal, of, light);
         fxl_corner_colours_light(&surfaces->light->settings, light, values.of);
     }
     values.limit = surface->division == FXL_AFFINE && fxl_corners_are_on_screen(corners, lens)
@@ -164,6 +186,13 @@ typedef enum {
     HAS_NO_WORDS /* its planes are no words, or the kernel cannot scan it */
 } inside_result;
 
+/* What the pixels of its faces have. */
+typedef enum {
+    HAS_LIGHT,
+    HAS_COLOURS,
+    HAS_TEXELS
+} inside_kind;
+
 /* What the faces of a walk that come one after the other with the same surface share. */
 typedef struct {
     uint32_t drawn,
@@ -172,11 +201,15 @@ typedef struct {
     const fxl_surface *surface;
     uint32_t number;      /* of the surface */
     inside_result result; /* of the face that was not drawn */
+    inside_kind kind;
     int32_t colour; /* of faces of one colour: that of the face before; below 0: there is none */
     fxl_words_lens lens;
-    fxl_corner_light *corner_light; /* null where nothing is lit */
+    run_light light;
     union {
-        fxl_smooth_outline smooth;
+        struct {
+            fxl_smooth_outline outline;
+            int32_t one; /* of the depth plane of the face before; 0: there is none */
+        } smooth;
         fxl_colour_outline colours;
 #if FXL_PIXEL_IS_MIXED
         texel_run texels;
@@ -206,6 +239,7 @@ static __attribute__((noinline)) void begin_run(const fxl_surfaces *surfaces, ui
 #if FXL_PIXEL_IS_MIXED
     if (may_be_texels(surfaces, surface, traversal)) {
         run->corners = surfaces->set->corners + surface->first_corner;
+        run->kind = HAS_TEXELS;
         begin_texels(surfaces, surface, traversal, &run->outline.texels);
         return;
     }
@@ -216,13 +250,17 @@ static __attribute__((noinline)) void begin_run(const fxl_surfaces *surfaces, ui
     run->corners = surfaces->set->corners + surface->first_corner;
 #if FXL_PIXEL_IS_MIXED
     if (surface->flags & FXL_SURFACE_COLOURS) {
+        run->kind = HAS_COLOURS;
         fxl_colour_outline_of_band(head, band, &run->outline.colours);
         return;
     }
 #endif
     fxl_paint paint;
     find_light_paint(surfaces, band, &paint);
-    fxl_smooth_outline_of_band(head, &paint, band, FXL_PIXEL_BITS / 8, &run->outline.smooth);
+    run->kind = HAS_LIGHT;
+    run->outline.smooth.one = 0;
+    fxl_smooth_outline_of_band(head, &paint, band, FXL_PIXEL_BITS / 8,
+                               &run->outline.smooth.outline);
 }
 
 static inline __attribute__((always_inline)) fxl_depth_drawn
@@ -232,9 +270,9 @@ draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
 {
     const fxl_band *band = traversal->band;
     const fxl_depth_head *head = (const fxl_depth_head *)traversal->workspace->target_memory;
-    fxl_smooth_outline *smooth = &run->outline.smooth;
+    fxl_smooth_outline *smooth = &run->outline.smooth.outline;
     int32_t light[3];
-    run->corner_light(surfaces, traversal->renderer, of, light, model_view->instance);
+    find_corner_light(surfaces, model_view, traversal, of, &run->light, light);
     const int32_t one = fxl_find_smooth_words(corners, &run->lens, light, &smooth->words);
     if (one == 0) {
         return FXL_DEPTH_NOT_DRAWN;
@@ -245,7 +283,11 @@ draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
         find_light_paint(surfaces, band, &paint);
         fxl_smooth_outline_of_colour(&paint, face->material, FXL_PIXEL_BITS / 8, smooth);
     }
-    fxl_smooth_outline_of_words(head, one, FXL_PIXEL_BITS / 8, smooth);
+    if (one != run->outline.smooth.one) {
+        run->outline.smooth.one = one;
+        fxl_smooth_outline_of_one(head, one, FXL_PIXEL_BITS / 8, smooth);
+    }
+    smooth->words.light += fxl_smooth_light_more(FXL_PIXEL_BITS / 8, smooth);
     return FXL_DRAW_SMOOTH_FACE(corners, band, smooth);
 }
 
@@ -274,32 +316,31 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
     }
     fxl_depth_drawn drawn;
 #if FXL_PIXEL_IS_MIXED
-    if (run->surface->texture != 0) {
+    if (run->kind == HAS_TEXELS) {
         drawn = draw_texel_corners(surfaces, run->surface, of, &corners, model_view, traversal,
-                                   &run->lens, run->corner_light, &run->outline.texels);
-    } else if (run->surface->flags & FXL_SURFACE_COLOURS) {
-        drawn =
-            draw_colour_face(surfaces, run->surface, of, &corners, model_view, corners.points, 3,
-                             traversal, &run->lens, run->corner_light, &run->outline.colours);
+                                   &run->lens, &run->light, &run->outline.texels);
+    } else if (run->kind == HAS_COLOURS) {
+        drawn = draw_colour_face(surfaces, run->surface, of, &corners, model_view, corners.points,
+                                 3, traversal, &run->lens, &run->light, &run->outline.colours);
     } else
 #endif
     {
         drawn = draw_inside_light(surfaces, of, &corners, model_view, face, traversal, run);
         if (drawn == FXL_DEPTH_NOT_CLEAR) {
             clear_under(workspace, corners.points, 3, traversal->band);
-            drawn = FXL_DRAW_SMOOTH_FACE(&corners, traversal->band, &run->outline.smooth);
+            drawn = FXL_DRAW_SMOOTH_FACE(&corners, traversal->band, &run->outline.smooth.outline);
         }
     }
-    if (drawn == FXL_DEPTH_NOT_DRAWN) {
-        return HAS_NO_WORDS;
-    }
-    run->drawn++;
     if (drawn != FXL_DEPTH_DRAWN) {
+        if (drawn == FXL_DEPTH_NOT_DRAWN) {
+            return HAS_NO_WORDS;
+        }
         memcpy(workspace->screen.points, corners.points, sizeof corners.points);
         workspace->screen.count = 3;
         run->without_rows +=
             !fxl_outline_has_rows(&workspace->screen, model_view->view->lens.height);
     }
+    run->drawn++;
     return IS_DRAWN;
 }
 

@@ -220,14 +220,15 @@ static __attribute__((noinline)) const fxl_face *draw_inside_faces(const fxl_mod
     for (; (face = walk->next(model_view, walk)) != NULL; walk->submitted++) {
         const uint32_t number = set->face_map[face - faces];
         const fxl_mapped_face *mapped = &set->faces[number - 1];
-        run->result = IS_OTHER;
         if (number == 0) {
+            run->result = IS_OTHER;
             break;
         }
         if (mapped->surface != run->number) {
             begin_run(surfaces, mapped->surface, traversal, run);
         }
         if (run->corners == NULL) {
+            run->result = IS_OTHER;
             break;
         }
         const inside_result result =
@@ -249,7 +250,6 @@ static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
     const fxl_scene *scene = traversal->renderer->scene;
     const fxl_surface_set *set = surfaces->set;
-    const fxl_face *face;
     smooth_run run;
     if (!traversal->draws_one || surfaces->beams != NULL ||
         traversal->renderer->target != &FXL_TARGET || !traversal->clipper->by_clip_flags ||
@@ -261,14 +261,21 @@ static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *
         return false;
     }
     run.drawn = run.without_rows = 0;
+    run.result = IS_OTHER;
     run.lens = fxl_words_lens_of(&model_view->view->lens);
-    run.corner_light =
-        surfaces->light != NULL ? surfaces->light_code->corner_light_of(surfaces, scene) : NULL;
+    run.light.code = surfaces->light != NULL ? surfaces->light_code : NULL;
     begin_run(surfaces, set->faces[first - 1].surface, traversal, &run);
     if (run.corners == NULL) {
         return false;
     }
-    while ((face = draw_inside_faces(model_view, traversal, walk, &run)) != NULL) {
+    for (;;) {
+        if (run.light.code != NULL && run.result == IS_OTHER) {
+            run.light.kept = run.light.code->kept_lights(surfaces, traversal);
+        }
+        const fxl_face *face = draw_inside_faces(model_view, traversal, walk, &run);
+        if (face == NULL) {
+            break;
+        }
         const fxl_mapped_face *mapped = &set->faces[set->face_map[face - scene->faces] - 1];
         const fxl_mapped_surface of = {surfaces, mapped, NULL, NULL, false};
         if (!(run.result == IS_OTHER ? submit(model_view, face, traversal, shader)
@@ -305,7 +312,7 @@ static const fxl_shader_code code = {
 
 const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET, &code,        draw,   submit_piece,
                                          find_whole,  FIND_COLOURS, COLOURS};
-const fxl_painter FXL_TARGET_TEXTURES = {&FXL_TARGET,  &code,      draw,
-                                         submit_piece, find_whole, NULL, NULL};
+const fxl_painter FXL_TARGET_TEXTURES = {&FXL_TARGET, &code, draw, submit_piece,
+                                         find_whole,  NULL,  NULL};
 
 #endif

@@ -181,6 +181,16 @@ void fxl_light_corners_of(const fxl_light_settings *settings, const fxl_directio
     values[2] = level_at(&normals[corners[2]->normal], &d, strength, ambient, most);
 }
 
+int32_t fxl_kept_light_find(const fxl_surfaces *surfaces, uint32_t number, uint32_t *word)
+{
+    const fxl_light_settings *settings = &surfaces->light->settings;
+    const int32_t light =
+        level_at(&surfaces->set->normals[number], &settings->direction, settings->strength,
+                 (uint32_t)settings->ambient, settings->levels - 1u);
+    *word = (uint32_t)light ^ number << 16;
+    return light;
+}
+
 fxl_q2_30 fxl_light_brightness(const fxl_light_settings *settings, const fxl_camera *camera,
                                const fxl_lit_place *place)
 {

@@ -24,6 +24,41 @@ fxl_q2_30 fxl_light_brightness(const fxl_light_settings *settings, const fxl_cam
 void fxl_light_corners_of(const fxl_light_settings *settings, const fxl_direction *normals,
                           const fxl_corner *const corners[3], int32_t values[3]);
 
+/* Light that was found, by the numbers of normals: of those that are equal modulo FXL_LIGHTS_KEPT the last
+ * one. The word of a normal is its number in the upper half and, exclusive or, its light, which is
+ * below 2^22: at the number's place it gives the number's bits from 23 on, and light. */
+#define FXL_LIGHTS_KEPT 128u
+
+typedef struct {
+    uint32_t words[FXL_LIGHTS_KEPT];
+} fxl_kept_lights;
+
+/* Sets that no light is kept: bit 22 of each word is not that of the normals of its place. */
+static inline void fxl_kept_lights_begin(fxl_kept_lights *kept)
+{
+    uint32_t *const upper = kept->words + FXL_LIGHTS_KEPT / 2;
+    for (uint32_t *word = kept->words; word != upper; word += 4) {
+        uint32_t *other = word + FXL_LIGHTS_KEPT / 2;
+        word[0] = word[1] = word[2] = word[3] = UINT32_MAX;
+        other[0] = other[1] = other[2] = other[3] = 0;
+        FXL_IN_ORDER(); /* so that it is no call */
+    }
+}
+
+/* The light of a normal of lit surfaces, which is then kept in its word. Requires what fxl_light_corners_of does. */
+int32_t fxl_kept_light_find(const fxl_surfaces *surfaces, uint32_t number, uint32_t *word);
+typedef int32_t fxl_kept_light_finder(const fxl_surfaces *surfaces, uint32_t number,
+                                      uint32_t *word);
+
+/* The same, where it may be kept. finder: fxl_kept_light_find. */
+static inline int32_t fxl_kept_light(const fxl_surfaces *surfaces, uint32_t number,
+                                     fxl_kept_lights *kept, fxl_kept_light_finder *finder)
+{
+    uint32_t *word = &kept->words[number % FXL_LIGHTS_KEPT];
+    const uint32_t light = *word ^ number << 16;
+    return light >> 22 == 0 ? (int32_t)light : finder(surfaces, number, word);
+}
+
 /* A brightness as levels of the ramp in 16.16, and a half. The product is at most 2^30 * 63 * 2^18,
  * and half a unit. Error: half a unit of 1/65536 level, and FXL_LIGHT_ERROR_MAX of the brightness,
  * which is at most 0.7 of that unit. */

@@ -106,14 +106,17 @@ static inline void fxl_smooth_outline_of_colour(const fxl_paint *paint, uint8_t 
     }
 }
 
-/* Sets what follows from its planes, whose words are set. one: of the depth plane. */
-static inline __attribute__((always_inline)) void
-fxl_smooth_outline_of_words(const fxl_depth_head *head, int32_t one, uint32_t pixel_bytes,
-                            fxl_smooth_outline *smooth)
+/* What the light of a polygon has more than its plane: the half part, less the half level. */
+static inline uint32_t fxl_smooth_light_more(uint32_t pixel_bytes, const fxl_smooth_outline *smooth)
 {
-    if (pixel_bytes != 1) { /* the half part, less the half level */
-        smooth->words.light += (smooth->last & 0xFFFFFFu) - (1u << 23);
-    }
+    return pixel_bytes == 1 ? 0 : (smooth->last & 0xFFFFFFu) - (1u << 23);
+}
+
+/* Sets what follows from its depth plane. one: of that. */
+static inline __attribute__((always_inline)) void
+fxl_smooth_outline_of_one(const fxl_depth_head *head, int32_t one, uint32_t pixel_bytes,
+                          fxl_smooth_outline *smooth)
+{
     const uint32_t border = fxl_depth_border_of(head->scale, one);
     const uint32_t end = (smooth->last + 1u) << (pixel_bytes == 1 ? 24 : 0);
     smooth->border = border;
@@ -141,7 +144,8 @@ static inline void fxl_smooth_outline_set(const fxl_depth_head *head, const fxl_
     fxl_smooth_outline_of_band(head, paint, band, pixel_bytes, smooth);
     fxl_smooth_outline_of_colour(paint, paint->colour, pixel_bytes, smooth);
     smooth->words = fxl_smooth_words_of(plane, paint->gradients);
-    fxl_smooth_outline_of_words(head, plane->one, pixel_bytes, smooth);
+    smooth->words.light += fxl_smooth_light_more(pixel_bytes, smooth);
+    fxl_smooth_outline_of_one(head, plane->one, pixel_bytes, smooth);
 }
 
 /* The same for any polygon. Returns false if the kernel cannot draw it: *smooth is undefined then.
