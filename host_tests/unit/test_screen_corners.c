@@ -105,3 +105,22 @@ void test_corners_that_are_not_the_face_s_are_refused(void)
         TEST_ASSERT_FALSE(finds(other[i]));
     }
 }
+
+/* Of a quadrilateral in the cache, none of whose corners is its first vertex, or all in another order. */
+void test_corners_in_any_order_have_the_box_of_all_vertices(void)
+{
+    static const uint16_t last[3] = {1, 2, 3}, turned[3] = {2, 0, 1};
+    TEST_ASSERT_TRUE(finds(turned));
+    TEST_ASSERT_EQUAL_INT32(expected.points[2].x, found.points[0].x);
+    TEST_ASSERT_EQUAL_INT64(expected.depths[0], found.depths[1]);
+    TEST_ASSERT_TRUE(found.is_triangle);
+    face.face.count = 4;
+    fxl_face_take_indices(&face.face, face.corners, 0);
+    TEST_ASSERT_TRUE(finds(last));
+    const int32_t width = found.width;
+    TEST_ASSERT_EQUAL_INT32(expected.points[1].x, found.points[0].x);
+    TEST_ASSERT_FALSE(found.is_triangle);
+    face.seen[0].screen.x -= 65536;
+    TEST_ASSERT_TRUE(finds(last));
+    TEST_ASSERT_EQUAL_INT32(width + 65536, found.width);
+}

@@ -188,9 +188,9 @@ static inline const fxl_cached_vertex *projected_of(const fxl_model_view *model_
 }
 
 /* The same, at once if it can be. */
-static inline bool find_vertex(const fxl_model_view *model_view, uint32_t number,
-                               const fxl_traversal *traversal, fxl_screen_point *point,
-                               fxl_q18_46 *depth)
+static __attribute__((noinline)) bool find_vertex(const fxl_model_view *model_view, uint32_t number,
+                                                  const fxl_traversal *traversal,
+                                                  fxl_screen_point *point, fxl_q18_46 *depth)
 {
     if (!FXL_IS_SMALL && traversal->clipper->by_clip_flags) {
         const fxl_cached_vertex *vertex = projected_of(model_view, number);
@@ -233,8 +233,17 @@ static inline void begin_box(screen_box *box, const fxl_screen_point *a, const f
     add_point(box, c);
 }
 
-/* The corners of a face that is no part of another, where they are its first three vertices, and all
- * of its vertices are projected and in the cache. */
+static inline bool has_vertex(const uint16_t *indices, uint32_t count, uint32_t number)
+{
+    uint32_t place = 0;
+    while (place < count && indices[place] != number) {
+        place++;
+    }
+    return place < count;
+}
+
+/* The corners of a face that is no part of another, where all of its vertices are projected and in the
+ * cache. */
 static inline bool find_projected(const fxl_model_view *model_view, const fxl_face *face,
                                   const fxl_corner *const of[3], const fxl_scene *scene,
                                   fxl_screen_corners *corners)
@@ -245,17 +254,25 @@ static inline bool find_projected(const fxl_model_view *model_view, const fxl_fa
     if (fxl_is_part(scene, face)) {
         return false;
     }
+    uint32_t others = 3; /* the first vertex that is no corner, if it is not known which are */
+    FXL_EACH_CORNER
     for (uint32_t i = 0; i < 3; i++) {
-        const uint32_t number = indices[i];
+        const uint32_t number = of[i]->vertex;
         const fxl_cached_vertex *vertex = projected_of(model_view, number);
-        if (of[i]->vertex != number || vertex == NULL) {
+        if (vertex == NULL) {
             return false;
+        }
+        if (number != indices[i]) {
+            others = count == 3 ? 3 : 0;
+            if (!has_vertex(indices, count, number)) {
+                return false;
+            }
         }
         corners->points[i] = vertex->screen;
         corners->depths[i] = vertex->position.z;
     }
     begin_box(&box, &corners->points[0], &corners->points[1], &corners->points[2]);
-    for (uint32_t i = 3; i < count; i++) {
+    for (uint32_t i = others; i < count; i++) {
         const fxl_cached_vertex *vertex = projected_of(model_view, indices[i]);
         if (vertex == NULL) {
             return false;
@@ -276,11 +293,7 @@ find_corners(const fxl_model_view *model_view, const fxl_face *face, const fxl_c
     const uint16_t vertices[3] = {of[0]->vertex, of[1]->vertex, of[2]->vertex};
     screen_box box;
     for (uint32_t i = 0; i < 3; i++) {
-        uint32_t place = 0;
-        while (place < count && indices[place] != vertices[i]) {
-            place++;
-        }
-        if (place == count) {
+        if (!has_vertex(indices, count, vertices[i])) {
             return false;
         }
     }

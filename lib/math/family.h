@@ -190,6 +190,13 @@
 #define FXL_EACH_OF_THREE _Pragma("GCC unroll 3")
 #endif
 
+/* The same before a loop that needs more registers than Thumb-1 has. */
+#if FXL_CORE_ARMV6M
+#define FXL_EACH_CORNER
+#else
+#define FXL_EACH_CORNER FXL_EACH_OF_THREE
+#endif
+
 /* On a host the files in assembly have no code. This section states that they need no
  * executable stack. */
 #if defined __ASSEMBLER__ && defined __ELF__ && defined __linux__

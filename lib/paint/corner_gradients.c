@@ -199,7 +199,7 @@ static inline void add_twist(const fxl_corner_planes *planes, const int32_t valu
                              int32_t slope, int shift, twists *of)
 {
     int32_t least = INT32_MAX, most = INT32_MIN; /* upper words, below 2^30 */
-    FXL_EACH_OF_THREE
+    FXL_EACH_CORNER
     for (uint32_t i = 0; i < 3; i++) {
         const int32_t twist = (int32_t)((uint64_t)(fxl_product(slope, planes->weights[i]) -
                                                    fxl_product(planes->weight_slope, values[i])) >>
@@ -292,7 +292,7 @@ static void find_perspective(const fxl_corner_planes *planes, int32_t (*values)[
     for (uint32_t i = 0; i < gradients->count; i++) {
         const int shift = (int)room_of(values[i]) - 1;
         int32_t slope;
-        FXL_EACH_OF_THREE
+        FXL_EACH_CORNER
         for (uint32_t k = 0; k < 3; k++) {
             values[i][k] =
                 fxl_upper_product((int32_t)((uint32_t)values[i][k] << shift), planes->weights[k]);
