@@ -66,36 +66,7 @@ static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row,
 #include "lit_row.h"
 
 #if FXL_IS_SMALL
-
-/* place sampling: positions in a segment, and their texels: keys, patterns, 4 bits too */
-/* Texels of a segment, each as paint_pixel shows it. */
-static void paint_texels(const fxl_segment_face *face, const fxl_paint_row *row,
-                         const fxl_texel_run *run, int32_t x, uint32_t count)
-{
-    const uint32_t log_width = face->log_width;
-    uint32_t position = run->position;
-    for (const int32_t end = x + (int32_t)count; x != end; x++, position += run->step) {
-        const uint32_t i = position >> (32u - log_width);
-        const uint32_t j = (position >> face->row_drop & face->rows_mask) >> log_width;
-        const int32_t values[FXL_ATTRIBUTES] = {(int32_t)(i << 16), (int32_t)(j << 16), 0};
-        paint_pixel(face->paint, row, x, values);
-    }
-}
-
-#define HAS_RAMPS 0
-#include "segment_runs.h"
-
-void fxl_paint_segments_565(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
-                            int32_t x1)
-{
-    paint_row_segments(face, row, x0, x1);
-}
-
-bool fxl_paint_rows_565(fxl_plain_rows *rows)
-{
-    return fxl_paint_rows_by(rows, fxl_paint_segments_565);
-}
-
+#include "small_row.h"
 #endif
 
 /* Opaque texels of 16 or of 8 bits, repeated and without a key: paint_pixel's colours. The compiler
@@ -173,10 +144,7 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
 /* Opaque pixels. */
 static void paint_opaque(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
-    divided_column at;
     uint32_t least[3];
-    least[0] = 0; /* not found yet */
-    at.column = -1;
     if (paint->is_light_linear) {
         if (paint->colours != NULL) {
             paint->colours->paint(paint, row, x0, x1);
@@ -186,11 +154,25 @@ static void paint_opaque(const fxl_paint *paint, const fxl_paint_row *row, int32
         paint_lights(paint, row, x0, x1, &run);
         return;
     }
+#if FXL_IS_SMALL
+    small_column at;
+    at.face = NULL;
+    at.column = -1;
+    fxl_find_least_weights(paint->gradients, paint->division, least);
+    while (x0 < x1) {
+        const int32_t end = smaller((x0 & ~15) + 16, x1);
+        paint_small(paint, row, least, x0, end, &at);
+        x0 = end;
+    }
+#else
+    divided_column at;
+    least[0] = 0; /* not found yet */
+    at.column = -1;
     while (x0 < x1) {
         int32_t end = fxl_segments_end(row, x0, x1);
         if (end > x0) {
             fxl_paint_segments_565(row->segments, row, x0, end);
-            if (!FXL_IS_SMALL && paint->is_evenly_lit) {
+            if (paint->is_evenly_lit) {
                 uint16_t *pixels = (uint16_t *)(void *)row->pixels;
                 mix_evenly(paint, pixels + x0, pixels + end);
             }
@@ -203,6 +185,7 @@ static void paint_opaque(const fxl_paint *paint, const fxl_paint_row *row, int32
         }
         x0 = end;
     }
+#endif
 }
 
 /* What a surface that blends or adds makes of two colours in a word. */

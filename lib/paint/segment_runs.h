@@ -108,9 +108,27 @@ static inline void find_line(int64_t value, int64_t change, const fxl_reciprocal
         segment * line->change + 8u * (line->step - upper_half(line->step)) + 0x8000u;
 }
 
+static inline void find_line_run(const fxl_segment_face *face, const fxl_paint_row *row,
+                                 uint32_t segment, fxl_texel_run *run)
+{
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of((uint32_t)(row->weight >> 32));
+    row_line u, v;
+    find_line(row->attributes[FXL_ATTRIBUTE_U], face->u_step, &reciprocal, face->u_drop, segment,
+              &u);
+    find_line(row->attributes[FXL_ATTRIBUTE_V], face->v_step, &reciprocal, face->v_drop, segment,
+              &v);
+    run->position = (u.at & 0xFFFF0000u) | v.at >> 16;
+    run->step = upper_half(u.step) + (uint32_t)((int32_t)upper_half(v.step) >> 16);
+    run->light = run->light_step = 0;
+}
+
 /* --- a row, one segment after the other ------------------------------------------------------ */
 
-#if FXL_SEGMENTS_ONE_BY_ONE
+#if defined SEGMENT_PARTS_ALONE
+
+/* small_row.h has a text of its own. */
+
+#elif FXL_SEGMENTS_ONE_BY_ONE
 
 /* The upper word of a value at a column. Steps are multiples of 16: exact. */
 /* surfaces 2.2 */
@@ -154,20 +172,6 @@ static inline void paint_clamped(const fxl_segment_face *face, const fxl_paint_r
         u = moved(u, u_step, 1);
         v = moved(v, v_step, 1);
     }
-}
-
-static inline void find_line_run(const fxl_segment_face *face, const fxl_paint_row *row,
-                                 uint32_t segment, fxl_texel_run *run)
-{
-    const fxl_reciprocal reciprocal = fxl_reciprocal_of((uint32_t)(row->weight >> 32));
-    row_line u, v;
-    find_line(row->attributes[FXL_ATTRIBUTE_U], face->u_step, &reciprocal, face->u_drop, segment,
-              &u);
-    find_line(row->attributes[FXL_ATTRIBUTE_V], face->v_step, &reciprocal, face->v_drop, segment,
-              &v);
-    run->position = (u.at & 0xFFFF0000u) | v.at >> 16;
-    run->step = upper_half(u.step) + (uint32_t)((int32_t)upper_half(v.step) >> 16);
-    run->light = run->light_step = 0;
 }
 
 static inline void paint_row_segments(const fxl_segment_face *face, const fxl_paint_row *row,

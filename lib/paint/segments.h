@@ -102,9 +102,7 @@ struct fxl_segment_face {
     };
     const uint8_t *table; /* fxl_paint_segments: as of fxl_paint */
     uint8_t kind;         /* FXL_TEXELS_PLAIN and so on; others than that have form 0 */
-#if FXL_IS_SMALL
-    const fxl_paint *paint; /* of the face: paint_rgb565.c paints each pixel by it */
-#endif
+    uint8_t log; /* of small_row.h alone */
 };
 
 /* Of fxl_paint_segments_565: whether the texels are the colours of pixels, and no entries. */
