@@ -83,11 +83,11 @@ static fxl_q18_46 nearest_depth(const fxl_model_view *model_view, const fxl_face
 
 /* The gradients of a small face, and its depth where its texels are words: *has_words. find_texels:
  * null: they are not. Of planes for words alone it finds nothing else. Returns the level of its texture. */
-static uint8_t find_small(const fxl_texture *texture, const fxl_model_view *model_view,
-                          const fxl_face *face, const fxl_corner *const of[3],
-                          const fxl_traversal *traversal, fxl_texels_finder *find_texels,
-                          fxl_corner_planes *planes, fxl_gradient_corners *corners, bool is_affine,
-                          fxl_surface_polygon *polygon, bool *has_words)
+static inline __attribute__((always_inline)) uint8_t
+find_small(const fxl_texture *texture, const fxl_model_view *model_view, const fxl_face *face,
+           const fxl_corner *const of[3], const fxl_traversal *traversal,
+           fxl_texels_finder *find_texels, fxl_corner_planes *planes, fxl_gradient_corners *corners,
+           bool is_affine, fxl_surface_polygon *polygon, bool *has_words)
 {
     const bool has_levels = texture != NULL && texture->levels > 1;
     fxl_gradients *gradients = &polygon->gradients;
@@ -108,10 +108,10 @@ static uint8_t find_small(const fxl_texture *texture, const fxl_model_view *mode
 }
 
 /* The gradients of any other face. */
-static uint8_t find_large(const fxl_surface *surface, const fxl_texture *texture,
-                          const fxl_model_view *model_view, const fxl_face *face,
-                          const fxl_corner *const of[3], const fxl_traversal *traversal,
-                          fxl_gradient_corners *corners, fxl_gradients *gradients)
+static inline __attribute__((always_inline)) uint8_t
+find_large(const fxl_surface *surface, const fxl_texture *texture, const fxl_model_view *model_view,
+           const fxl_face *face, const fxl_corner *const of[3], const fxl_traversal *traversal,
+           fxl_gradient_corners *corners, fxl_gradients *gradients)
 {
     const fxl_view *view = model_view->view;
     const bool has_levels = texture != NULL && texture->levels > 1;
@@ -138,12 +138,13 @@ static uint8_t find_large(const fxl_surface *surface, const fxl_texture *texture
         gradients);
 }
 
+/* The text of the next two: a program has one of them. */
 /* surfaces 6.1 */
-void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
-                      const fxl_model_view *model_view, const fxl_face *face,
-                      const fxl_traversal *traversal, fxl_depth_finder *find_depth,
-                      fxl_linear_finder *find_linear, fxl_texels_finder *find_texels,
-                      fxl_surface_polygon *polygon)
+static inline __attribute__((always_inline)) void
+find_surface(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
+             const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *traversal,
+             fxl_depth_finder *find_depth, fxl_linear_finder *find_linear,
+             fxl_texels_finder *find_texels, fxl_surface_polygon *polygon)
 {
     const fxl_view *view = model_view->view;
     const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
@@ -208,6 +209,23 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
         find_depth(model_view, face, traversal, is_small || may_be_words ? &planes : NULL, is_found,
                    &polygon->depth);
     }
+}
+
+void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
+                      const fxl_model_view *model_view, const fxl_face *face,
+                      const fxl_traversal *traversal, fxl_surface_polygon *polygon)
+{
+    find_surface(surfaces, mapped, model_view, face, traversal, NULL, NULL, NULL, polygon);
+}
+
+void fxl_surface_find_deep(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
+                           const fxl_model_view *model_view, const fxl_face *face,
+                           const fxl_traversal *traversal, fxl_depth_finder *find_depth,
+                           fxl_linear_finder *find_linear, fxl_texels_finder *find_texels,
+                           fxl_surface_polygon *polygon)
+{
+    find_surface(surfaces, mapped, model_view, face, traversal, find_depth, find_linear,
+                 find_texels, polygon);
 }
 
 static bool pass_on(const fxl_model_view *model_view, const fxl_face *face,

@@ -241,13 +241,17 @@ typedef bool fxl_linear_finder(const fxl_screen_corners *corners, const fxl_lens
                                const int32_t light[3], fxl_gradients *gradients,
                                fxl_depth_plane *depth);
 
-/* What a face with a surface has beside its outlines. find_depth: null: it has no depth.
- * find_linear, find_texels: null: planes are never found as words. */
+/* What a face with a surface has beside its outlines, without depth. */
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,
-                      const fxl_traversal *traversal, fxl_depth_finder *find_depth,
-                      fxl_linear_finder *find_linear, fxl_texels_finder *find_texels,
-                      fxl_surface_polygon *polygon);
+                      const fxl_traversal *traversal, fxl_surface_polygon *polygon);
+
+/* The same with depth. find_linear, find_texels: null: planes are never found as words. */
+void fxl_surface_find_deep(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
+                           const fxl_model_view *model_view, const fxl_face *face,
+                           const fxl_traversal *traversal, fxl_depth_finder *find_depth,
+                           fxl_linear_finder *find_linear, fxl_texels_finder *find_texels,
+                           fxl_surface_polygon *polygon);
 
 /* The view of an instance, turned or not, in which the corners of a whole face are found where
  * pieces of it are drawn. view: room for it. */

@@ -49,10 +49,6 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     return false;
 }
 
-#define FIND_DEPTH  NULL
-#define FIND_LINEAR NULL
-#define FIND_TEXELS NULL
-
 #else
 
 #include "surface_depth_text.h"
@@ -122,8 +118,12 @@ find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
         return;
     }
 #endif
-    fxl_surface_find(of->surfaces, of->mapped, model_view, face, traversal, FIND_DEPTH, FIND_LINEAR,
-                     FIND_TEXELS, polygon);
+#if FXL_TARGET_DEPTH_BITS == 0
+    fxl_surface_find(of->surfaces, of->mapped, model_view, face, traversal, polygon);
+#else
+    fxl_surface_find_deep(of->surfaces, of->mapped, model_view, face, traversal, FIND_DEPTH,
+                          FIND_LINEAR, FIND_TEXELS, polygon);
+#endif
 }
 
 /* fxl_polygon_painter. */
