@@ -13,15 +13,17 @@
     .thumb
 
 /* Offsets on the stack; above these are r4 to r7 and lr. */
-#define HALF        0
+#define HALF        0       /* h + 1 */
 #define SCALE       4
 #define SHIFT       8       /* n - 3 */
 #define PROJECTION  12
 #define VIEW        16
 #define SCREEN      20
 
-/* Results: r0: floor((P + h) / d), or one less; r1: its remainder; r3: d. Input: lr: d.
- * Overwrites r0 to r7. */
+/* Results: r0: floor((P + h) / d), or one less; r1: below 0 as a number with a sign if it is one less. P is
+ * estimated: the upper word of F times the lower one of X' is at most 2^13 more than that of its upper bits. So
+ * if r1 is below 2^13 without its sign, the estimate does not decide, nor then whether it is below 0.
+ * Input: lr: d. Overwrites r0 to r7. */
     .macro  offset side
     ldr     r2, [sp, #VIEW]
     ldr     r6, [r2, #\side]
@@ -36,28 +38,14 @@
     lsls    r6, r6, r5
     ldr     r0, [sp, #PROJECTION]
     ldr     r0, [r0, #PROJECTION_FACTOR]
-    ldr     r5, [sp, #HALF]
-    movs    r1, r7                          /* P + h: F x + h and ... */
-    muls    r1, r0
-    adds    r1, r1, r5
-    uxth    r2, r6                          /* ... the upper word of F times the lower */
-    lsrs    r6, r6, #16
-    uxth    r4, r0
-    lsrs    r0, r0, #16                     /* below 2^12 */
-    movs    r3, r2
-    muls    r3, r4
-    muls    r4, r6
-    muls    r2, r0
-    muls    r0, r6
-    lsrs    r3, r3, #16
-    adds    r3, r3, r4                      /* below 2^32: (2^16 - 1)^2 + 2^16 - 1 */
-    uxth    r4, r3
-    adds    r4, r4, r2
-    lsrs    r3, r3, #16
-    lsrs    r4, r4, #16
-    adds    r0, r0, r3
-    adds    r0, r0, r4
+    ldr     r1, [sp, #HALF]
+    lsrs    r4, r0, #12                     /* below 2^16 */
+    muls    r0, r7                          /* P + h + 1: F x + h + 1 and the estimate */
     adds    r1, r1, r0
+    lsrs    r6, r6, #16
+    muls    r4, r6
+    lsrs    r4, r4, #4
+    adds    r1, r1, r4
     ldr     r0, [sp, #SCALE]                /* x G: |x|, G <= 2^30, so the sum of the middle */
     uxth    r2, r7                          /* products and the lowest product's carry is */
     asrs    r7, r7, #16                     /* below 2^31 */
@@ -73,10 +61,14 @@
     adds    r3, r3, r2
     asrs    r3, r3, #16
     adds    r0, r0, r3
-    mov     r3, lr
+    mov     r3, lr                          /* d - 1 less the remainder */
     movs    r2, r0
     muls    r2, r3
     subs    r1, r1, r2
+    subs    r1, r3, r1
+    lsls    r2, r1, #1
+    lsrs    r2, r2, #14
+    beq     undecided
     .endm
 
 /* fxl_divide_half: r0 = floor(r0 / r6), r2 = the remainder. Input: r0 < 2^31, r6: D,
@@ -134,6 +126,7 @@ fxl_project_inside:
     subs    r5, r5, #3
     str     r5, [sp, #SHIFT]
     lsrs    r5, r3, #1
+    adds    r5, r5, #1
     str     r5, [sp, #HALF]
 
     lsrs    r6, r3, #15                     /* D */
@@ -156,23 +149,28 @@ fxl_project_inside:
     str     r5, [sp, #SCALE]
 
     offset  VIEW_POINT_X
-    cmp     r1, r3                          /* carry: one less */
     ldr     r2, [sp, #PROJECTION]
     ldr     r2, [r2, #PROJECTION_CENTRE_X]
+    lsls    r1, r1, #1                      /* carry: one less */
     adcs    r0, r0, r2
     ldr     r2, [sp, #SCREEN]
     str     r0, [r2]
     offset  VIEW_POINT_Y
-    subs    r3, r3, #1
-    cmp     r3, r1                          /* no carry: one less */
+    mvns    r1, r1
     ldr     r2, [sp, #PROJECTION]
     ldr     r4, [r2, #PROJECTION_CENTRE_Y]
+    lsls    r1, r1, #1                      /* no carry: one less */
     sbcs    r4, r4, r0
     ldr     r2, [sp, #SCREEN]
     str     r4, [r2, #SCREEN_POINT_Y]
     movs    r0, #0                          /* FXL_OK */
     add     sp, sp, #24
     pop     {r4-r7, pc}
+
+undecided:
+    add     r3, sp, #PROJECTION
+    ldm     r3!, {r0-r2}
+    b       slow_path
 
     .pool
     .size fxl_project_inside, . - fxl_project_inside
