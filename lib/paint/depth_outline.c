@@ -39,37 +39,49 @@ static inline void find_columns(const fxl_screen_point *points, uint32_t count, 
     *end = (uint32_t)fxl_first_centre_from(most);
 }
 
+/* By how much the upper words of values fall and rise at most in a box, along one side of it: by a change for
+ * each of count steps, rounded down, and by 1 more a step. Values on the screen are below 2^62. */
+static inline void extend(int64_t change, uint32_t count, uint32_t *fall, uint32_t *rise)
+{
+    const uint32_t upper = fxl_bits_32((int32_t)(change >> 32)) * count;
+    if (upper >> 31 != 0) {
+        *fall -= upper;
+    } else {
+        *rise += upper;
+    }
+    *rise += count;
+}
+
 /* Whether all pixels of a box have one octave: then *codes has their codes, those of
- * fxl_depth_paint_row. They have it, if the values at the four corners of the box have it, as values
- * are linear; and values have one octave, if they differ below their highest bit alone, which is one
- * of the upper word. (A number has a higher bit than another one, if it is above that, and remains so
- * with the other's bits inverted.) Bits of the sheet below 2^(32 - drop) are 0, and what is shifted out of it
- * belongs to no code, so its upper word is the value / 2^drop, rounded down. */
+ * fxl_depth_paint_row. They have it, if the least and the greatest value that the box can have differ below
+ * their highest bit alone, which is one of the upper word. Bits of the sheet below 2^(32 - drop) are 0, and
+ * what is shifted out of it belongs to no code, so its upper word is the value / 2^drop, rounded down. */
 static inline bool find_sheet(const fxl_depth_outline *outline, uint32_t column, uint32_t columns,
                               uint32_t row, uint32_t rows, sheet *codes)
 {
     const fxl_gradient *gradient = &outline->plane.gradient;
     const uint64_t corner =
         (uint64_t)gradient->at + times(gradient->along, column) + times(gradient->down, row);
-    const uint64_t across = times(gradient->along, columns - 1u);
-    const uint64_t below = times(gradient->down, rows - 1u);
     const uint32_t upper = (uint32_t)(corner >> 32);
-    const uint32_t differing = (upper ^ (uint32_t)((corner + across) >> 32)) |
-                               (upper ^ (uint32_t)((corner + below) >> 32)) |
-                               (upper ^ (uint32_t)((corner + across + below) >> 32));
-    if (upper <= differing || (upper ^ differing) <= differing) {
+    uint32_t fall = 0, rise = 1;
+    extend(gradient->along, columns - 1u, &fall, &rise);
+    extend(gradient->down, rows - 1u, &fall, &rise);
+    const uint32_t least = upper - fall, most = upper + rise;
+    if ((upper | fall | rise) >> 31 != 0 || upper <= fall || (least ^ most) > least) {
         return false;
     }
-    const int32_t length = 64 - (int32_t)fxl_leading_zeros(upper);
-    const int32_t number = outline->one - length;
-    const int32_t drop = length - 17 - (int32_t)outline->mantissa; /* 1 to 36 */
-    if (number < 0 || number >= (int32_t)outline->octaves || drop < 1 || drop > 32) {
+    const int32_t length = 64 - (int32_t)fxl_leading_zeros(least);
+    const uint32_t number = fxl_bits_32(outline->one - length);
+    const int32_t drop = length - 17 - (int32_t)outline->mantissa;
+    if (number >= outline->octaves || fxl_bits_32(drop) - 1u > 30u) {
         return false;
     }
-    const int32_t above = (int32_t)outline->octaves - 2 - number;
-    const uint32_t bias = ((uint32_t)above << (outline->mantissa + 16u)) + 65536u;
-    codes->at = ((uint64_t)gradient->at << (32 - drop)) + ((uint64_t)bias << 32);
-    codes->down = (uint64_t)gradient->down << (32 - drop);
+    const uint32_t above = outline->octaves - 2u - number;
+    const uint32_t bias = (above << (outline->mantissa + 16u)) + 65536u;
+    codes->at = (uint64_t)(fxl_depth_shifted(gradient->at, drop) + bias) << 32 |
+                fxl_low_32(fxl_bits_64(gradient->at)) << (32 - drop);
+    codes->down = (uint64_t)fxl_depth_shifted(gradient->down, drop) << 32 |
+                  fxl_low_32(fxl_bits_64(gradient->down)) << (32 - drop);
     codes->step = fxl_depth_shifted(gradient->along, drop);
     return true;
 }
