@@ -233,7 +233,7 @@ static inline void begin_box(screen_box *box, const fxl_screen_point *a, const f
     add_point(box, c);
 }
 
-static inline bool has_vertex(const uint16_t *indices, uint32_t count, uint32_t number)
+static __attribute__((noinline)) bool has_vertex(const uint16_t *indices, uint32_t count, uint32_t number)
 {
     uint32_t place = 0;
     while (place < count && indices[place] != number) {

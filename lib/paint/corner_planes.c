@@ -32,6 +32,7 @@ static inline bool find_weights(const fxl_screen_corners *corners, const fxl_len
         return false; /* nearer than any near plane */
     }
     const unsigned shift = fxl_leading_zeros(any);
+    FXL_EACH_CORNER
     for (uint32_t i = 0; i < 3; i++) {
         depths[i] =
             (uint32_t)((uint64_t)z[i] >> 32) << shift | (uint32_t)z[i] >> 1 >> (31u - shift);

@@ -31,19 +31,24 @@
     add     \low, \low, \high
     .endm
 
-/* Lists the run from r1 to \end, of cells; goes to \full if no room is left. Overwrites r0, r6, r7. */
-    .macro  list_run end, full
-    sub     r0, r1, r10
-    sub     r6, \end, r10
-    and     r7, r12, #0x80000000
-    orr     r0, r7, r0, lsr #1
-    orr     r0, r0, r6, lsl #15
+/* Lists the run in r0; goes to \full if no room is left. Overwrites r6, r7. */
+    .macro  put_run full
     bic     r12, r12, #0x80000000
     ldrd    r6, r7, [sp, #F_RUNS]
     str     r0, [r6], #4
     str     r6, [sp, #F_RUNS]
     cmp     r6, r7
     beq     \full
+    .endm
+
+/* The same of the run from r1 to \end, of cells. */
+    .macro  list_run end, full
+    sub     r0, r1, r10
+    sub     r6, \end, r10
+    and     r7, r12, #0x80000000
+    orr     r0, r7, r0, lsr #1
+    orr     r0, r0, r6, lsl #15
+    put_run \full
     .endm
 
 /* Where codes are kept a cell hides what is as near as it; elsewhere it does not. */
@@ -277,8 +282,8 @@
 .Lno_run\@:
     tst     r12, #HAS_REST
     bne     .Lrest\@
-    mov     r1, r10
-    list_run r10, .Lfull_end\@
+    mov     r0, #0x80000000
+    put_run .Lfull_end\@
     ldr     r0, [sp, #F_ROWS]
     b       .Lrow_done\@
 
