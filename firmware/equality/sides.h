@@ -92,7 +92,7 @@ bool portable_find_smooth_planes(const fxl_screen_corners *corners, const fxl_le
 
 int32_t portable_find_texel_planes(const fxl_screen_corners *corners, const fxl_words_lens *lens,
                                    const fxl_corner *const of[3], fxl_texel_planes *planes,
-                                   const int32_t *light, bool is_affine);
+                                   const int32_t *light, bool is_affine, uint32_t v_drop);
 
 void portable_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 

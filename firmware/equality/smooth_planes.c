@@ -89,10 +89,13 @@ static bool has_same_texels(const fxl_screen_corners *corners, const fxl_words_l
     const fxl_corner *const of[3] = {&with[0], &with[1], &with[2]};
     const int32_t *const light_of = any_below(2) != 0 ? values : NULL;
     const bool is_affine = any_below(4) == 0;
+    const uint32_t v_drop = any_below(17);
     any_texels(with);
     any_light(values);
-    const int32_t one = fxl_find_texel_planes(corners, lens, of, &core, light_of, is_affine);
-    return one == portable_find_texel_planes(corners, lens, of, &portable, light_of, is_affine) &&
+    const int32_t one =
+        fxl_find_texel_planes(corners, lens, of, &core, light_of, is_affine, v_drop);
+    return one == portable_find_texel_planes(corners, lens, of, &portable, light_of, is_affine,
+                                             v_drop) &&
            (one == 0 || equality_same_words(&core, &portable, sizeof core));
 }
 

@@ -79,15 +79,15 @@ draw_texel_corners(const fxl_surfaces *surfaces, const fxl_surface *surface,
         find_texel_light(surfaces, surface, of, model_view, traversal, lighting, light, &run->paint);
     const int32_t one = fxl_find_texel_planes(
         corners, lens, of, &run->outline.planes, has_light ? light : NULL,
-        surface->division == FXL_AFFINE && fxl_corners_are_on_screen(corners, lens->lens));
+        surface->division == FXL_AFFINE && fxl_corners_are_on_screen(corners, lens->lens),
+        8u - run->paint.level.log_width);
     if (one == 0) {
         return FXL_DEPTH_NOT_DRAWN;
     }
-    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
-    fxl_texel_planes_scale(&run->outline.planes, 0, 8u - run->paint.level.log_width);
     if (one == run->one && !run->paint.is_evenly_lit) {
         run->outline.planes.at.light += run->light_more;
-    } else {
+    } else { /* as of the first face of a run */
+        fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
         fxl_texel_outline_of_face((const fxl_depth_head *)workspace->target_memory, &run->paint,
                                   one, &run->outline);
         run->one = run->paint.is_evenly_lit ? 0 : one;

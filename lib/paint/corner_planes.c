@@ -290,7 +290,7 @@ bool fxl_find_texels(const fxl_corner_planes *planes, int32_t (*values)[3], uint
 
 int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_words_lens *lens,
                               const fxl_corner *const of[3], fxl_texel_planes *texels,
-                              const int32_t *light, bool is_affine)
+                              const int32_t *light, bool is_affine, uint32_t v_drop)
 {
     int32_t values[FXL_ATTRIBUTES][3];
     const uint32_t count = light != NULL ? FXL_SEGMENT_LIGHT + 1u : FXL_SEGMENT_LIGHT;
@@ -308,6 +308,7 @@ int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_words
         return 0;
     }
     fxl_texel_words_of(&gradients, &depth, texels);
+    fxl_texel_planes_scale(texels, 0, v_drop);
     return depth.one;
 }
 

@@ -323,12 +323,13 @@ static inline bool fxl_has_few_texels(int32_t (*values)[3])
 }
 
 /* The words of a triangle, which fxl_corner_planes_begin with FXL_TEXELS_SIDE_MAX and fxl_find_texels find, from
- * the texels of its corners and light at these; light: null: it is none, and its words are undefined. Returns
+ * the texels of its corners and light at these; light: null: it is none, and its words are undefined; v_drop: that
+ * of fxl_texel_planes_scale, at most 16. Returns
  * fxl_depth_plane.one; 0 where the face is not such a triangle, or u or v differ by 128 texels or more
  * from those of corner 0: *planes is undefined then. It is a kernel: Armv7-M has its own. */
 int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_words_lens *lens,
                               const fxl_corner *const of[3], fxl_texel_planes *planes,
-                              const int32_t *light, bool is_affine);
+                              const int32_t *light, bool is_affine, uint32_t v_drop);
 
 /* What pixels there are. */
 #define FXL_TEXELS_WIDE  1u /* of texels of 16 bits */

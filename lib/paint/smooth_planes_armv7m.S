@@ -26,13 +26,14 @@
 #define OUTLINE   WORDS           /* of fxl_find_colour_planes */
 #define TEXEL_LIGHT (OWN_SIZE + 52)
 #define IS_AFFINE (OWN_SIZE + 56)
+#define V_DROP    (OWN_SIZE + 60)
 
 #include "smooth_words_armv7m.h"
 #include "colour_channels_armv7m.h"
 
 /* The planes of a face; kind: _light, _colours or _texels; range: the longest side less the least; thin:
  * 0: it may be neither thin nor steep. r0: corners, r1: fxl_words_lens, r2: light, values, or corners of texels, r3:
- * words, of colours outline; of texels on the stack: light, is_affine. */
+ * words, of colours outline; of texels on the stack: light, is_affine, v_drop. */
     .macro find_planes kind, range, thin
     push    {r0-r11, lr}
     sub     sp, sp, #OWN_SIZE

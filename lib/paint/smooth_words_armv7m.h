@@ -154,6 +154,12 @@
     sbcs    lr, lr, r12
     blo     .Lrefused_texels
     words_of_values 0, .Lrefused_texels
+    .if     \number == 1
+    ldr     r5, [sp, #V_DROP]
+    asr     r0, r0, r5
+    asr     r12, r12, r5
+    asr     r4, r4, r5
+    .endif
     ldr     r5, [sp, #WORDS]
     str     r0, [r5, #4 + 4 * \number]
     str     r12, [r5, #TEXEL_OUTLINE_DOWN + 4 + 4 * \number]
