@@ -216,20 +216,17 @@ face        .req r9
     b       .Lready\number
     .endm
 
-    /* \x0: from the least to the largest. */
-    .macro  side x0, x1, x2, most
-    mov     \most, \x0
-    cmp     \x0, \x1
-    ite     lt
-    movlt   \most, \x1
-    movge   \x0, \x1
-    cmp     \x2, \most
-    it      gt
-    movgt   \most, \x2
-    cmp     \x2, \x0
-    it      lt
-    movlt   \x0, \x2
-    sub     \x0, \most, \x0
+    /* \x0: from the least to the largest, which are taken from x0 on. On the screen nothing wraps. */
+    .macro  side x0, x1, x2, spare
+    sub     \x1, \x1, \x0
+    sub     \x2, \x2, \x0
+    sub     \spare, \x1, \x2
+    and     \spare, \spare, \spare, asr #31
+    sub     \x1, \x1, \spare       /* the larger one */
+    add     \x2, \x2, \spare
+    bic     \x1, \x1, \x1, asr #31
+    and     \x2, \x2, \x2, asr #31
+    sub     \x0, \x1, \x2
     .endm
 
 /* lib/draw/surface_polygon.h states what it requires and returns. r0: model_view, r1: face, r2: corners */

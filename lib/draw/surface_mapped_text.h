@@ -26,6 +26,7 @@ typedef struct {
     fxl_paint paint;
     fxl_texel_outline outline;
     int32_t one;         /* of the last depth plane; 0: none yet, or its light was the same all over */
+    uint32_t v_drop;     /* of fxl_find_texel_planes */
     uint32_t light_more; /* what is added to the light of one that is lit unevenly */
 } texel_run;
 
@@ -41,27 +42,10 @@ static inline void begin_texels(const fxl_surfaces *surfaces, const fxl_surface 
     fxl_texel_outline_of_surface(head, &run->paint, &run->outline);
     run->outline.pixels = fxl_depth_outline_pixels(head, traversal->band, 2) - 2u;
     run->one = 0;
+    run->v_drop = 8u - run->paint.level.log_width;
     run->light_more = fxl_surface_is_lit(surfaces, surface)
                           ? fxl_texel_light_more(run->paint.levels_less_1)
                           : 0;
-}
-
-/* Light at the corners, in `values`, and whether it is the same at all of them. Returns false if it is no
- * attribute. */
-static inline bool find_texel_light(const fxl_surfaces *surfaces, const fxl_surface *surface,
-                                    const fxl_corner *const of[3],
-                                    const fxl_model_view *model_view,
-                                    const fxl_traversal *traversal, const run_light *lighting,
-                                    int32_t values[3], fxl_paint *paint)
-{
-    paint->is_evenly_lit = false;
-    if (!fxl_surface_is_lit(surfaces, surface)) {
-        return false;
-    }
-    find_corner_light(surfaces, model_view, traversal, of, lighting, values);
-    paint->is_evenly_lit = values[0] == values[1] && values[0] == values[2];
-    paint->light = (uint16_t)(values[0] >> 8);
-    return !paint->is_evenly_lit;
 }
 
 /* Such a triangle, inside all planes. FXL_DEPTH_NOT_DRAWN if its planes are no words: then nothing is
@@ -74,23 +58,29 @@ draw_texel_corners(const fxl_surfaces *surfaces, const fxl_surface *surface,
 {
     fxl_workspace *workspace = traversal->workspace;
     const fxl_band *band = traversal->band;
+    const bool is_lit = run->outline.part_of_level != 0;
     int32_t light[3];
-    const bool has_light =
-        find_texel_light(surfaces, surface, of, model_view, traversal, lighting, light, &run->paint);
+    bool is_even = false;
+    if (is_lit) {
+        find_corner_light(surfaces, model_view, traversal, of, lighting, light);
+        is_even = light[0] == light[1] && light[0] == light[2];
+    }
     const int32_t one = fxl_find_texel_planes(
-        corners, lens, of, &run->outline.planes, has_light ? light : NULL,
+        corners, lens, of, &run->outline.planes, is_lit && !is_even ? light : NULL,
         surface->division == FXL_AFFINE && fxl_corners_are_on_screen(corners, lens->lens),
-        8u - run->paint.level.log_width);
+        run->v_drop);
     if (one == 0) {
         return FXL_DEPTH_NOT_DRAWN;
     }
-    if (one == run->one && !run->paint.is_evenly_lit) {
+    if (one == run->one && !is_even) {
         run->outline.planes.at.light += run->light_more;
     } else { /* as of the first face of a run */
         fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+        run->paint.is_evenly_lit = is_even;
+        run->paint.light = is_even ? (uint16_t)(light[0] >> 8) : 0;
         fxl_texel_outline_of_face((const fxl_depth_head *)workspace->target_memory, &run->paint,
                                   one, &run->outline);
-        run->one = run->paint.is_evenly_lit ? 0 : one;
+        run->one = is_even ? 0 : one;
     }
     return fxl_draw_texel_outline(corners->points, 3, band, &run->outline);
 }

@@ -29,8 +29,8 @@
     smull   r7, \edge, \edge, r6
     .endm
 
-/* \most and \least become those of 0 and of what two values have more than a third one. Values are from 0 to
- * 2^31, or differ by less than 2^23: no difference of two wraps. */
+/* \most and \least become those of 0 and of what two values have more than a third one. The three
+ * differ by less than 2^31: no difference wraps. */
     .macro ends_of_differences most, least, d1, d2
     sub     \least, \d1, \d2
     and     \least, \least, \least, asr #31
@@ -138,14 +138,13 @@
     .endif
     sub     r2, r2, r0
     sub     r5, r5, r0
+    ends_of_differences r4, r12, r2, r5
     .if     \has_texels
-    eor     r4, r2, r2, asr #31
-    eor     r7, r5, r5, asr #31
-    orr     r4, r4, r7
-    lsrs    r4, r4, #23             /* 128 texels */
+    eor     r7, r12, r12, asr #31
+    orr     r7, r7, r4
+    lsrs    r7, r7, #23             /* 128 texels */
     bne     .Lrefused_texels
     .endif
-    ends_of_differences r4, r12, r2, r5
     sub     r4, r4, r12             /* the range */
     ldrd    r7, r12, [sp, #LEAST]
     umull   r4, r12, r4, r12

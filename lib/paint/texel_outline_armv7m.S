@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_draw_texel_outline for Armv7-M and Armv8-M Mainline. lib/paint/smooth_outline.h states what it
- * requires and does; lib/paint/texel_outline.c paints the same pixels, by paint_any. A triangle takes 105
+ * requires and does; lib/paint/texel_outline.c paints the same pixels, by paint_any. A triangle takes 101
  * instructions, and a row 46, before the pixels; a visible texel of 16 bits 20, with light 37, and 30 if the dark
  * colour is 0; one of the palette 21, 38 and 32; a hidden one 9 or 10. */
 #include "../math/family.h"
@@ -165,11 +165,10 @@
  * stays as it is, so an outline may be left to others after some of its triangles. */
 fxl_draw_texel_outline:
     push    {r4-r11, lr}
-    sub     sp, sp, #FRAME_SIZE
     add     r12, r3, #TEXEL_OUTLINE_PIXELS
     ldm     r12, {r4-r9}
-    add     r12, sp, #FRAME_LIT + OF(PIXELS)
-    stm     r12, {r4-r9}
+    push    {r4-r9}                 /* FRAME_LIT */
+    sub     sp, sp, #FRAME_SIZE - 24
     adr     r4, .Lnext_row + 1
     subs    r5, r1, #3
     strd    r4, r5, [sp, #FRAME_RESUME]
@@ -193,13 +192,6 @@ fxl_draw_texel_outline:
     cmplo   r12, r1
     cmplo   r0, r1
     bhs     .Lnot_drawn             /* beside the band */
-    mov     r12, r5                 /* the greatest y */
-    cmp     r7, r12
-    it      gt
-    movgt   r12, r7
-    cmp     r9, r12
-    it      gt
-    movgt   r12, r9
     cmp     r5, r7
     it      le
     cmple   r5, r9
@@ -223,6 +215,10 @@ fxl_draw_texel_outline:
     mov     r6, r10
     mov     r7, r1
 .Lfrom_highest:
+    mov     r12, r7                 /* the greatest y */
+    cmp     r9, r7
+    it      gt
+    movgt   r12, r9
 /* place fill-rule: small triangles with texels for Armv7-M */
     add     r10, r5, r11
     add     r12, r12, r11
