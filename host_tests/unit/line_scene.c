@@ -138,3 +138,9 @@ double exact_code(double depth)
     const double held = depth < least ? least : depth;
     return depth >= 1 ? 65535 : exact_code_beyond(held, held);
 }
+
+void expect_code(double most, uint32_t bits, uint32_t code)
+{
+    const double kept = bits == 16 ? code : code / 65536.0;
+    TEST_ASSERT_TRUE(kept < most + 0.1 && kept > most - (bits == 16 ? 1.1 : 0.1));
+}

@@ -73,4 +73,7 @@ static inline uint32_t cell_at(uint32_t bits, int32_t pixel)
 double exact_code(double depth);
 double exact_code_beyond(double depth, double other);
 
+/* A code of 16 or 32 bits is so much too small, beside the rounding of what the plane has. */
+void expect_code(double most, uint32_t bits, uint32_t code);
+
 #endif
