@@ -142,7 +142,6 @@ static void expect_fraction(uint64_t part, uint64_t whole)
 
 void test_small_fractions(void)
 {
-    unit_restart();
     for (uint64_t whole = 1; whole < 50; whole++) {
         for (uint64_t part = 0; part < whole; part++) {
             expect_fraction(part, whole);
@@ -278,7 +277,6 @@ static void expect_wide(int64_t high, uint64_t low, wide actual)
 
 void test_products(void)
 {
-    unit_restart();
     const int64_t end = INT64_MAX;
     expect_wide(0, 0, wide_product(0, -5));
     expect_wide(-1, (uint64_t)-35, wide_product(7, -5));

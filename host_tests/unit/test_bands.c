@@ -291,7 +291,6 @@ static void expect_contents(const fxl_display_list *list, uint32_t count, uint32
 /* SPEC 7.4 */
 void test_records_come_back_in_order_where_rows_meet(void)
 {
-    unit_restart();
     uint32_t most = 0;
     for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
         uint32_t capacity =

@@ -162,7 +162,6 @@ static fxl_status try_lens(uint16_t width, uint16_t height, fxl_angle fov, fxl_q
 /* SPEC 2.1b */
 void test_ninety_degrees_is_half_the_width(void)
 {
-    unit_restart();
     fxl_lens lens = unit_lens(320, 240);
     TEST_ASSERT_NEAR(lens.focal, Q16(160), 1);
     TEST_ASSERT_EQUAL(320, lens.width);

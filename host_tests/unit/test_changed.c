@@ -305,7 +305,7 @@ static uint32_t follow(const fxl_lens *lens, void (*attach)(uint32_t episode))
         frames += !changed.whole;
         pixels += changed.whole ? 0 : pixels_of_boxes();
     }
-    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 400, frames);
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 750, frames);
     return (uint32_t)(pixels * 100 / ((uint64_t)frames * CHANGED_WIDTH * CHANGED_HEIGHT));
 }
 

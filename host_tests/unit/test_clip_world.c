@@ -247,7 +247,6 @@ static fxl_clip_result clip(const fxl_polygon *polygon, const fxl_polygon **resu
 
 void test_frustum_inside_returns_the_input(void)
 {
-    unit_restart();
     fxl_polygon polygon = across(Q16(-5), Q16(-5), Q16(5), Q16(5), Q16(10));
     const fxl_polygon *result = NULL;
     TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip(&polygon, &result));

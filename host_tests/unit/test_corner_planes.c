@@ -98,7 +98,7 @@ void test_small_is_what_its_conditions_say(void)
         apart += has_size && is_apart;
         steep += has_size && is_steep;
     }
-    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 50, small);
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 75, small);
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, thin);
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, apart);
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, steep);

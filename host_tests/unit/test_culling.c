@@ -198,7 +198,6 @@ static fxl_counters draw_by(tiny_scene *tiny, const fxl_lens *lens, const fxl_po
 void test_leaving_objects_out_changes_no_pixel(void)
 {
     uint32_t left_out = 0, drawn = 0;
-    unit_restart();
     for (int i = 0; i < UNIT_REPEAT / 100; i++) {
         tiny_scene *tiny = tiny_make();
         fxl_lens lens = unit_lens(WIDTH, HEIGHT);

@@ -333,7 +333,6 @@ void test_a_tiny_triangle_keeps_the_codes_of_its_pixels(void)
     } memory;
     static uint16_t wanted[WIDTH * ROWS], pixels[WIDTH * ROWS], painted[WIDTH * ROWS];
     uint32_t drawn = 0, hidden = 0, others = 0;
-    unit_restart();
     for (int i = 0; i < UNIT_REPEAT; i++) {
         const int32_t columns = unit_between(1, 8), most = 32 / columns;
         const int32_t rows = unit_between(1, most < 8 ? most : 8), centres = columns * rows;

@@ -207,7 +207,6 @@ static fxl_view_frustum random_frustum(void)
 
 void test_each_plane_has_its_bit(void)
 {
-    unit_restart();
     fxl_view_frustum frustum;
     fxl_lens lens = unit_lens(64, 64); /* 90 degrees, near 1/16, far 1000 */
     fxl_view_frustum_from_lens(&lens, &frustum);

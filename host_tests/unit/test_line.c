@@ -214,7 +214,6 @@ static void expect_meeting(int x0, int x1, double parameter)
 /* clippers 3.4c */
 void test_the_point_between_the_ends_and_beyond_them(void)
 {
-    unit_restart();
     expect_meeting(0, 20, 0.25);
     expect_meeting(20, 0, 0.75);
     expect_meeting(5, 9, 0);

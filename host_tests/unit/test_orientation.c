@@ -309,7 +309,6 @@ static void expect_centre(const exact_place *wanted, const fxl_point *actual, lo
 /* orientation 3.1a-b */
 void test_a_wheel_goes_with_its_car(void)
 {
-    unit_restart();
     const fxl_point car = {Q16(10), 0, Q16(-3)}, wheel = {Q16(1), Q16(0.5), Q16(2)};
     fxl_placement turned = still, placement;
     fxl_point centre;

@@ -316,7 +316,6 @@ static void expect_text(const fxl_text_style *style, const char *text, const cha
 /* overlay 4.1a, 4.1c-d */
 void test_text_is_what_is_drawn_here(void)
 {
-    unit_restart();
     const fxl_text_style style = {&fxl_font_5x7, 5, 0}, fixed = {&fxl_font_5x7, 6, 6};
     static const char *const hi[] = {
         "X...X.X", "X...X..", "X...X.X", "XXXXX.X", "X...X.X", "X...X.X", "X...X.X",

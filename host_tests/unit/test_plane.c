@@ -61,7 +61,6 @@ void test_the_farthest_corners_do_not_overflow(void)
 /* clippers 3.4i */
 void test_the_normal_points_to_where_they_run_clockwise(void)
 {
-    unit_restart();
     const fxl_point a = {Q16(1), Q16(2), Q16(7)}, right = {Q16(4), Q16(2), Q16(7)},
                     up = {Q16(1), Q16(3), Q16(7)};
     fxl_plane plane;

@@ -163,7 +163,6 @@ static void turn(fxl_screen_point *points)
 /* SPEC 5.2 */
 void test_a_tiny_triangle_covers_what_the_scan_finds(void)
 {
-    unit_restart();
     uint32_t covered = 0, tiny_ones = 0, others = 0;
     for (int i = 0; i < 4 * UNIT_REPEAT; i++) {
         const fxl_band band = {
@@ -218,7 +217,6 @@ void test_the_cover_of_a_small_triangle_is_what_the_scan_finds(void)
 {
     const fxl_band band = {.width = SEEN, .stride = SEEN, .rows = SEEN};
     uint32_t covered = 0, others = 0;
-    unit_restart();
     for (int i = 0; i < 4 * UNIT_REPEAT; i++) {
         const int32_t x = unit_between(0, 7 * 65536), y = unit_between(0, 7 * 65536);
         const int32_t columns = unit_between(1, 8), rows = unit_between(1, 8);

@@ -364,7 +364,6 @@ void test_no_sphere_is_ever_within_a_turned_face(void)
 {
     start_turned();
     slide_counts counts = {0, 0};
-    unit_restart();
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
         place_all(Q16(3));
         fxl_sphere sphere = {unit_point(Q16(6)), unit_between(FXL_SLIDE_RADIUS_MIN, Q16(1.5))};

@@ -245,7 +245,6 @@ void test_vertices_of_what_is_left_out(void)
 /* Straight ahead, 90 degrees wide: side planes at |x| = z and |y| = 2/3 z. */
 void test_boxes_about_a_known_frustum(void)
 {
-    unit_restart();
     const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
     const fxl_lens lens = unit_lens(48, 32);
     const struct {

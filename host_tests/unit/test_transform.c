@@ -194,7 +194,6 @@ static void expect_seen(const fxl_model_view *model_view, int instance, uint32_t
 
 void test_vertices_that_displace_each_other(void)
 {
-    unit_restart();
     for (uint32_t count = 1; count <= ENTRIES; count++) {
         start(count);
         for (int i = 0; i < UNIT_REPEAT / 100; i++) {

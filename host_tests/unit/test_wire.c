@@ -252,7 +252,7 @@ void test_bands_and_both_clippers_draw_the_same(void)
             pixels += whole[k] != 0;
         }
     }
-    TEST_ASSERT_TRUE(pixels > UNIT_REPEAT / 10 && clipped > UNIT_REPEAT / 200);
+    TEST_ASSERT_TRUE(pixels > UNIT_REPEAT / 20 && clipped > UNIT_REPEAT / 200);
 }
 
 /* Without a placement an instance is drawn as one that has none. A cube that is a quarter turned looks

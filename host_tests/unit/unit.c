@@ -5,24 +5,25 @@
 
 #define FIRST_STATE 2463534242u
 
-static uint32_t state = FIRST_STATE;
+static uint32_t state;
+static const char *test; /* the name of the one that state belongs to */
 
 /* Marsaglia's xorshift. */
 uint32_t unit_random(void)
 {
+    if (test != Unity.CurrentTestName) {
+        test = Unity.CurrentTestName;
+        state = FIRST_STATE;
+    }
     state ^= state << 13;
     state ^= state >> 17;
     state ^= state << 5;
     return state;
 }
 
-void unit_restart(void)
-{
-    state = FIRST_STATE;
-}
-
 void unit_seed(uint32_t seed)
 {
+    test = Unity.CurrentTestName;
     state = seed * 2654435769u; /* odd, so not 0 */
 }
 

@@ -35,14 +35,11 @@
         .first_row = (first), .rows = (count) \
     }
 
-/* The same numbers in every run of a test program. */
+/* The same numbers in every run. Each test begins with the first one, so its inputs do not depend on
+ * the tests before it. */
 uint32_t unit_random(void);
 
-/* The numbers of the program's start again: the tests that follow have inputs that do not depend on
- * what stands before them. */
-void unit_restart(void);
-
-/* Other numbers from here on, by a seed above 0. */
+/* Other numbers for the rest of the test, by a seed above 0. */
 void unit_seed(uint32_t seed);
 
 /* A random number of low..high, both included. */
