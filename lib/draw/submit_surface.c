@@ -81,13 +81,21 @@ static fxl_q18_46 nearest_depth(const fxl_model_view *model_view, const fxl_face
     return nearest;
 }
 
+/* Before what finds a face's gradients. A library for size has two functions that do, of which a
+ * program without a depth buffer links the short one; any other has one, as a program may link both. */
+#if FXL_IS_COMPACT
+#define IN_PLACE static inline __attribute__((always_inline))
+#else
+#define IN_PLACE static
+#endif
+
 /* The gradients of a small face, and its depth where its texels are words: *has_words. find_texels:
  * null: they are not. Of planes for words alone it finds nothing else. Returns the level of its texture. */
-static inline __attribute__((always_inline)) uint8_t
-find_small(const fxl_texture *texture, const fxl_model_view *model_view, const fxl_face *face,
-           const fxl_corner *const of[3], const fxl_traversal *traversal,
-           fxl_texels_finder *find_texels, fxl_corner_planes *planes, fxl_gradient_corners *corners,
-           bool is_affine, fxl_surface_polygon *polygon, bool *has_words)
+IN_PLACE uint8_t find_small(const fxl_texture *texture, const fxl_model_view *model_view,
+                            const fxl_face *face, const fxl_corner *const of[3],
+                            const fxl_traversal *traversal, fxl_texels_finder *find_texels,
+                            fxl_corner_planes *planes, fxl_gradient_corners *corners,
+                            bool is_affine, fxl_surface_polygon *polygon, bool *has_words)
 {
     const bool has_levels = texture != NULL && texture->levels > 1;
     fxl_gradients *gradients = &polygon->gradients;
@@ -108,10 +116,10 @@ find_small(const fxl_texture *texture, const fxl_model_view *model_view, const f
 }
 
 /* The gradients of any other face. */
-static inline __attribute__((always_inline)) uint8_t
-find_large(const fxl_surface *surface, const fxl_texture *texture, const fxl_model_view *model_view,
-           const fxl_face *face, const fxl_corner *const of[3], const fxl_traversal *traversal,
-           fxl_gradient_corners *corners, fxl_gradients *gradients)
+IN_PLACE uint8_t find_large(const fxl_surface *surface, const fxl_texture *texture,
+                            const fxl_model_view *model_view, const fxl_face *face,
+                            const fxl_corner *const of[3], const fxl_traversal *traversal,
+                            fxl_gradient_corners *corners, fxl_gradients *gradients)
 {
     const fxl_view *view = model_view->view;
     const bool has_levels = texture != NULL && texture->levels > 1;
@@ -138,13 +146,12 @@ find_large(const fxl_surface *surface, const fxl_texture *texture, const fxl_mod
         gradients);
 }
 
-/* The text of the next two: a program has one of them. */
 /* surfaces 6.1 */
-static inline __attribute__((always_inline)) void
-find_surface(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
-             const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *traversal,
-             fxl_depth_finder *find_depth, fxl_linear_finder *find_linear,
-             fxl_texels_finder *find_texels, fxl_surface_polygon *polygon)
+IN_PLACE void find_surface(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
+                           const fxl_model_view *model_view, const fxl_face *face,
+                           const fxl_traversal *traversal, fxl_depth_finder *find_depth,
+                           fxl_linear_finder *find_linear, fxl_texels_finder *find_texels,
+                           fxl_surface_polygon *polygon)
 {
     const fxl_view *view = model_view->view;
     const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
@@ -211,12 +218,16 @@ find_surface(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
     }
 }
 
+#if FXL_IS_COMPACT
+
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,
                       const fxl_traversal *traversal, fxl_surface_polygon *polygon)
 {
     find_surface(surfaces, mapped, model_view, face, traversal, NULL, NULL, NULL, polygon);
 }
+
+#endif
 
 void fxl_surface_find_deep(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                            const fxl_model_view *model_view, const fxl_face *face,

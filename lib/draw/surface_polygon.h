@@ -241,12 +241,12 @@ typedef bool fxl_linear_finder(const fxl_screen_corners *corners, const fxl_lens
                                const int32_t light[3], fxl_gradients *gradients,
                                fxl_depth_plane *depth);
 
-/* What a face with a surface has beside its outlines, without depth. */
+/* What a face with a surface has beside its outlines, without depth: in a library for size. */
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,
                       const fxl_traversal *traversal, fxl_surface_polygon *polygon);
 
-/* The same with depth. find_linear, find_texels: null: planes are never found as words. */
+/* The same with depth. find_depth: null: it has none. find_linear, find_texels: null: planes are never found as words. */
 void fxl_surface_find_deep(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                            const fxl_model_view *model_view, const fxl_face *face,
                            const fxl_traversal *traversal, fxl_depth_finder *find_depth,

@@ -49,6 +49,10 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     return false;
 }
 
+#define FIND_DEPTH  NULL
+#define FIND_LINEAR NULL
+#define FIND_TEXELS NULL
+
 #else
 
 #include "surface_depth_text.h"
@@ -118,7 +122,7 @@ find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
         return;
     }
 #endif
-#if FXL_TARGET_DEPTH_BITS == 0
+#if FXL_TARGET_DEPTH_BITS == 0 && FXL_IS_COMPACT
     fxl_surface_find(of->surfaces, of->mapped, model_view, face, traversal, polygon);
 #else
     fxl_surface_find_deep(of->surfaces, of->mapped, model_view, face, traversal, FIND_DEPTH,
