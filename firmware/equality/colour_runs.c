@@ -3,6 +3,7 @@
 
 #include "equality.h"
 #include "paint/depth_rows.h"
+#include "paint/light_level.h"
 #include "paint/paint_polygon.h"
 #include "sides.h"
 
@@ -23,6 +24,54 @@ void test_colour_runs(uint32_t rounds)
             by_core[k] = by_portable[k] = 0xA5A5;
         }
         equality_case(same);
+    }
+}
+
+/* --- light at corners ------------------------------------------------------------------------- */
+
+/* A component of a direction: those of a vector are at most 1 together. */
+static int32_t any_component(uint32_t index)
+{
+    const uint32_t number = any_32();
+    const int32_t component = (int32_t)(number >> 2 >> (number & 15u));
+    const int32_t held = index == 0 ? component : component / 2;
+    return number & 16u ? held : -held;
+}
+
+static fxl_direction any_direction(void)
+{
+    const uint32_t longest = any_32() % 3u;
+    const fxl_direction direction = {any_component(longest), any_component((longest + 1u) % 3u),
+                                     any_component((longest + 2u) % 3u)};
+    return direction;
+}
+
+static fxl_q2_30 any_part(void)
+{
+    const uint32_t number = any_32();
+    return (fxl_q2_30)(number % 5u == 0 ? 1u << 30 : number >> 2 >> (number & 7u));
+}
+
+void test_light_corners(uint32_t rounds)
+{
+    fxl_direction normals[4];
+    fxl_corner corners[3] = {{{0, 0}, 0, 0}};
+    const fxl_corner *const of[3] = {&corners[0], &corners[1], &corners[2]};
+    for (uint32_t i = 0; i < rounds; i++) {
+        int32_t core[3], portable[3];
+        const fxl_light_settings settings = {.ambient = any_part(),
+                                             .strength = any_part(),
+                                             .direction = any_direction(),
+                                             .levels = 2u + any_32() % 63u};
+        for (uint32_t k = 0; k < 4; k++) {
+            normals[k] = any_direction();
+        }
+        for (uint32_t k = 0; k < 3; k++) {
+            corners[k].normal = (uint16_t)(any_32() >> 30);
+        }
+        fxl_light_corners_of(&settings, normals, of, core);
+        portable_light_corners_of(&settings, normals, of, portable);
+        equality_case(equality_same_words(core, portable, sizeof core));
     }
 }
 

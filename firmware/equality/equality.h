@@ -50,6 +50,7 @@ extern const equality_test equality_tests[];
     TEST("divided-rows", test_divided_rows, LARGE)              \
     TEST("colour-runs", test_colour_runs, LARGE)                \
     TEST("lit-texels", test_lit_texels, LARGE)                  \
+    TEST("light-corners", test_light_corners, LARGE)            \
     TEST("depth-planes", test_depth_planes, LARGE)              \
     TEST("depth-rows", test_depth_rows, LARGE)                  \
     TEST("depth-outlines", test_depth_outlines, OUTLINES)       \

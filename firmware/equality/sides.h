@@ -94,6 +94,9 @@ int32_t portable_find_texel_planes(const fxl_screen_corners *corners, const fxl_
                                    const fxl_corner *const of[3], fxl_texel_planes *planes,
                                    const int32_t *light, bool is_affine, uint32_t v_drop);
 
+void portable_light_corners_of(const fxl_light_settings *settings, const fxl_direction *normals,
+                               const fxl_corner *const corners[3], int32_t values[3]);
+
 void portable_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 
 /* Stages that have a different path with FXL_SMALL. */

@@ -288,6 +288,13 @@ AT(fxl_colour_outline, cells, COLOUR_OUTLINE_CELLS);
 
 AT(fxl_corner, texel.u, CORNER_TEXEL);
 AT(fxl_corner, texel.v, CORNER_TEXEL + 4);
+AT(fxl_corner, normal, CORNER_NORMAL);
+SIZE(fxl_direction, 12);
+
+AT(fxl_light_settings, ambient, 0);
+AT(fxl_light_settings, strength, 4);
+AT(fxl_light_settings, direction, 8);
+AT(fxl_light_settings, levels, LIGHT_SETTINGS_LEVELS);
 
 AT(fxl_texel_outline, planes.at, 0);
 AT(fxl_texel_outline, planes.down, TEXEL_OUTLINE_DOWN);

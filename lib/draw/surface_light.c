@@ -81,10 +81,10 @@ static fxl_kept_lights *kept_lights(const fxl_surfaces *surfaces, const fxl_trav
     return kept;
 }
 
-#define KEPT_LIGHT kept_lights, fxl_kept_light_find
+#define KEPT_LIGHT kept_lights, fxl_kept_light_find, fxl_light_corners_of
 
 #else
-#define KEPT_LIGHT NULL, NULL
+#define KEPT_LIGHT NULL, NULL, NULL
 #endif
 
 static const fxl_surface_light_code code = {light_corners, KEPT_LIGHT};

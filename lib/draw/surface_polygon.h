@@ -35,6 +35,7 @@ typedef struct fxl_surface_light_code {
      * workspace, until a face is cut or faces are sorted. Else null. */
     fxl_kept_lights *(*kept_lights)(const fxl_surfaces *surfaces, const fxl_traversal *traversal);
     fxl_kept_light_finder *find_kept;
+    fxl_corners_light *corners_of; /* where it does: of all three corners */
 } fxl_surface_light_code;
 
 static inline bool fxl_surface_is_lit(const fxl_surfaces *surfaces, const fxl_surface *surface)

@@ -107,6 +107,7 @@ static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_work
 typedef struct {
     const fxl_surface_light_code *code; /* null where nothing is lit */
     fxl_kept_lights *kept;              /* undefined then; null where none can be kept */
+    bool is_stale;                      /* a face was cut since: nothing is kept any more */
 } run_light;
 
 /* fxl_corner_light by what is kept. */
@@ -225,6 +226,16 @@ static inline void find_light_paint(const fxl_surfaces *surfaces, const fxl_band
     mix_light(surfaces, band, paint);
 }
 
+/* Light that was kept before a face was cut is forgotten where it would be asked for. */
+static inline void renew_kept(const fxl_surfaces *surfaces, const fxl_traversal *traversal,
+                              smooth_run *run)
+{
+    if (run->light.is_stale && run->kind == HAS_LIGHT) {
+        run->light.kept = run->light.code->kept_lights(surfaces, traversal);
+        run->light.is_stale = false;
+    }
+}
+
 /* Not inline: its paint would be on the stack of others. */
 static __attribute__((noinline)) void begin_run(const fxl_surfaces *surfaces, uint32_t number,
                                                 const fxl_traversal *traversal, smooth_run *run)
@@ -258,6 +269,7 @@ static __attribute__((noinline)) void begin_run(const fxl_surfaces *surfaces, ui
     fxl_paint paint;
     find_light_paint(surfaces, band, &paint);
     run->kind = HAS_LIGHT;
+    renew_kept(surfaces, traversal, run);
     run->outline.smooth.one = 0;
     fxl_smooth_outline_of_band(head, &paint, band, FXL_PIXEL_BITS / 8,
                                &run->outline.smooth.outline);

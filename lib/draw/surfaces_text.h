@@ -265,21 +265,18 @@ static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *
         return false;
     }
     run.drawn = run.without_rows = 0;
-    run.result = IS_OTHER;
+    run.light.is_stale = false;
     run.lens = fxl_words_lens_of(&model_view->view->lens);
     run.light.code = surfaces->light != NULL ? surfaces->light_code : NULL;
     begin_run(surfaces, set->faces[first - 1].surface, traversal, &run);
     if (run.corners == NULL) {
         return false;
     }
-    for (;;) {
-        if (run.light.code != NULL && run.result == IS_OTHER) {
-            run.light.kept = run.light.code->kept_lights(surfaces, traversal);
-        }
-        const fxl_face *face = draw_inside_faces(model_view, traversal, walk, &run);
-        if (face == NULL) {
-            break;
-        }
+    if (run.light.code != NULL) {
+        run.light.kept = run.light.code->kept_lights(surfaces, traversal);
+    }
+    const fxl_face *face;
+    while ((face = draw_inside_faces(model_view, traversal, walk, &run)) != NULL) {
         const fxl_mapped_face *mapped = &set->faces[set->face_map[face - scene->faces] - 1];
         const fxl_mapped_surface of = {surfaces, mapped, NULL, NULL, false};
         if (!(run.result == IS_OTHER ? submit(model_view, face, traversal, shader)
@@ -288,6 +285,10 @@ static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *
             break;
         }
         walk->submitted++;
+        if (run.result == IS_OTHER) {
+            run.light.is_stale = true;
+            renew_kept(surfaces, traversal, &run);
+        }
     }
     traversal->counters->drawn += run.drawn;
     traversal->counters->spilled += run.drawn - run.without_rows;

@@ -277,7 +277,11 @@
 #define COLOUR_OUTLINE_CELLS      56
 
 /* fxl_corner */
-#define CORNER_TEXEL 0
+#define CORNER_TEXEL  0
+#define CORNER_NORMAL 10
+
+/* fxl_light_settings */
+#define LIGHT_SETTINGS_LEVELS 116
 
 /* fxl_texel_outline */
 #define TEXEL_OUTLINE_DOWN          16

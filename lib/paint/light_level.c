@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Errors are in units of 2^-30. Products are rounded down. A normal is within 2^-27 of unit length,
  * or within 2^-29 where its instance has no placement; that is its own, and no error. */
+#include "../math/family.h"
 #include "../math/product.h"
 #include "rgb565_colour.h"
 #include "../math/plane.h"
@@ -169,6 +170,9 @@ static inline int32_t level_at(const fxl_direction *normal, const fxl_direction 
     return fxl_light_corner_level((fxl_q2_30)sum, levels_less_1);
 }
 
+/* The portable text. */
+#if !FXL_KERNELS_ARMV7M || FXL_IS_COMPACT
+
 void fxl_light_corners_of(const fxl_light_settings *settings, const fxl_direction *normals,
                           const fxl_corner *const corners[3], int32_t values[3])
 {
@@ -180,6 +184,8 @@ void fxl_light_corners_of(const fxl_light_settings *settings, const fxl_directio
     values[1] = level_at(&normals[corners[1]->normal], &d, strength, ambient, most);
     values[2] = level_at(&normals[corners[2]->normal], &d, strength, ambient, most);
 }
+
+#endif
 
 int32_t fxl_kept_light_find(const fxl_surfaces *surfaces, uint32_t number, uint32_t *word)
 {

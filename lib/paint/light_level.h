@@ -20,9 +20,11 @@ fxl_q2_30 fxl_light_brightness(const fxl_light_settings *settings, const fxl_cam
                                const fxl_lit_place *place);
 
 /* The light of three corners, without points and fog, of which `place` would be needed for more
- * than its normal: fxl_light_corner_level of the normals that the corners number. */
-void fxl_light_corners_of(const fxl_light_settings *settings, const fxl_direction *normals,
-                          const fxl_corner *const corners[3], int32_t values[3]);
+ * than its normal: fxl_light_corner_level of the normals that the corners number. It is
+ * a kernel: Armv7-M has its own. */
+typedef void fxl_corners_light(const fxl_light_settings *settings, const fxl_direction *normals,
+                               const fxl_corner *const corners[3], int32_t values[3]);
+fxl_corners_light fxl_light_corners_of;
 
 /* Light that was found, by the numbers of normals: of those that are equal modulo FXL_LIGHTS_KEPT the last
  * one. The word of a normal is its number in the upper half and, exclusive or, its light, which is
