@@ -172,10 +172,6 @@
     .endif
     adr     r8, .Lsegment_\log + 1
     .else
-    .if     WIDE
-    ldrd    r10, r11, [r0, #SEGMENT_FACE_U_DROP]
-    strd    r10, r11, [sp, #.LF_U_DROP]
-    .endif
     mla     r7, r6, r8, r7
     ittee   eq
     adreq   r8, .Lclamped_segment_\log + 1
@@ -191,6 +187,10 @@
 /* The frame of another logarithm, r4. */
 .Lother_log:
     str     r4, [sp, #.LF_LOG]
+    .if     WIDE
+    ldrd    r10, r11, [r0, #SEGMENT_FACE_U_DROP]
+    strd    r10, r11, [sp, #.LF_U_DROP]
+    .endif
     cmp     r4, #3
     beq     .Lset_3
     blo     .Lset_less
