@@ -7,6 +7,10 @@
 #include "fixel/light.h"
 #include "fixel/surfaces.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* A face in the world. */
 typedef struct {
     fxl_direction normal; /* of unit length, to within 2^-27 */
@@ -87,5 +91,9 @@ static inline uint8_t fxl_light_shade(fxl_q2_30 brightness)
     const uint32_t part = ((uint32_t)brightness + (1u << 21)) >> 22;
     return (uint8_t)(part == 0 ? 255u : 256u - part);
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif
