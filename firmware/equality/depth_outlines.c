@@ -116,8 +116,9 @@ static bool has_drawn(const polygon *of, const fxl_band *band, fxl_depth_drawn d
 }
 
 /* The corners of a triangle, of three of four whose points are in the columns of the band. */
-static bool find_corners(const polygon *of, const fxl_band *band, fxl_screen_corners *corners)
+static bool find_corners(const polygon *of, const fxl_band *band, fxl_inside_corners *inside)
 {
+    fxl_screen_corners *corners = &inside->corners;
     fxl_screen_point least = of->points[0], most = least;
     for (uint32_t i = 0; i < 3; i++) {
         const fxl_screen_point at = corners->points[i] = of->points[i];
@@ -128,7 +129,22 @@ static bool find_corners(const polygon *of, const fxl_band *band, fxl_screen_cor
     }
     corners->width = most.x - least.x;
     corners->height = most.y - least.y;
+    inside->least = least;
     return least.x >= 0 && most.x <= band->width << 16 && (any_32() & 0x600u) != 0;
+}
+
+/* Whether light at all centres of a box of at most 6 rows and 8 columns is of the ramp. */
+static bool has_small_light(const fxl_inside_corners *inside, const fxl_smooth_outline *smooth)
+{
+    const fxl_smooth_words *words = &smooth->words;
+    const int32_t x = (inside->least.x + 0x7FFF) >> 16, y = (inside->least.y + 0x7FFF) >> 16;
+    for (uint32_t i = 0; i < 6 * 8; i++) {
+        const uint32_t column = (uint32_t)x + i % 8, row = (uint32_t)y + i / 8;
+        if (words->light + words->light_along * column + words->light_down * row >= smooth->limit) {
+            return false;
+        }
+    }
+    return true;
 }
 
 static bool draw_smooth(const polygon *of, const fxl_band *band)
@@ -139,8 +155,10 @@ static bool draw_smooth(const polygon *of, const fxl_band *band)
                                   &smooth)) {
         return false;
     }
-    fxl_screen_corners corners;
+    fxl_inside_corners corners;
     if (of->pixel_bits == 16 && of->count == 3 && find_corners(of, band, &corners)) {
+        smooth.small_rows =
+            has_small_light(&corners, &smooth) ? fxl_smooth_small_rows(FXL_DEPTH_IS_LINEAR) : 0;
         return has_drawn(of, band, fxl_draw_smooth_triangle_16(&corners, band, &smooth));
     }
     const fxl_depth_drawn drawn =

@@ -198,7 +198,7 @@ static void compare(const fxl_face *face)
  * clipper leaves. */
 static void compare_inside(const fxl_face *face)
 {
-    static fxl_screen_corners found, expected;
+    static fxl_inside_corners found, expected;
     int32_t least[2] = {INT32_MAX, INT32_MAX}, most[2] = {INT32_MIN, INT32_MIN};
     if (face->count != 3) {
         return;
@@ -218,17 +218,18 @@ static void compare_inside(const fxl_face *face)
         const int32_t at[2] = {point->x, point->y};
         fxl_cached_vertex vertex;
         portable_transform_vertex(&by_portable.placed, face->indices[i], &vertex);
-        expected.points[i] = *point;
-        expected.depths[i] = vertex.position.z;
+        expected.corners.points[i] = *point;
+        expected.corners.depths[i] = vertex.position.z;
         for (uint32_t k = 0; k < 2; k++) {
             least[k] = at[k] < least[k] ? at[k] : least[k];
             most[k] = at[k] > most[k] ? at[k] : most[k];
         }
     }
     if (core == FXL_CLIP_INSIDE) {
-        expected.width = most[0] - least[0];
-        expected.height = most[1] - least[1];
-        expected.is_triangle = true;
+        expected.corners.width = most[0] - least[0];
+        expected.corners.height = most[1] - least[1];
+        expected.least.x = least[0];
+        expected.least.y = least[1];
     }
     equality_case(core == portable && memcmp(&found, &expected, sizeof found) == 0 &&
                   memcmp(by_core.entries, by_portable.entries, sizeof by_core.entries) == 0);

@@ -169,9 +169,6 @@ static void check_texel_planes(int32_t (*values)[3], bool is_found, const fxl_gr
         values[FXL_ATTRIBUTE_V][2] += 192 << 16;
         TEST_ASSERT_EQUAL_INT32(0, planes_of(values, &found, true));
         values[FXL_ATTRIBUTE_V][2] -= 192 << 16;
-        triangle.corners.is_triangle = false;
-        TEST_ASSERT_EQUAL_INT32(0, planes_of(values, &found, false));
-        triangle.corners.is_triangle = true;
         triangle.corners.width += FXL_SMALL_SIDE_MAX;
         TEST_ASSERT_EQUAL_INT32(0, planes_of(values, &found, false));
         triangle.corners.width -= FXL_SMALL_SIDE_MAX;

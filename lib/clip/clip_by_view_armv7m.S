@@ -216,7 +216,7 @@ face        .req r9
     b       .Lready\number
     .endm
 
-    /* \x0: from the least to the largest, which are taken from x0 on. On the screen nothing wraps. */
+    /* \spare: from the least, which \x0 becomes, to the largest. On the screen nothing wraps. */
     .macro  side x0, x1, x2, spare
     sub     \x1, \x1, \x0
     sub     \x2, \x2, \x0
@@ -226,7 +226,8 @@ face        .req r9
     add     \x2, \x2, \spare
     bic     \x1, \x1, \x1, asr #31
     and     \x2, \x2, \x2, asr #31
-    sub     \x0, \x1, \x2
+    add     \x0, \x0, \x2
+    sub     \spare, \x1, \x2
     .endm
 
 /* lib/draw/surface_polygon.h states what it requires and returns. r0: model_view, r1: face, r2: corners */
@@ -246,10 +247,9 @@ fxl_find_inside_corners:
     beq     .Lis_between
     ldm     corners, {r2-r7}
     side    r2, r4, r6, r0
-    side    r3, r5, r7, r0
-    strd    r2, r3, [corners, #SCREEN_CORNERS_WIDTH]
-    movs    r0, #1
-    strb    r0, [corners, #SCREEN_CORNERS_IS_TRIANGLE]
+    side    r3, r5, r7, r1
+    strd    r0, r1, [corners, #SCREEN_CORNERS_WIDTH]
+    strd    r2, r3, [corners, #INSIDE_CORNERS_LEAST]
     movs    r0, #CLIP_INSIDE
 .Lreturned:
     add     sp, sp, #12

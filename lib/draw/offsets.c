@@ -193,7 +193,7 @@ AT(fxl_screen_corners, points, 0);
 AT(fxl_screen_corners, depths, SCREEN_CORNERS_DEPTHS);
 AT(fxl_screen_corners, width, SCREEN_CORNERS_WIDTH);
 AT(fxl_screen_corners, height, SCREEN_CORNERS_WIDTH + 4);
-AT(fxl_screen_corners, is_triangle, SCREEN_CORNERS_IS_TRIANGLE);
+AT(fxl_inside_corners, least, INSIDE_CORNERS_LEAST);
 
 AT(fxl_lens, near_z, LENS_NEAR_Z);
 AT(fxl_lens, far_z, LENS_NEAR_Z + 4);
@@ -240,6 +240,7 @@ AT(fxl_smooth_outline, cells, SMOOTH_OUTLINE_CELLS);
 AT(fxl_smooth_outline, pixels, SMOOTH_OUTLINE_PIXELS);
 AT(fxl_smooth_outline, last, SMOOTH_OUTLINE_LAST);
 AT(fxl_smooth_outline, border, SMOOTH_OUTLINE_BORDER);
+AT(fxl_smooth_outline, small_rows, SMOOTH_OUTLINE_SMALL_ROWS);
 
 #if FXL_DRAWS_SMOOTH_OUTLINES
 AT(fxl_lit_run, steps, LIT_RUN_STEPS);

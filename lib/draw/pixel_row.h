@@ -43,8 +43,8 @@
 #define FXL_FILL_BAND          fxl_fill_band_palette
 #define FXL_DRAW_DEPTH_OUTLINE fxl_draw_depth_outline_8
 #define FXL_DRAW_SMOOTH        fxl_draw_smooth_outline_8
-#define FXL_DRAW_SMOOTH_FACE(corners, band, smooth) \
-    FXL_DRAW_SMOOTH((corners)->points, 3, band, smooth)
+#define FXL_DRAW_SMOOTH_FACE(inside, band, smooth) \
+    FXL_DRAW_SMOOTH((inside)->corners.points, 3, band, smooth)
 
 typedef uint8_t fxl_pixel;
 typedef uint32_t fxl_filling; /* the colour in each byte */

@@ -174,7 +174,7 @@ bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *f
 /* fxl_clip_by_view of a triangle, and its vertices on the screen with their box: of one that it
  * answers FXL_CLIP_INSIDE for. Also FXL_CLIP_BETWEEN; FXL_CLIP_CUT stands for any other answer. */
 fxl_clip_result fxl_find_inside_corners(const fxl_model_view *model_view, const fxl_face *face,
-                                        fxl_screen_corners *corners);
+                                        fxl_inside_corners *corners);
 
 #endif
 

@@ -277,7 +277,7 @@ static __attribute__((noinline)) void begin_run(const fxl_surfaces *surfaces, ui
 
 static inline __attribute__((always_inline)) fxl_depth_drawn
 draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
-                  const fxl_screen_corners *corners, const fxl_model_view *model_view,
+                  const fxl_inside_corners *corners, const fxl_model_view *model_view,
                   const fxl_face *face, const fxl_traversal *traversal, smooth_run *run)
 {
     const fxl_band *band = traversal->band;
@@ -285,7 +285,7 @@ draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
     fxl_smooth_outline *smooth = &run->outline.smooth.outline;
     int32_t light[3];
     find_corner_light(surfaces, model_view, traversal, of, &run->light, light);
-    const int32_t one = fxl_find_smooth_words(corners, &run->lens, light, &smooth->words);
+    const int32_t one = fxl_find_smooth_words(&corners->corners, &run->lens, light, &smooth->words);
     if (one == 0) {
         return FXL_DEPTH_NOT_DRAWN;
     }
@@ -297,7 +297,8 @@ draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
     }
     if (one != run->outline.smooth.one) {
         run->outline.smooth.one = one;
-        fxl_smooth_outline_of_one(head, one, FXL_PIXEL_BITS / 8, smooth);
+        fxl_smooth_outline_of_one(head, one & ~FXL_WORDS_HAVE_MEAN, FXL_PIXEL_BITS / 8, smooth);
+        smooth->small_rows = fxl_smooth_small_rows(one);
     }
     smooth->words.light += fxl_smooth_light_more(FXL_PIXEL_BITS / 8, smooth);
     return FXL_DRAW_SMOOTH_FACE(corners, band, smooth);
@@ -314,12 +315,13 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
     const fxl_corner *const of[3] = {&run->corners[mapped->corners[0]],
                                      &run->corners[mapped->corners[1]],
                                      &run->corners[mapped->corners[2]]};
-    fxl_screen_corners corners;
+    fxl_inside_corners inside;
+    const fxl_screen_corners *corners = &inside.corners;
     if (face->count != 3 || face->indices[0] != of[0]->vertex ||
         face->indices[1] != of[1]->vertex || face->indices[2] != of[2]->vertex) {
         return IS_OTHER;
     }
-    const fxl_clip_result cut = fxl_find_inside_corners(model_view, face, &corners);
+    const fxl_clip_result cut = fxl_find_inside_corners(model_view, face, &inside);
     if (cut != FXL_CLIP_INSIDE) {
         return cut == FXL_CLIP_BETWEEN &&
                        fxl_count_outcome(traversal, (fxl_outcome)1 << FXL_CLIP_BETWEEN, 0)
@@ -329,25 +331,25 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
     fxl_depth_drawn drawn;
 #if FXL_PIXEL_IS_MIXED
     if (run->kind == HAS_TEXELS) {
-        drawn = draw_texel_corners(surfaces, run->surface, of, &corners, model_view, traversal,
+        drawn = draw_texel_corners(surfaces, run->surface, of, corners, model_view, traversal,
                                    &run->lens, &run->light, &run->outline.texels);
     } else if (run->kind == HAS_COLOURS) {
-        drawn = draw_colour_face(surfaces, run->surface, of, &corners, model_view, corners.points,
+        drawn = draw_colour_face(surfaces, run->surface, of, corners, model_view, corners->points,
                                  3, traversal, &run->lens, &run->light, &run->outline.colours);
     } else
 #endif
     {
-        drawn = draw_inside_light(surfaces, of, &corners, model_view, face, traversal, run);
+        drawn = draw_inside_light(surfaces, of, &inside, model_view, face, traversal, run);
         if (drawn == FXL_DEPTH_NOT_CLEAR) {
-            clear_under(workspace, corners.points, 3, traversal->band);
-            drawn = FXL_DRAW_SMOOTH_FACE(&corners, traversal->band, &run->outline.smooth.outline);
+            clear_under(workspace, corners->points, 3, traversal->band);
+            drawn = FXL_DRAW_SMOOTH_FACE(&inside, traversal->band, &run->outline.smooth.outline);
         }
     }
     if (drawn != FXL_DEPTH_DRAWN) {
         if (drawn == FXL_DEPTH_NOT_DRAWN) {
             return HAS_NO_WORDS;
         }
-        memcpy(workspace->screen.points, corners.points, sizeof corners.points);
+        memcpy(workspace->screen.points, corners->points, sizeof corners->points);
         workspace->screen.count = 3;
         run->without_rows +=
             !fxl_outline_has_rows(&workspace->screen, model_view->view->lens.height);

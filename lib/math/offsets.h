@@ -192,7 +192,7 @@
 /* fxl_screen_corners: points, depths, width, height */
 #define SCREEN_CORNERS_DEPTHS      24
 #define SCREEN_CORNERS_WIDTH       48
-#define SCREEN_CORNERS_IS_TRIANGLE 56
+#define INSIDE_CORNERS_LEAST       64
 
 /* fxl_lens */
 #define LENS_NEAR_Z 8 /* then far_z */
@@ -256,6 +256,7 @@
 #define SMOOTH_OUTLINE_PIXELS      52
 #define SMOOTH_OUTLINE_LAST        56
 #define SMOOTH_OUTLINE_BORDER      60
+#define SMOOTH_OUTLINE_SMALL_ROWS  64
 
 #define SMOOTH_WORDS_LIGHT_DOWN 12
 

@@ -302,7 +302,7 @@ int32_t fxl_find_texel_planes(const fxl_screen_corners *corners, const fxl_words
         values[FXL_ATTRIBUTE_V][i] = of[i]->texel.v;
         values[FXL_SEGMENT_LIGHT][i] = light != NULL ? light[i] : 0;
     }
-    if (!corners->is_triangle || !fxl_has_few_texels(values) ||
+    if (!fxl_has_few_texels(values) ||
         !fxl_corner_planes_begin(corners, lens->lens, FXL_TEXELS_SIDE_MAX, &planes) ||
         !fxl_find_texels(&planes, values, count, is_affine, &gradients, &depth)) {
         return 0;
@@ -328,7 +328,11 @@ bool fxl_find_smooth_planes(const fxl_screen_corners *corners, const fxl_lens *l
     static const fxl_gradient constant = {FXL_CONSTANT_WEIGHT, 0, 0};
     fxl_smooth_words words;
     const fxl_words_lens words_lens = fxl_words_lens_of(lens);
-    const int32_t one = fxl_find_smooth_words(corners, &words_lens, light, &words);
+    if (!corners->is_triangle) {
+        return false;
+    }
+    const int32_t found = fxl_find_smooth_words(corners, &words_lens, light, &words);
+    const int32_t one = found & ~FXL_WORDS_HAVE_MEAN;
     if (one == 0) {
         return false;
     }

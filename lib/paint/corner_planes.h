@@ -34,6 +34,12 @@ typedef struct {
     bool is_triangle;      /* the face has no other vertices */
 } fxl_screen_corners;
 
+/* The corners of a triangle, but for is_triangle. */
+typedef struct {
+    fxl_screen_corners corners;
+    fxl_screen_point least; /* the least x and the least y */
+} fxl_inside_corners;
+
 /* The sides of the box of a small face: from 1/4 pixel to 64 pixels. */
 #define FXL_SMALL_SIDE_MIN   (1 << 14)
 #define FXL_SMALL_SIDE_MAX   (64 << 16)

@@ -39,6 +39,7 @@ typedef struct {
     uintptr_t pixels; /* as of fxl_depth_outline; of 16 bits: of the cell after the pixel's */
     uint32_t last;    /* pixels of 8 bits: the last level; of 16: the most light of the ramp */
     uint32_t border;  /* as of fxl_depth_border */
+    uint32_t small_rows; /* fxl_smooth_small_rows; of triangles alone */
 } fxl_smooth_outline;
 
 /* What words of depth depend on beside the corners. near_high: near_z, moved up to the highest bit, by its
@@ -60,10 +61,21 @@ static inline fxl_words_lens fxl_words_lens_of(const fxl_lens *lens)
 
 #if FXL_DRAWS_SMOOTH_OUTLINES
 
-/* Those that fxl_find_smooth_planes finds. Returns fxl_depth_plane.one; 0 where it finds none: *words is
- * undefined then. */
+/* Those that fxl_find_smooth_planes finds. Returns fxl_depth_plane.one, with FXL_WORDS_HAVE_MEAN where the
+ * mean of the error is taken off light; 0 where it finds none: *words is undefined then. Requires a triangle. */
 int32_t fxl_find_smooth_words(const fxl_screen_corners *corners, const fxl_words_lens *lens,
                               const int32_t light[3], fxl_smooth_words *words);
+
+#define FXL_WORDS_HAVE_MEAN (1 << 30)
+
+/* The most rows of a triangle all of whose light is of the ramp, so that fxl_draw_smooth_triangle_16 need not
+ * hold it; one: of fxl_find_smooth_words. Light at its corners is of the ramp, and the half part is
+ * 2^15 for each level above 0: with so few rows and columns rounding changes light in the triangle by less than
+ * 2^13 for each (corner_planes.h: k is below 2^-12 there). */
+static inline uint32_t fxl_smooth_small_rows(int32_t one)
+{
+    return one == FXL_DEPTH_IS_LINEAR ? 6 : 0;
+}
 
 /* Draws an outline of count points. Requires fxl_smooth_outline_begin and what fxl_scan_begin
  * requires of outline and band. By the number of a pixel's bits; both write what
@@ -73,8 +85,9 @@ fxl_depth_drawn fxl_draw_smooth_outline_8(const fxl_screen_point *points, uint32
 fxl_depth_drawn fxl_draw_smooth_outline_16(const fxl_screen_point *points, uint32_t count,
                                            const fxl_band *band, fxl_smooth_outline *smooth);
 
-/* fxl_draw_smooth_outline_16 of the corners of a triangle, which are in the columns of the band. */
-fxl_depth_drawn fxl_draw_smooth_triangle_16(const fxl_screen_corners *corners, const fxl_band *band,
+/* fxl_draw_smooth_outline_16 of the corners of a triangle, which are in the columns of the band. Requires
+ * small_rows too. */
+fxl_depth_drawn fxl_draw_smooth_triangle_16(const fxl_inside_corners *corners, const fxl_band *band,
                                             fxl_smooth_outline *smooth);
 
 #endif

@@ -100,9 +100,9 @@
 
 #if PIXEL_BITS == 16
 
-/* fxl_draw_smooth_triangle_16: the rows of a triangle whose box has so many rows, columns and centres at most
- * are found by edge functions, as those of small_triangle_armv7m.h. Others are drawn as outlines are. */
-#define SMALL_ROWS    6
+/* fxl_draw_smooth_triangle_16: the rows of a triangle whose box has so many columns and centres at most, and
+ * the outline's small_rows, are found by edge functions, as those of small_triangle_armv7m.h. Others are drawn as
+ * outlines are. */
 #define SMALL_COLUMNS 8
 #define SMALL_CENTRES 20
 
@@ -117,17 +117,6 @@
 #define SMALL_ROW     40
 #define SMALL_POINTS  44
 
-/* \least becomes that of three words. */
-    .macro least_of least, a, b, c
-    mov     \least, \a
-    cmp     \b, \least
-    it      lt
-    movlt   \least, \b
-    cmp     \c, \least
-    it      lt
-    movlt   \least, \c
-    .endm
-
     .global fxl_draw_smooth_triangle_16
     .type fxl_draw_smooth_triangle_16, %function
     .thumb_func
@@ -140,9 +129,8 @@ fxl_draw_smooth_triangle_16:
     ldrd    r10, r11, [r0, #SCREEN_CORNERS_WIDTH]
     strd    r0, r1, [sp, #SMALL_POINTS]
 /* place fill-rule: small triangles for Armv7-M */
+    ldrd    r12, lr, [r0, #INSIDE_CORNERS_LEAST]
     movw    r3, #0x7FFF
-    least_of r12, r4, r6, r8
-    least_of lr, r5, r7, r9
     add     r12, r12, r3
     add     lr, lr, r3
     add     r10, r10, r12
@@ -153,7 +141,8 @@ fxl_draw_smooth_triangle_16:
     rsb     r11, lr, r11, asr #16   /* rows */
     mul     r3, r10, r11
     sub     r3, r3, #1              /* 2^32 - 1: no centre */
-    cmp     r11, #SMALL_ROWS
+    ldr     r0, [r2, #SMOOTH_OUTLINE_SMALL_ROWS]
+    cmp     r11, r0
     itt     ls
     cmpls   r10, #SMALL_COLUMNS
     cmpls   r3, #SMALL_CENTRES - 1
@@ -226,13 +215,6 @@ fxl_draw_smooth_triangle_16:
     mla     r5, r5, r8, r7
     mla     r2, r1, lr, r2
     mla     r5, r4, lr, r5
-    subs    r1, r6, #1
-    mla     r1, r4, r1, r5
-    ldr     r4, [r3, #SMOOTH_OUTLINE_LIMIT - SMOOTH_OUTLINE_CODE_ALONG]
-    cmp     r5, r4
-    it      lo
-    cmplo   r1, r4
-    bhs     .Lsmall_held            /* light of other rows is as above */
     add     r4, r12, lr, lsl #1
     add     r1, r4, r6, lsl #1
     push    {r1, r2, r4, r5}
@@ -269,8 +251,6 @@ fxl_draw_smooth_triangle_16:
     add     sp, sp, #FRAME_SIZE
     pop     {r4-r11, pc}
 
-.Lsmall_held:
-    mov     sp, r9
 .Lsmall_turned:
     subs    r2, r3, #SMOOTH_OUTLINE_CODE_ALONG
 .Lsmall_not:

@@ -37,10 +37,7 @@
     .macro find_planes kind, range, thin
     push    {r0-r11, lr}
     sub     sp, sp, #OWN_SIZE
-    ldrb    r6, [r0, #SCREEN_CORNERS_IS_TRIANGLE]
     ldrd    r4, r5, [r0, #SCREEN_CORNERS_WIDTH]
-    cmp     r6, #0
-    beq     .Lrefused\kind
     sub     r6, r4, #1 << 14
     sub     r7, r5, #1 << 14
     cmp     r6, #\range

@@ -101,6 +101,9 @@
 /* Light at corner 0 gets the mean of the error, as mean_of_error finds it. r12:r7: the product. */
     .macro find_light_mean
 .Ltwisted_light:
+    ldr     lr, [sp, #CROSSED]
+    orr     lr, lr, #1 << 30        /* FXL_WORDS_HAVE_MEAN */
+    str     lr, [sp, #CROSSED]
     ldr     r4, [sp, #LEAST]
     lsl     lr, r4, #16             /* 4 FXL_WORDS_ERROR_LIGHT */
     subs    lr, lr, r7
