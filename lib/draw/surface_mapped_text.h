@@ -62,12 +62,8 @@ draw_texel_corners(const fxl_surfaces *surfaces, const fxl_surface *surface,
     int32_t light[3];
     bool is_even = false;
     if (is_lit) {
-        if (lighting->kept != NULL) { /* three look-ups take what one of two kept values saves */
-            lighting->code->corners_of(&surfaces->light->settings, surfaces->set->normals, of,
-                                       light);
-        } else {
-            lighting->code->light_corners(model_view, traversal, of, light);
-        }
+        /* Three look-ups take what one of two kept values saves. */
+        find_lights_at_once(surfaces, model_view, traversal, of, lighting, light);
         is_even = light[0] == light[1] && light[0] == light[2];
     }
     const int32_t one = fxl_find_texel_planes(

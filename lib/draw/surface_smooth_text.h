@@ -110,20 +110,35 @@ typedef struct {
     bool is_stale;                      /* a face was cut since: nothing is kept any more */
 } run_light;
 
-/* fxl_corner_light by what is kept. */
+/* fxl_corner_light of all three corners, without what is kept. */
+static inline void find_lights_at_once(const fxl_surfaces *surfaces,
+                                       const fxl_model_view *model_view,
+                                       const fxl_traversal *traversal,
+                                       const fxl_corner *const of[3], const run_light *run,
+                                       int32_t light[3])
+{
+    if (run->kept != NULL) {
+        run->code->corners_of(&surfaces->light->settings, surfaces->set->normals, of, light);
+    } else {
+        run->code->light_corners(model_view, traversal, of, light);
+    }
+}
+
+/* The same by what is kept, or in a palette without it, which takes fewer bytes. */
 static inline __attribute__((always_inline)) void
 find_corner_light(const fxl_surfaces *surfaces, const fxl_model_view *model_view,
                   const fxl_traversal *traversal, const fxl_corner *const of[3],
                   const run_light *run, int32_t light[3])
 {
     fxl_kept_lights *kept = run->kept;
-    if (kept == NULL) {
-        run->code->light_corners(model_view, traversal, of, light);
+    if (!FXL_PIXEL_IS_MIXED || kept == NULL) {
+        find_lights_at_once(surfaces, model_view, traversal, of, run, light);
         return;
     }
-    light[0] = fxl_kept_light(surfaces, of[0]->normal, kept, run->code->find_kept);
-    light[1] = fxl_kept_light(surfaces, of[1]->normal, kept, run->code->find_kept);
-    light[2] = fxl_kept_light(surfaces, of[2]->normal, kept, run->code->find_kept);
+    fxl_kept_light_finder *const find = run->code->find_kept;
+    light[0] = fxl_kept_light(surfaces, of[0]->normal, kept, find);
+    light[1] = fxl_kept_light(surfaces, of[1]->normal, kept, find);
+    light[2] = fxl_kept_light(surfaces, of[2]->normal, kept, find);
 }
 
 /* Whether pixels of a surface are those of the kernel of colours, which have no texture, and need not
