@@ -66,6 +66,35 @@ FXL_ONCE const uint32_t *get(const uint32_t *from, void *to, uint32_t words)
     return from + words;
 }
 
+FXL_STATIC_ASSERT(offsetof(fxl_gradients, weight) == 0 &&
+                      offsetof(fxl_gradients, attributes) == sizeof(fxl_gradient),
+                  "the attributes follow the weight");
+
+/* The weight and the attributes: as many words as their count says, or each by itself in place. */
+static inline uint32_t *put_gradients(uint32_t *to, const fxl_gradients *from)
+{
+    if (FXL_IS_COMPACT) {
+        return put(to, from, GRADIENT_WORDS * (1u + from->count));
+    }
+    to = put(to, &from->weight, GRADIENT_WORDS);
+    for (uint32_t i = 0; i < from->count && i < FXL_ATTRIBUTES; i++) {
+        to = put(to, &from->attributes[i], GRADIENT_WORDS);
+    }
+    return to;
+}
+
+static inline const uint32_t *get_gradients(const uint32_t *from, fxl_gradients *to)
+{
+    if (FXL_IS_COMPACT) {
+        return get(from, to, GRADIENT_WORDS * (1u + to->count));
+    }
+    from = get(from, &to->weight, GRADIENT_WORDS);
+    for (uint32_t i = 0; i < to->count && i < FXL_ATTRIBUTES; i++) {
+        from = get(from, &to->attributes[i], GRADIENT_WORDS);
+    }
+    return from;
+}
+
 bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon *screen,
                                 fxl_rows rows, const fxl_surface_polygon *polygon)
 {
@@ -78,11 +107,11 @@ bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon
     }
     uint32_t *to = list->words + list->used;
     to[0] = (uint32_t)rows.end << 16 | rows.first;
-    const uint8_t head[4] = {
-        screen->colour, (uint8_t)(screen->count + beside / 2),
-        (uint8_t)(polygon->surface != FXL_NO_SURFACE ? FXL_POLYGON_SURFACE : FXL_POLYGON_DEPTH),
-        screen->count};
-    memcpy(to + 1, head, sizeof head);
+    uint8_t *head = (uint8_t *)(to + 1);
+    head[0] = screen->colour;
+    head[1] = (uint8_t)(screen->count + beside / 2);
+    head[2] = polygon->surface != FXL_NO_SURFACE ? FXL_POLYGON_SURFACE : FXL_POLYGON_DEPTH;
+    head[3] = screen->count;
     memcpy(to + 2, screen->points, screen->count * sizeof screen->points[0]);
     to += 2 + 2u * screen->count;
     *to = polygon->surface | (uint32_t)polygon->level << LEVEL_AT |
@@ -96,15 +125,12 @@ bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon
     to += FIRST_WORDS;
     if (polygon->surface != FXL_NO_SURFACE) {
         to = put(to, gradients->weight_min, SURFACE_WORDS);
-        to = put(to, &gradients->weight, GRADIENT_WORDS);
-        for (uint32_t i = 0; i < gradients->count && i < FXL_ATTRIBUTES; i++) {
-            to = put(to, &gradients->attributes[i], GRADIENT_WORDS);
-        }
+        to = put_gradients(to, gradients);
     }
     if (polygon->has_depth) {
-        const int32_t unit[UNIT_WORDS] = {polygon->depth.one, 0};
-        to = put(to, unit, UNIT_WORDS);
-        (void)put(to, &polygon->depth.gradient, GRADIENT_WORDS);
+        to[0] = fxl_bits_32(polygon->depth.one);
+        to[1] = 0;
+        (void)put(to + UNIT_WORDS, &polygon->depth.gradient, GRADIENT_WORDS);
     }
     list->used += words;
     return true;
@@ -128,14 +154,11 @@ uint32_t fxl_surface_polygon_read(const fxl_screen_polygon *record, fxl_surface_
                                 fxl_low_8(fxl_bits_32(gradients->shifts[FXL_ATTRIBUTES - 1])));
     if (polygon->surface != FXL_NO_SURFACE) {
         from = get(from, gradients->weight_min, SURFACE_WORDS);
-        from = get(from, &gradients->weight, GRADIENT_WORDS);
-        for (uint32_t i = 0; i < gradients->count && i < FXL_ATTRIBUTES; i++) {
-            from = get(from, &gradients->attributes[i], GRADIENT_WORDS);
-        }
+        from = get_gradients(from, gradients);
     }
     if (polygon->has_depth) {
-        from = get(from, &polygon->depth.one, 1) + 1;
-        (void)get(from, &polygon->depth.gradient, GRADIENT_WORDS);
+        polygon->depth.one = fxl_signed_32(from[0]);
+        (void)get(from + UNIT_WORDS, &polygon->depth.gradient, GRADIENT_WORDS);
     }
     return count;
 }

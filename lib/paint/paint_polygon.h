@@ -88,12 +88,18 @@ fxl_paint_polygon(const fxl_paint *paint, const fxl_segment_face *segments,
     const size_t stride = (size_t)band->stride * pixel_bytes;
     const fxl_gradients *gradients = paint->gradients;
     const fxl_trapezoid *trapezoid;
+    fxl_paint_row row;
+    fxl_span span;
     fxl_scan_outline(points, count, band, scan);
-    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+    row.segments = segments;
+    while (!FXL_SCANS_BY_CHAINS && fxl_active_edges_next(&scan->active_edges, &span)) {
+        row.pixels = band->pixels + (size_t)(span.y - band->first_row) * stride;
+        fxl_begin_row(gradients, span.y, &row);
+        paint_row(with, paint, &row, span.x0, span.x1);
+    }
+    while (FXL_SCANS_BY_CHAINS && (trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
         fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
-        fxl_paint_row row;
         row.pixels = band->pixels + (size_t)(trapezoid->first_row - band->first_row) * stride;
-        row.segments = segments;
         fxl_begin_row(gradients, trapezoid->first_row, &row);
         while (row.y < trapezoid->end_row) {
             const int32_t x0 = a.x <= b.x ? a.x : b.x, x1 = a.x <= b.x ? b.x : a.x;
