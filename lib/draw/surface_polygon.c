@@ -114,14 +114,15 @@ bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon
     head[3] = screen->count;
     memcpy(to + 2, screen->points, screen->count * sizeof screen->points[0]);
     to += 2 + 2u * screen->count;
-    *to = polygon->surface | (uint32_t)polygon->level << LEVEL_AT |
-          (uint32_t)polygon->shade << SHADE_AT | (polygon->has_depth ? HAS_DEPTH : 0) |
-          (polygon->is_in_beam ? IN_BEAM : 0);
+    uint32_t first = polygon->surface | (uint32_t)polygon->level << LEVEL_AT |
+                     (uint32_t)polygon->shade << SHADE_AT |
+                     (polygon->has_depth ? HAS_DEPTH : 0) | (polygon->is_in_beam ? IN_BEAM : 0);
     (void)put(to + 1, gradients->shifts, 1);
     if (polygon->is_evenly_lit) {
-        *to |= EVENLY_LIT | (uint32_t)(polygon->light >> 8) << SHADE_AT;
+        first |= EVENLY_LIT | (uint32_t)(polygon->light >> 8) << SHADE_AT;
         ((uint8_t *)(to + 1))[FXL_ATTRIBUTES - 1] = fxl_low_8(polygon->light);
     }
+    *to = first;
     to += FIRST_WORDS;
     if (polygon->surface != FXL_NO_SURFACE) {
         to = put(to, gradients->weight_min, SURFACE_WORDS);

@@ -81,8 +81,8 @@ FXL_COLD static void orthonormalise(const wide_matrix *matrix, fxl_orientation *
 /* Shifted so that the largest component has 31 bits. Rounding a longer one may make it 2^31. */
 static uint32_t in_31_bits(uint64_t magnitude, int shift)
 {
-    return (uint32_t)(shift > 0 ? (uint64_t)fxl_round_shift((int64_t)magnitude, (unsigned)shift)
-                                : magnitude << -shift);
+    return (uint32_t)(shift > 0 ? (fxl_shifted_down((int64_t)magnitude, (unsigned)shift - 1) + 1) / 2
+                                : (int64_t)(magnitude << -shift));
 }
 
 /* unit = vector / |vector| in units of 2^-31. Takes components below 2^62. Returns false for a

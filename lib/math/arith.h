@@ -134,8 +134,26 @@ static inline int32_t fxl_divide_floor(int32_t numerator, int32_t denominator, i
     return quotient;
 }
 
+/* Before a function of a header that is in place wherever it is called. With FXL_SMALL it stands
+ * once, in the source that defines FXL_HERE before it includes the header. */
+#if !FXL_IS_SMALL
+#define FXL_IN_PLACE static inline
+#else
+#define FXL_IN_PLACE
+#endif
+
+/* The same for a larger one, of which any library for size has one. */
+#if !FXL_IS_COMPACT
+#define FXL_IN_PLACE_LARGE static inline
+#else
+#define FXL_IN_PLACE_LARGE
+#endif
+
 /* The number of bits of a value up to its highest 1; 0 for 0. */
-static inline unsigned fxl_bit_length(uint64_t value)
+FXL_IN_PLACE unsigned fxl_bit_length(uint64_t value)
+#if FXL_IS_SMALL && !defined(FXL_HERE)
+    ;
+#else
 {
     uint32_t high = (uint32_t)(value >> 32);
     uint32_t low = fxl_low_32(value);
@@ -144,6 +162,18 @@ static inline unsigned fxl_bit_length(uint64_t value)
     }
     return low == 0 ? 0u : 32u - fxl_leading_zeros(low);
 }
+#endif
+
+/* value / 2^drop, rounded down, for 0 <= drop <= 63. */
+/* accuracy 5.1 */
+FXL_IN_PLACE_LARGE int64_t fxl_shifted_down(int64_t value, unsigned drop)
+#if FXL_IS_COMPACT && !defined(FXL_HERE)
+    ;
+#else
+{
+    return value >> drop;
+}
+#endif
 
 /* A number mantissa * 2^exponent, above 0. */
 typedef struct {
@@ -152,7 +182,10 @@ typedef struct {
 } fxl_real;
 
 /* number * 2^exponent, rounded down by less than 2^-31 of it. Requires number > 0. */
-static inline fxl_real fxl_real_of(uint64_t number, int exponent)
+FXL_IN_PLACE fxl_real fxl_real_of(uint64_t number, int exponent)
+#if FXL_IS_SMALL && !defined(FXL_HERE)
+    ;
+#else
 {
     const uint32_t high = (uint32_t)(number >> 32), low = fxl_low_32(number);
     const unsigned zeros = fxl_leading_zeros(high != 0 ? high : low);
@@ -160,6 +193,7 @@ static inline fxl_real fxl_real_of(uint64_t number, int exponent)
                              exponent + (high != 0 ? 32 : 0) - (int)zeros};
     return result;
 }
+#endif
 
 /* The ratio of the mantissas, times 2^31 and rounded down: from 2^30 to 2^32 - 2. */
 static inline uint32_t fxl_mantissa_ratio(const fxl_real *part, const fxl_real *whole)
@@ -187,21 +221,6 @@ static inline bool fxl_point_in_range(const fxl_point *point)
     return fxl_within(point->x, FXL_COORDINATE_MAX) && fxl_within(point->y, FXL_COORDINATE_MAX) &&
            fxl_within(point->z, FXL_COORDINATE_MAX);
 }
-
-/* Before a function of a header that is in place wherever it is called. With FXL_SMALL it stands
- * once, in the source that defines FXL_HERE before it includes the header. */
-#if !FXL_IS_SMALL
-#define FXL_IN_PLACE static inline
-#else
-#define FXL_IN_PLACE
-#endif
-
-/* The same for a larger one, of which any library for size has one. */
-#if !FXL_IS_COMPACT
-#define FXL_IN_PLACE_LARGE static inline
-#else
-#define FXL_IN_PLACE_LARGE
-#endif
 
 /* direction . (x, y, z), exact, in units of 2^-46.
  * Requires |x|, |y|, |z| < 2^30 and |direction| <= 1 + 2^-28. By Cauchy-Schwarz the sum

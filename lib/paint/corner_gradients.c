@@ -8,6 +8,9 @@
 /* value / 2^drop, rounded down, for 0 <= drop <= 31, by words: cores have no shift of 64 bits. */
 static inline int64_t shifted(int64_t value, unsigned drop)
 {
+    if (FXL_IS_SMALL) {
+        return fxl_shifted_down(value, drop);
+    }
     const uint32_t high = (uint32_t)((uint64_t)value >> 32);
     const uint32_t low = (uint32_t)value >> drop | high << 1 << (31u - drop);
     return (int64_t)((uint64_t)(uint32_t)((int32_t)high >> drop) << 32 | low);

@@ -104,10 +104,8 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     }
     planes->is_for_words =
         planes->may_be_steep || width > FXL_SMALL_SIDE_MAX || height > FXL_SMALL_SIDE_MAX;
-    const uint32_t high = (uint32_t)(planes->area >> 32), low = (uint32_t)planes->area;
-    const unsigned zeros = fxl_leading_zeros(high != 0 ? high : low);
-    const uint32_t mantissa = high != 0 ? high << zeros | low >> 1 >> (31u - zeros) : low << zeros;
-    const int32_t magnitude = fxl_reciprocal_of(mantissa >> 1).value;
+    const fxl_real upper = fxl_real_of(planes->area, 0);
+    const int32_t magnitude = fxl_reciprocal_of(upper.mantissa >> 1).value;
     const int32_t reciprocal = area < 0 ? -magnitude : magnitude;
     const unsigned scale = fxl_leading_zeros(width > height ? width : height) - 1u;
     planes->x = p[0].x - 32768;
@@ -116,7 +114,7 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     planes->along[1] = fxl_upper_product((int32_t)((uint32_t)y1 << scale), reciprocal);
     planes->down[0] = fxl_upper_product((int32_t)((uint32_t)x2 << scale), reciprocal);
     planes->down[1] = fxl_upper_product((int32_t)((uint32_t)x1 << scale), reciprocal);
-    planes->exponent = (int)scale + (high != 0 ? 46 : 14) - (int)zeros;
+    planes->exponent = (int)scale + 14 + upper.exponent;
     planes->corners = corners;
     planes->lens = lens;
     planes->is_located = false;

@@ -59,13 +59,6 @@ static void negate(fxl_block_vector *vector)
     vector->z = -vector->z;
 }
 
-/* value / 2^drop, rounded down. */
-/* accuracy 5.1 */
-FXL_ONCE int64_t shifted_down(int64_t value, unsigned drop)
-{
-    return value >> drop;
-}
-
 /* factors[0] vectors[0] + factors[1] vectors[1] + factors[2] vectors[2]. The first factor is below
  * 2^30 and the others are below 2^31, so halves of the terms have a sum below 2^59 + 2 * 2^60.
  * Error: that of block, and one of 2^-58 of the largest term for each term. */
@@ -85,9 +78,9 @@ static fxl_block_vector combine(const fxl_block_vector vectors[3], const int32_t
             continue;
         }
         const unsigned drop = (unsigned)(exponent - vector->exponent) + 1;
-        x += shifted_down((int64_t)factors[i] * vector->x, drop);
-        y += shifted_down((int64_t)factors[i] * vector->y, drop);
-        z += shifted_down((int64_t)factors[i] * vector->z, drop);
+        x += fxl_shifted_down((int64_t)factors[i] * vector->x, drop);
+        y += fxl_shifted_down((int64_t)factors[i] * vector->y, drop);
+        z += fxl_shifted_down((int64_t)factors[i] * vector->z, drop);
     }
     return fxl_block(x, y, z, exponent == INT32_MIN ? 0 : exponent + 1);
 }
@@ -169,8 +162,8 @@ static fxl_real twist_of(const fxl_gradient *u, int shift, const fxl_gradient *w
 {
     const unsigned bits = fxl_bit_length(fxl_magnitude(u->along) | fxl_magnitude(w->along));
     const unsigned drop = bits > 31 ? bits - 31 : 0;
-    const int32_t u_slope = (int32_t)shifted_down(u->along, drop);
-    const int32_t w_slope = (int32_t)shifted_down(w->along, drop);
+    const int32_t u_slope = (int32_t)fxl_shifted_down(u->along, drop);
+    const int32_t w_slope = (int32_t)fxl_shifted_down(w->along, drop);
     const int64_t top =
         fxl_multiply_s32(u_slope, upper_at(w, 0)) - fxl_multiply_s32(w_slope, upper_at(u, 0));
     const int64_t bottom = fxl_multiply_s32(u_slope, upper_at(w, height)) -

@@ -132,17 +132,18 @@ from_point(const fxl_point_light *light, const fxl_lit_place *place)
 }
 
 /* place light: the brightness; from it a level of the ramp, or in RGB565 a part */
-/* What fog leaves of the light: 1 before fog_near, 0 beyond fog_far. Coordinates of the face's
- * middle from the eye, doubled, are below 2^31 + 2, so the depth is below 2^62. Error: 1. */
+/* What fog leaves of the light: 1 before fog_near, 0 beyond fog_far. The coordinates of the face's
+ * middle are doubled, below 2^30 + 2, so by Cauchy-Schwarz the sum of their products is below 2^61,
+ * and so is twice that of the eye's place. Error: 1. */
 /* light 2.4 */
 static int64_t through_fog(const fxl_light_settings *settings, const fxl_camera *camera,
                            const fxl_point *middle)
 {
     const fxl_direction *forward = &camera->axes.forward;
-    const int64_t x = middle->x - 2 * (int64_t)camera->position.x;
-    const int64_t y = middle->y - 2 * (int64_t)camera->position.y;
-    const int64_t z = middle->z - 2 * (int64_t)camera->position.z;
-    const int64_t depth = forward->x * x + forward->y * y + forward->z * z;       /* in 2^-47 */
+    const fxl_point *eye = &camera->position;
+    const int64_t depth = fxl_product(forward->x, middle->x) + fxl_product(forward->y, middle->y) +
+                          fxl_product(forward->z, middle->z) -
+                          2 * fxl_dot(forward, eye->x, eye->y, eye->z);           /* in 2^-47 */
     const int64_t length = 2 * ((int64_t)settings->fog_far - settings->fog_near); /* below 2^32 */
     /* Below 2^32 * 2^30. */
     const int64_t left = 2 * (int64_t)settings->fog_far * FXL_Q2_30_ONE - depth;

@@ -10,7 +10,7 @@
 #ifndef FXL_LIGHT_ROW_H
 #define FXL_LIGHT_ROW_H
 
-#include "../math/core.h"
+#include "../math/arith.h"
 #include "paint.h"
 
 /* The weight of such a face, of 64 bits. */
@@ -31,6 +31,9 @@ typedef struct {
 static inline uint32_t fxl_lower_of_shifted(int64_t value, unsigned drop)
 {
     const int32_t high = fxl_signed_32((uint32_t)(fxl_bits_64(value) >> 32));
+    if (FXL_IS_SMALL) {
+        return (uint32_t)(fxl_bits_64(fxl_shifted_down(value, drop)) & UINT32_MAX);
+    }
     return drop >= 32
                ? fxl_bits_32(high >> (drop - 32u))
                : (uint32_t)(value & UINT32_MAX) >> drop | fxl_bits_32(high) << 1 << (31u - drop);

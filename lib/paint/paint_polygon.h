@@ -90,14 +90,18 @@ fxl_paint_polygon(const fxl_paint *paint, const fxl_segment_face *segments,
     const fxl_trapezoid *trapezoid;
     fxl_paint_row row;
     fxl_span span;
-    fxl_scan_outline(points, count, band, scan);
     row.segments = segments;
-    while (!FXL_SCANS_BY_CHAINS && fxl_active_edges_next(&scan->active_edges, &span)) {
-        row.pixels = band->pixels + (size_t)(span.y - band->first_row) * stride;
-        fxl_begin_row(gradients, span.y, &row);
-        paint_row(with, paint, &row, span.x0, span.x1);
+    if (!FXL_SCANS_BY_CHAINS) {
+        (void)fxl_active_edges_outline(&scan->active_edges, points, count, band);
+        while (fxl_active_edges_next(&scan->active_edges, &span)) {
+            row.pixels = band->pixels + (size_t)(span.y - band->first_row) * stride;
+            fxl_begin_row(gradients, span.y, &row);
+            paint_row(with, paint, &row, span.x0, span.x1);
+        }
+        return;
     }
-    while (FXL_SCANS_BY_CHAINS && (trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+    fxl_scan_outline(points, count, band, scan);
+    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
         fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
         row.pixels = band->pixels + (size_t)(trapezoid->first_row - band->first_row) * stride;
         fxl_begin_row(gradients, trapezoid->first_row, &row);

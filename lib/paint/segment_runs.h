@@ -27,7 +27,7 @@ typedef struct {
 
 FXL_ONCE int64_t shifted(int64_t product, int32_t left)
 {
-    return product >> (left < 0 ? 0 : left > 63 ? 63 : left);
+    return fxl_shifted_down(product, (unsigned)(left < 0 ? 0 : left > 63 ? 63 : left));
 }
 
 /* A product, shifted. The weight is large enough that it is not shifted to the left. */

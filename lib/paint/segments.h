@@ -232,9 +232,9 @@ static inline int32_t fxl_attribute_of(int32_t value, const fxl_reciprocal *reci
 {
     const int drop = 62 - (int)reciprocal->zeros - shift;
     const int64_t product = fxl_multiply_s32(value, reciprocal->value); /* below 2^62 */
-    return fxl_signed_32(fxl_low_32(fxl_bits_64(product >> (drop < 0    ? 0
-                                                            : drop > 63 ? 63
-                                                                        : drop))));
+    const unsigned bits = drop < 0 ? 0 : drop > 63 ? 63 : (unsigned)drop;
+    return fxl_signed_32(
+        fxl_low_32(fxl_bits_64(FXL_IS_SMALL ? fxl_shifted_down(product, bits) : product >> bits)));
 }
 
 #ifdef __cplusplus

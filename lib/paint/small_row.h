@@ -60,7 +60,7 @@ static inline void find_small(const fxl_paint *paint, const fxl_paint_row *row, 
     }
     if (face != NULL && face->kind != FXL_TEXELS_CLAMPED) {
         values[0] = values[0] << 16 | (values[1] & 0xFFFFu);
-        steps[0] = (steps[0] << 16) + (uint32_t)(int32_t)(int16_t)(uint16_t)steps[1];
+        steps[0] = (steps[0] << 16) + fxl_bits_32((int16_t)fxl_low_16(steps[1]));
     }
 }
 
@@ -71,7 +71,8 @@ static void paint_small(const fxl_paint *paint, const fxl_paint_row *row, const 
     const uint32_t weight_0 = weight_at(paint, row, x0 & ~15);
     const uint32_t weight_1 = weight_at(paint, row, (x0 & ~15) + 16);
     const fxl_segment_face *face = row->segments;
-    if (face != NULL && (weight_0 < face->least[3] || weight_1 < face->least[3])) {
+    const uint32_t weight = weight_0 < weight_1 ? weight_0 : weight_1;
+    if (face != NULL && weight < face->least[3]) {
         face = NULL;
     }
     if (face != at->face) {
@@ -81,7 +82,7 @@ static void paint_small(const fxl_paint *paint, const fxl_paint_row *row, const 
     const bool is_line = face != NULL && face->is_constant;
     const bool has_position = face != NULL && face->kind != FXL_TEXELS_CLAMPED;
     const uint32_t log =
-        is_line ? 4 : fxl_segment_log(face != NULL ? face->least : least, weight_0, weight_1);
+        is_line ? 4 : fxl_segment_log(face != NULL ? face->least : least, weight, weight);
     while (x0 < x1) {
         const int32_t first = x0 >> log << log, end = smaller(first + (1 << log), x1);
         linear_pixels linear;
@@ -90,28 +91,30 @@ static void paint_small(const fxl_paint *paint, const fxl_paint_row *row, const 
             find_line_run(face, row, (uint32_t)x0 >> 4, &run);
             linear.values[0] = run.position;
             linear.steps[0] = run.step;
+            linear.values[1] = linear.steps[1] = 0; /* v is in the position */
         } else {
             find_small(paint, row, first, log, at, &linear);
         }
-        if (paint->has_light_rows && log != 0) {
+        const bool has_lights = paint->has_light_rows && log != 0;
+        if (has_lights) {
             const uint32_t step = linear.steps[0] << 8;
             const fxl_light_run run = {(linear.values[0] << 8) + (uint32_t)(x0 - first) * step,
                                        step};
             paint_lights(paint, row, x0, end, &run);
-            x0 = end;
         }
-        for (; x0 < end; x0++) {
+        for (int32_t x = x0; x < end && !has_lights; x++) {
             int32_t values[FXL_ATTRIBUTES];
             for (uint32_t i = 0; i < paint->gradients->count; i++) {
-                values[i] = (int32_t)(linear.values[i] + (uint32_t)(x0 - first) * linear.steps[i]);
+                values[i] = (int32_t)(linear.values[i] + (uint32_t)(x - first) * linear.steps[i]);
             }
             if (has_position) {
                 const uint32_t position = (uint32_t)values[0];
                 values[FXL_ATTRIBUTE_U] = (int32_t)(position >> (16u - face->log_width));
                 values[FXL_ATTRIBUTE_V] = (int32_t)(position << face->log);
             }
-            paint_pixel(paint, row, x0, values);
+            paint_pixel(paint, row, x, values);
         }
+        x0 = end;
     }
 }
 

@@ -39,10 +39,9 @@ bool FXL_DRAW_BY_ACTIVE_EDGES(fxl_scan *scan, const fxl_screen_polygon *polygon,
                               const fxl_band *band, uint32_t colour)
 {
     fxl_active_edges *edges = &scan->active_edges;
-    const fxl_rows rows = fxl_rows_of_points(polygon->points, polygon->count,
-                                             (uint16_t)(band->first_row + band->rows));
+    const fxl_rows rows =
+        fxl_active_edges_outline(edges, polygon->points, polygon->count, band);
     fxl_span span;
-    fxl_active_edges_begin(edges, polygon->points, polygon->count, rows.first, rows.end, band);
     while (fxl_active_edges_next(edges, &span)) {
         fill_span(edges, &span, band, (FXL_COLOUR)colour);
     }

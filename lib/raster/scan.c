@@ -22,8 +22,7 @@ static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
         return FXL_E_CAPACITY;
     }
     if (band->width < 1 || band->width > FXL_SCREEN_MAX || band->rows < 1 ||
-        band->first_row + band->rows > FXL_SCREEN_MAX ||
-        fxl_band_end_column(band) > band->width) {
+        band->first_row + band->rows > FXL_SCREEN_MAX || fxl_band_end_column(band) > band->width) {
         return FXL_E_RANGE;
     }
     for (uint32_t i = 0; i < polygon->count; i++) {
@@ -155,6 +154,15 @@ fxl_rows fxl_rows_of_points(const fxl_screen_point *points, uint32_t count, uint
     }
     fxl_rows rows = {clamp_row(fxl_first_centre_from(top), height),
                      clamp_row(fxl_first_centre_from(bottom), height)};
+    return rows;
+}
+
+fxl_rows fxl_active_edges_outline(fxl_active_edges *edges, const fxl_screen_point *points,
+                                  uint32_t count, const fxl_band *band)
+{
+    const fxl_rows rows =
+        fxl_rows_of_points(points, count, (uint16_t)(band->first_row + band->rows));
+    fxl_active_edges_begin(edges, points, count, rows.first, rows.end, band);
     return rows;
 }
 

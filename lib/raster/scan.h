@@ -96,6 +96,10 @@ const fxl_trapezoid *fxl_scan_next_of_active_edges(fxl_scan *scan);
 void fxl_active_edges_begin(fxl_active_edges *edges, const fxl_screen_point *points, uint32_t count,
                             int32_t first_row, int32_t end_row, const fxl_band *band);
 
+/* The same from the points alone. Returns the outline's rows that are above the band's end. */
+fxl_rows fxl_active_edges_outline(fxl_active_edges *edges, const fxl_screen_point *points,
+                                  uint32_t count, const fxl_band *band);
+
 /* Finds the next span. Returns false if there are no more: span untouched. */
 bool fxl_active_edges_next(fxl_active_edges *edges, fxl_span *span);
 

@@ -8,10 +8,10 @@
 #include "../math/memory.h"
 #include "../math/plane.h"
 #include "placement_code.h"
-#include "scene_check.h"
 
 #define FXL_HERE
 #include "face_bounds.h"
+#include "scene_check.h"
 
 static bool count_in(uint32_t count, uint32_t low, uint32_t high)
 {

@@ -4,7 +4,7 @@
 #ifndef FXL_SCENE_CHECK_H
 #define FXL_SCENE_CHECK_H
 
-#include "../math/family.h"
+#include "../math/arith.h"
 #include "fixel/scene.h"
 
 #ifdef __cplusplus
@@ -34,8 +34,11 @@ static inline bool fxl_motion_limits_in_range(const fxl_motion_limits *limits)
 
 /* place field: the check of its values, in the file of its table */
 /* The status, and where it is not FXL_OK what of the scene is at fault; fault may be null. */
-FXL_ONCE fxl_status fxl_fault_at(fxl_scene_fault *fault, const char *what, uint32_t index,
-                                 fxl_status status)
+FXL_IN_PLACE_LARGE fxl_status fxl_fault_at(fxl_scene_fault *fault, const char *what, uint32_t index,
+                                           fxl_status status)
+#if FXL_IS_COMPACT && !defined(FXL_HERE)
+    ;
+#else
 {
     if (fault != NULL) {
         fault->what = what;
@@ -43,6 +46,7 @@ FXL_ONCE fxl_status fxl_fault_at(fxl_scene_fault *fault, const char *what, uint3
     }
     return status;
 }
+#endif
 
 /* --- beams of light ------------------------------------------------------------------------ */
 

@@ -78,7 +78,10 @@ int32_t fxl_transform_and_project(const fxl_model_view *model_view, uint32_t num
 /* Returns a vertex of the model in the view, from the cache or transformed. The pointer is valid
  * until the next fetch. The caller may change clip_flags and screen, and nothing else. */
 /* SPEC 4.10 */
-static inline fxl_cached_vertex *fxl_fetch_vertex(const fxl_model_view *model_view, uint32_t number)
+FXL_IN_PLACE fxl_cached_vertex *fxl_fetch_vertex(const fxl_model_view *model_view, uint32_t number)
+#if FXL_IS_SMALL && !defined(FXL_HERE)
+    ;
+#else
 {
     fxl_cached_vertex *entry = &model_view->entries[number & model_view->mask];
     if (entry->tag != model_view->tag + number) {
@@ -86,6 +89,7 @@ static inline fxl_cached_vertex *fxl_fetch_vertex(const fxl_model_view *model_vi
     }
     return entry;
 }
+#endif
 
 /* Whether all vertices of a face lie outside one plane of the model view: it fetches them. Exact. */
 bool fxl_face_is_outside(const fxl_model_view *model_view, const fxl_face *face);
