@@ -112,7 +112,7 @@ OF_ONE bool find(const fxl_paint *paint, bool by_row, fxl_segment_face *face)
     face->rows_mask = paint->level.rows_less_1 << log_width;
     face->row_drop = (uint8_t)(16 - log - log_width);
     face->form = (uint8_t)(log_width == log ? log_width - FXL_SEGMENT_LOG_MIN : 0);
-    face->ramp = ramp;
+    face->ramp = paint->ramp;
     face->light_step = face->light_drop = face->light_max = 0;
     if (ramp != NULL) {
         find_light(paint, face);

@@ -39,9 +39,15 @@ bool FXL_DRAW_BY_ACTIVE_EDGES(fxl_scan *scan, const fxl_screen_polygon *polygon,
                               const fxl_band *band, uint32_t colour)
 {
     fxl_active_edges *edges = &scan->active_edges;
+    fxl_span span;
+#if FXL_IS_COMPACT
     const fxl_rows rows =
         fxl_active_edges_outline(edges, polygon->points, polygon->count, band);
-    fxl_span span;
+#else
+    const fxl_rows rows = fxl_rows_of_points(polygon->points, polygon->count,
+                                             (uint16_t)(band->first_row + band->rows));
+    fxl_active_edges_begin(edges, polygon->points, polygon->count, rows.first, rows.end, band);
+#endif
     while (fxl_active_edges_next(edges, &span)) {
         fill_span(edges, &span, band, (FXL_COLOUR)colour);
     }
