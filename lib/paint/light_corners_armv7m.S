@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_light_corners_of for Armv7-M and Armv8-M Mainline. lib/paint/light_level.h states what it requires and
- * does; it gives the same bits as the text in light_level.c. Three corners take 72 instructions, of which
- * compilers take 94. */
+/* fxl_light_corners_of for Armv7-M and Armv8-M Mainline. lib/paint/light_level.h states what it does; it gives the
+ * same bits as the text in light_level.c. Three corners take 73 instructions, of which compilers take 94. */
 #include "../math/family.h"
 #include "../math/offsets.h"
-
 #if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
 
     .syntax unified
     .thumb
-
     .section .text.fxl_light_corners_of, "ax", %progbits
     .global fxl_light_corners_of
     .type fxl_light_corners_of, %function
@@ -51,7 +48,5 @@ fxl_light_corners_of:
     str     r11, [r3], #4
     .endr
     pop     {r4-r11, pc}
-
     .size fxl_light_corners_of, . - fxl_light_corners_of
-
 #endif

@@ -11,16 +11,15 @@
 #include "black_texels_armv7m.h"
 #include "cell_edges_armv7m.h"
 
-/* What pixels depend on, from the member `cells` on, and their change. */
+/* What pixels depend on, from the member `cells` on. */
 #define OF(member) (TEXEL_OUTLINE_##member - TEXEL_OUTLINE_CELLS)
 
     .syntax unified
     .thumb
 
 /* The stack frame. An outline is drawn as triangles from its first point on. The points of each are taken from the
- * highest one, T, on: T, N, P. r0-r11, from 0 on, are the
- * changes of the edge functions from column to column and row to row, their values in column
- * FRAME_COLUMN - 1 of a row, the outline, the row and its first cell:
+ * highest one, T, on: T, N, P. r0-r11, from 0 on, are the changes of the edge functions from column to column and row
+ * to row, their values in column FRAME_COLUMN - 1 of a row, the outline, the row and its first cell:
  *
  *         column  row  value
  *   T-N   r10     r5   r8
