@@ -4,6 +4,7 @@
 
 #include "line_scene.h" /* last: its names are those of parameters */
 
+/* place pixel-format: its target with a depth buffer, and what draws its surfaces */
 static const fxl_target *const targets[4] = {&fxl_palette_depth_16, &fxl_palette_depth_32,
                                              &fxl_rgb565_depth_16, &fxl_rgb565_depth_32};
 static const fxl_painter *const painters[4] = {
