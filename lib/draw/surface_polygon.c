@@ -257,7 +257,10 @@ static inline void begin_box(screen_box *box, const fxl_screen_point *a, const f
     add_point(box, c);
 }
 
-static __attribute__((noinline)) bool has_vertex(const uint16_t *indices, uint32_t count, uint32_t number)
+#if !FXL_IS_COMPACT /* which has one call of it */
+__attribute__((noinline))
+#endif
+static bool has_vertex(const uint16_t *indices, uint32_t count, uint32_t number)
 {
     uint32_t place = 0;
     while (place < count && indices[place] != number) {
