@@ -137,6 +137,7 @@ static bool find_corners(const polygon *of, const fxl_band *band, fxl_inside_cor
 static bool has_small_light(const fxl_inside_corners *inside, const fxl_smooth_outline *smooth)
 {
     const fxl_smooth_words *words = &smooth->words;
+    /* place fill-rule: the first centre that a box has */
     const int32_t x = (inside->least.x + 0x7FFF) >> 16, y = (inside->least.y + 0x7FFF) >> 16;
     for (uint32_t i = 0; i < 6 * 8; i++) {
         const uint32_t column = (uint32_t)x + i % 8, row = (uint32_t)y + i / 8;

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* place light: the levels of corners, in assembly */
 /* fxl_light_corners_of for Armv7-M and Armv8-M Mainline. lib/paint/light_level.h states what it does; it gives the
  * same bits as the text in light_level.c. Three corners take 73 instructions, of which compilers take 94. */
 #include "../math/family.h"

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* place pixel-format: opaque pixels with FXL_SMALL */
 /* Opaque pixels of RGB565 with FXL_SMALL: one text for the segments of segments.h and for those of
  * paint_row.h, whose pixels it paints one by one. A part of paint_rgb565.c. Internal. */
 #ifndef FXL_SMALL_ROW_H
