@@ -36,7 +36,8 @@ static FXL_ONE_COPY uint32_t find_values(const fxl_surfaces *surfaces,
         count = 2;
     }
     if (fxl_surface_is_lit(surfaces, surface)) {
-        surfaces->light_code->light_corners(model_view, traversal, corners, values[count]);
+        surfaces->light_code->light_corners(surfaces, model_view, traversal, corners,
+                                            values[count]);
         count++;
     }
     return count;

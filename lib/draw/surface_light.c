@@ -33,11 +33,11 @@ static void place_corner(const fxl_scene *scene, const fxl_instance *instance, u
 /* Only point lights and fog need the places of corners. fxl_placement_code turns the normal of a
  * face. */
 /* SPEC 9.7, surfaces 5.1 */
-static void light_corners(const fxl_model_view *model_view, const fxl_traversal *traversal,
-                          const fxl_corner *const corners[3], int32_t values[3])
+static void light_corners(const fxl_surfaces *surfaces, const fxl_model_view *model_view,
+                          const fxl_traversal *traversal, const fxl_corner *const corners[3],
+                          int32_t values[3])
 {
     const fxl_renderer *renderer = traversal->renderer;
-    const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)renderer->shader;
     const fxl_instance *instance = model_view->instance;
     const fxl_light_settings *settings = &surfaces->light->settings;
     const fxl_direction *normals = surfaces->set->normals;

@@ -25,8 +25,9 @@ extern "C" {
 
 /* The light at the three vertices of a mapped face: levels of the ramp in 16.16, and a half, so that
  * rounding them down gives the nearest. From 32768 to levels - 1/2. */
-typedef void fxl_corner_light(const fxl_model_view *model_view, const fxl_traversal *traversal,
-                              const fxl_corner *const corners[3], int32_t values[3]);
+typedef void fxl_corner_light(const fxl_surfaces *surfaces, const fxl_model_view *model_view,
+                              const fxl_traversal *traversal, const fxl_corner *const corners[3],
+                              int32_t values[3]);
 
 /* What a renderer with lit surfaces links. */
 typedef struct fxl_surface_light_code {

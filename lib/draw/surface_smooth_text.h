@@ -120,7 +120,7 @@ static inline void find_lights_at_once(const fxl_surfaces *surfaces,
     if (run->kept != NULL) {
         run->code->corners_of(&surfaces->light->settings, surfaces->set->normals, of, light);
     } else {
-        run->code->light_corners(model_view, traversal, of, light);
+        run->code->light_corners(surfaces, model_view, traversal, of, light);
     }
 }
 
@@ -178,7 +178,7 @@ draw_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
     fxl_corner_colours(of, values.of);
     if (fxl_surface_is_lit(surfaces, surface)) {
         int32_t light[3];
-        run->code->light_corners(model_view, traversal, of, light);
+        run->code->light_corners(surfaces, model_view, traversal, of, light);
         fxl_corner_colours_light(&surfaces->light->settings, light, values.of);
     }
     values.limit = surface->division == FXL_AFFINE && fxl_corners_are_on_screen(corners, lens)
