@@ -87,6 +87,19 @@ static void check_levels(const quad_scene *quad, const fxl_light_settings *of, d
     }
 }
 
+/* A pick finds the light of corners anew, behind a shader of its own, and answers what is shown. */
+static void expect_picks(quad_scene *quad)
+{
+    for (int i = 0; i < 3; i++) {
+        const uint16_t x = (uint16_t)unit_between(0, QUAD_WIDTH - 1);
+        const uint16_t y = (uint16_t)unit_between(0, QUAD_HEIGHT - 1);
+        const bool is_shown = quad->frame[y * QUAD_WIDTH + x] != QUAD_BACKGROUND;
+        fxl_picked picked;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_pick_face(&quad->renderer, x, y, &picked));
+        TEST_ASSERT_EQUAL_UINT16(is_shown ? 0 : FXL_PICK_NONE, picked.instance);
+    }
+}
+
 static void draw_random_faces(bool turned, uint8_t division, double tolerance)
 {
     for (uint32_t i = 0; i < ROUNDS; i++) {
@@ -98,6 +111,7 @@ static void draw_random_faces(bool turned, uint8_t division, double tolerance)
         quad_light(quad, &light, &of);
         quad_draw(quad);
         check_levels(quad, &of, tolerance);
+        expect_picks(quad);
     }
     TEST_ASSERT_GREATER_THAN(50 * ROUNDS, compared);
 }
