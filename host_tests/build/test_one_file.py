@@ -133,7 +133,7 @@ def test_every_file_of_the_library_is_in_it_once(folder):
              if "study" not in file.parts and not re.search(r"_(armv6m|armv7m|mve)\.h$", file.name)}
     templates = {"raster/draw_outline_text.h", "draw/target_text.h", "draw/target_flat_text.h", "draw/target_faces_text.h",
                  "draw/sprites_text.h", "draw/surfaces_text.h", "draw/surface_paint_text.h", "draw/surface_depth_text.h", "draw/surface_smooth_text.h", "draw/surface_mapped_text.h", "draw/pixel_row.h",
-                 "view/cluster_loop.h", "paint/paint_row.h", "paint/segment_runs.h", "paint/lit_row.h"}
+                 "view/cluster_loop.h", "paint/paint_row.h", "paint/segment_runs.h", "paint/lit_row.h", "paint/small_row.h"}
     unused = {"include/fixel/all.h", "draw/stages.h"}   # included by none of these files
     assert files - set(titles) == templates | unused, "a header that depends on who includes it has no title of its own"
     assert set(titles) <= files and f"Fixel {version.version()}" in text

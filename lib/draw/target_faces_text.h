@@ -168,8 +168,9 @@ static inline int32_t extent_of(uint32_t a, uint32_t b, uint32_t c, int32_t *fir
     return (int32_t)(most >> 20) - *first;
 }
 
-/* The rows of a triangle that may be tiny, at most. Most of the higher ones have too many centres. */
-#define TINY_ROWS 6
+/* The rows of a triangle that may be tiny, at most. Most of the higher ones have too many centres, or
+ * cost less as an outline of a kernel. */
+#define TINY_ROWS (FXL_KERNELS_ARMV6M ? 4 : 6)
 
 /* fxl_clip_by_view of a triangle, less the colour, which is the face's. It also finds the box of its
  * centres; columns is 0 of one that does not lie inside, and of one of more than TINY_ROWS. */
