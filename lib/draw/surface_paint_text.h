@@ -15,7 +15,7 @@
 #if FXL_TARGET_FORMAT == FXL_RGB565_PIXELS
 
 #define PAINT_PIXELS   fxl_paint_pixels_565
-#define PAINT_ROWS     fxl_paint_rows_565
+#define PAINT_ROWS     (FXL_IS_SMALL ? NULL : fxl_paint_rows_565) /* small_row.h has none */
 #define PAINT_RUNS     fxl_paint_runs_565
 #define PAINT_LIT_RUNS NULL
 #define PAINT_HOLES    fxl_paint_holes_565

@@ -132,15 +132,16 @@ static const sum_of_products matrix[3][3] = {
     {{MINUS_SR, CY, CR, UP_X}, {CR, CP, ZERO, ZERO}, {SR, SY, CR, UP_Z}}, /* up */
     {{CP, SY, ZERO, ZERO}, {SP, ONE, ZERO, ZERO}, {CP, CY, ZERO, ZERO}}}; /* forward */
 
-/* A sum of two products, rounded once, to units of 2^(bits - 62). Error: half a unit. Every sum is
- * an entry of a rotation, so |a b| + |c d| <= 2^62 (1 + 2^-29), and adding the half of the rounding
- * does not overflow. */
+/* A sum of two products, rounded once: an entry of the matrix to 2^-30, a factor of others to 2^-31.
+ * Error: half a unit. Every sum is an entry of a rotation, so |a b| + |c d| <= 2^62 (1 + 2^-29), and
+ * adding the half of the rounding does not overflow. A shift by a variable would be a function of the
+ * compiler's library where this is compiled for size. */
 /* accuracy 1.1 */
-static int64_t sum(const int64_t *factors, const sum_of_products of, unsigned bits)
+static int64_t sum(const int64_t *factors, const sum_of_products of, bool is_entry)
 {
-    return fxl_round_shift(fxl_multiply_s64(factors[of[0]], factors[of[1]]) +
-                               fxl_multiply_s64(factors[of[2]], factors[of[3]]),
-                           bits);
+    const int64_t exact = fxl_multiply_s64(factors[of[0]], factors[of[1]]) +
+                          fxl_multiply_s64(factors[of[2]], factors[of[3]]);
+    return is_entry ? fxl_round_shift(exact, 32) : fxl_round_shift(exact, 31);
 }
 
 /* SPEC 4.2 */
@@ -162,13 +163,13 @@ FXL_COLD fxl_status fxl_camera_from_pose(const fxl_pose *pose, fxl_camera *camer
     }
     factors[ONE] = (int64_t)1 << 31;
     factors[ZERO] = 0;
-    factors[UP_X] = sum(factors, up_x, 31);
-    factors[UP_Z] = sum(factors, up_z, 31);
+    factors[UP_X] = sum(factors, up_x, false);
+    factors[UP_Z] = sum(factors, up_z, false);
     camera->position = pose->position;
     for (uint32_t i = 0; i < 3; i++) {
-        rows[i]->x = (fxl_q2_30)sum(factors, matrix[i][0], 32);
-        rows[i]->y = (fxl_q2_30)sum(factors, matrix[i][1], 32);
-        rows[i]->z = (fxl_q2_30)sum(factors, matrix[i][2], 32);
+        rows[i]->x = (fxl_q2_30)sum(factors, matrix[i][0], true);
+        rows[i]->y = (fxl_q2_30)sum(factors, matrix[i][1], true);
+        rows[i]->z = (fxl_q2_30)sum(factors, matrix[i][2], true);
     }
     return FXL_OK;
 }
