@@ -25,7 +25,7 @@ COMPILERS = {"mps2-an385": "arm-none-eabi-gcc", "rv32": "riscv64-unknown-elf-gcc
 
 
 # The walk and a board of WebAssembly, with rv32's room.
-WEB = [*sorted(file for file in (ROOT / "firmware" / "walk").glob("*.c") if file.name != "main.c"), ROOT / "firmware" / "web" / "web.c",
+WEB = [*sorted(file for file in (ROOT / "firmware" / "walk").glob("*.c") if file.name != "main.c"), ROOT / "firmware" / "web" / "page.c", ROOT / "firmware" / "web" / "web.c",
        ROOT / "boards" / "parts" / "memory_functions.c"]
 ROOM = ["-DWALK_IN_PARTS", "-DWALK_BAND_BYTES=1048576", "-DWALK_ORDER_ENTRIES=65536", "-DWALK_LIST_BYTES=262144", "-DWALK_CACHE_ENTRIES=1024"]
 
