@@ -121,6 +121,40 @@ typedef struct {
     uint32_t checked, bent, far_apart, steep, thin, unlit;
 } texel_counts;
 
+/* Of v: a texture of 32 columns. */
+#define V_DROP 3u
+
+/* fxl_find_texel_planes of corners with such values, and light or none. */
+static int32_t planes_of(int32_t (*values)[3], const int32_t *light, fxl_texel_planes *planes,
+                         bool is_affine)
+{
+    const fxl_words_lens lens = fxl_words_lens_of(&triangle.view.lens);
+    fxl_corner corners[3];
+    for (uint32_t i = 0; i < 3; i++) {
+        corners[i].texel.u = values[FXL_ATTRIBUTE_U][i];
+        corners[i].texel.v = values[FXL_ATTRIBUTE_V][i];
+    }
+    const fxl_corner *const of[3] = {&corners[0], &corners[1], &corners[2]};
+    return fxl_find_texel_planes(&triangle.corners, &lens, of, planes, light, is_affine, V_DROP);
+}
+
+/* The same planes from the corners, in one call. */
+static void expect_planes(int32_t (*values)[3], const int32_t *light, bool is_found,
+                          const fxl_gradients *gradients, const fxl_depth_plane *plane)
+{
+    fxl_texel_planes expected, found;
+    const int32_t one = planes_of(values, light, &found, false);
+    TEST_ASSERT_EQUAL_INT32(is_found ? plane->one : 0, one);
+    if (is_found) {
+        fxl_texel_words_of(gradients, plane, &expected);
+        fxl_texel_planes_scale(&expected, 0, V_DROP);
+        if (light == NULL) { /* undefined */
+            found.at.light = found.down.light = found.along.light = 0;
+        }
+        TEST_ASSERT_EQUAL_MEMORY(&expected, &found, sizeof expected);
+    }
+}
+
 /* u and v without light are what they are with it. Returns whether they are words only so: light may
  * differ too much. */
 static bool is_found_unlit(int32_t (*values)[3], bool is_found, const fxl_gradients *lit)
@@ -130,6 +164,7 @@ static bool is_found_unlit(int32_t (*values)[3], bool is_found, const fxl_gradie
     const bool is_unlit =
         fxl_find_texels(&triangle.planes, values, FXL_SEGMENT_LIGHT, false, &unlit, &plane);
     TEST_ASSERT_TRUE(is_unlit || !is_found);
+    expect_planes(values, NULL, is_unlit, &unlit, &plane);
     if (is_found) {
         TEST_ASSERT_EQUAL(FXL_SEGMENT_LIGHT, unlit.count);
         TEST_ASSERT_EQUAL_MEMORY(lit->attributes, unlit.attributes,
@@ -138,39 +173,18 @@ static bool is_found_unlit(int32_t (*values)[3], bool is_found, const fxl_gradie
     return is_unlit && !is_found;
 }
 
-/* Of v: a texture of 32 columns. */
-#define V_DROP 3u
-
-/* fxl_find_texel_planes of corners with such values. */
-static int32_t planes_of(int32_t (*values)[3], fxl_texel_planes *planes, bool is_affine)
-{
-    const fxl_words_lens lens = fxl_words_lens_of(&triangle.view.lens);
-    fxl_corner corners[3];
-    for (uint32_t i = 0; i < 3; i++) {
-        corners[i].texel.u = values[FXL_ATTRIBUTE_U][i];
-        corners[i].texel.v = values[FXL_ATTRIBUTE_V][i];
-    }
-    const fxl_corner *const of[3] = {&corners[0], &corners[1], &corners[2]};
-    return fxl_find_texel_planes(&triangle.corners, &lens, of, planes, values[FXL_SEGMENT_LIGHT],
-                                 is_affine, V_DROP);
-}
-
-/* The same planes from the corners, in one call. */
 static void check_texel_planes(int32_t (*values)[3], bool is_found, const fxl_gradients *gradients,
                                const fxl_depth_plane *plane)
 {
-    fxl_texel_planes expected, found;
-    const int32_t one = planes_of(values, &found, false);
-    TEST_ASSERT_EQUAL_INT32(is_found ? plane->one : 0, one);
+    const int32_t *light = values[FXL_SEGMENT_LIGHT];
+    fxl_texel_planes found;
+    expect_planes(values, light, is_found, gradients, plane);
     if (is_found) {
-        fxl_texel_words_of(gradients, plane, &expected);
-        fxl_texel_planes_scale(&expected, 0, V_DROP);
-        TEST_ASSERT_EQUAL_MEMORY(&expected, &found, sizeof expected);
         values[FXL_ATTRIBUTE_V][2] += 192 << 16;
-        TEST_ASSERT_EQUAL_INT32(0, planes_of(values, &found, true));
+        TEST_ASSERT_EQUAL_INT32(0, planes_of(values, light, &found, true));
         values[FXL_ATTRIBUTE_V][2] -= 192 << 16;
         triangle.corners.width += FXL_SMALL_SIDE_MAX;
-        TEST_ASSERT_EQUAL_INT32(0, planes_of(values, &found, false));
+        TEST_ASSERT_EQUAL_INT32(0, planes_of(values, light, &found, false));
         triangle.corners.width -= FXL_SMALL_SIDE_MAX;
     }
 }
