@@ -14,8 +14,8 @@ from fixel.base.errors import ToolError
 from fixel.image import image
 from fixel.model import creases, gltf, obj, solids
 from fixel.model.mesh import UNIT, newell
-from fixel.scene import compiler, look, toml_scene
-from model_files import File
+from fixel.scene import compiler, look, target, toml_scene
+from model_files import File, build
 
 BUILT_PROGRAMS = ("boards/host/walk", "boards/mps2-an385/walk.elf", "host/frames", "host/judge", "host/raycast", "host/predict")
 ONE = 1 << 30
@@ -383,3 +383,56 @@ def test_the_work_grows_little_faster_than_the_faces(monkeypatch, shape):
         edges(*shape(count))
     few, many = (each.looked for each in made)
     assert many < 24 * max(few, 200)
+
+
+# --- textured balls: small triangles with light are functions of the screen (SPEC.md, section 9.1.1) ---
+
+BALL = """[view]
+pixels = "rgb565"
+visibility = "depth"
+[light]
+levels = 8
+[[textures]]
+name = "t"
+pattern = "checker"
+[[objects]]
+solid = "sphere"
+position = [0, 0, 5]
+texture = "t"
+smooth = true
+"""
+LIKE_BALL = {"lens": ("[view]", "[view]\nscale = 40"), "palette": ('pixels = "rgb565"\n', ""), "32 bits": ('visibility = "depth"', "depth = 32"),
+             "order": ('visibility = "depth"', ""), "every pixel": ('texture = "t"', 'texture = "t"\ndivision = 1'),
+             "stipple": ('texture = "t"', 'texture = "t"\nopacity = 8'), "blended": ('texture = "t"', 'texture = "t"\nblend = "add"'),
+             "no texture": ('texture = "t"', 'colour = "gold"'), "4 bits": ('pattern = "checker"', 'pattern = "checker"\nbits = 4'),
+             "edges": ('pattern = "checker"', 'pattern = "checker"\nwrap = "clamp"'), "flat": ("smooth = true", "lit = true"),
+             "band": ('"sphere"', '"band"')}
+
+
+def test_textured_faces_of_a_ball_are_triangles(tmp_path):
+    """All light is of their own corners then."""
+    made = build(tmp_path, BALL)
+    [model] = made.models
+    assert len(model.faces) == 12 * 4 * 2 + 24 and all(len(face.corners) == 3 for face in model.faces)
+    for (vertex, _), normal in corners(made).items():
+        assert normal @ vertex > 0.99 * math.hypot(*vertex)
+
+
+@pytest.mark.parametrize("name", LIKE_BALL)
+def test_other_faces_stay_whole(tmp_path, name):
+    assert any(len(face.corners) == 4 for model in build(tmp_path, BALL.replace(*LIKE_BALL[name])).models for face in model.faces)
+
+
+@pytest.mark.parametrize("asked, sides", [(("rgb565", None, "16"), {3}), (("rgb565", None, "32"), {3, 4}), (("palette", None, None), {3, 4})])
+def test_what_a_command_asks_for_decides_too(tmp_path, asked, sides):
+    file = tmp_path / "s.toml"
+    file.write_text(BALL if asked[0] == "palette" else BALL.replace(BALL[:BALL.index("[light]")], ""))
+    made, _ = compiler.compile_scene(str(file), 4, asked=target.Target(*asked))
+    assert {len(face.corners) for face in made.models[0].faces} == sides
+
+
+def test_some_faces_of_a_ball_have_a_texture(tmp_path):
+    """Every other one: the others stay whole."""
+    [model] = build(tmp_path, BALL.replace('texture = "t"', 'textures = ["t", ""]')).models
+    sides = [len(face.corners) for face in model.faces]
+    assert sides.count(4) == 24 and sides.count(3) == 24 * 2 + 24

@@ -30,7 +30,7 @@ def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", r
         look = _still(look, scene) if layers and layers != "none" else look
         compiled, notes = framing.compile_model(scene, frames, report, screen, FRAMINGS[framed], look, write)
     else:
-        compiled, notes = toml_scene.compile_file(scene, frames, report, screen)
+        compiled, notes = toml_scene.compile_file(scene, frames, report, screen, asked)
     where, layers = (f"{scene}: --tree", layers) if layers else (f"{scene}: tree", compiled.layers)
     if asked:
         target.apply(compiled, layers != "none", asked, scene)

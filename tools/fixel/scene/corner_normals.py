@@ -141,13 +141,13 @@ def _is_linear(points, normals):
     return all(_are_one(a, each) for each in normals[1:])
 
 
-def cut(made, coordinates, normals):
-    """(shape, coordinates): faces whose light is not linear are triangles. normals: of each face's corners, which the shape then
-    has; coordinates: likewise, on a texture."""
+def cut(made, coordinates, normals, wanted):
+    """(shape, coordinates): faces whose light is not linear, and whose source is wanted, are triangles. normals: of each face's corners,
+    which the shape then has; coordinates: likewise, on a texture."""
     faces, sources, more, given = [], [], [], []
     for number, (face, found) in enumerate(zip(made.faces, normals)):
         points = [made.vertices[c] for c in face.corners]
-        is_whole = len(points) == 3 or _is_linear(points, found)
+        is_whole = len(points) == 3 or not wanted(made.sources[number]) or _is_linear(points, found)
         for piece in [range(len(points))] if is_whole else surfaces.triangles(points):
             faces.append(face if is_whole else Face(face.normal, tuple(face.corners[i] for i in piece), face.colour))
             sources.append(made.sources[number])

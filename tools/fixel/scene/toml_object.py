@@ -47,10 +47,11 @@ def _solid_options(table):
 
 
 class Objects:
-    """Compiles the objects of one scene. files: a toml_model.Files. notes are told to the user, once each."""
+    """Compiles the objects of one scene. files: a toml_model.Files. notes are told to the user, once each. at_once: see
+    toml_texture.Wish."""
 
-    def __init__(self, name, files, light, notes, progress=None, textures=None, billboards=None):
-        self.name, self.light = name, light
+    def __init__(self, name, files, light, notes, progress=None, textures=None, billboards=None, at_once=False):
+        self.name, self.light, self.at_once = name, light, at_once
         self.notes, self.progress = notes, progress or Quiet()
         self.files, self.shapes, self.coloured, self.surfaces = files, {}, {}, {}
         self.textures, self.looks, self.plain_look = textures or {}, {}, None
@@ -115,7 +116,7 @@ class Objects:
         says = not keys.SURFACE.keys().isdisjoint(table.data)
         if says or self.plain_look is None:
             look = toml_texture.Wish(table, self.textures, not isinstance(self.light, toml_light.RunTime),
-                                     lambda: self.mesh(table)[0], self.images)
+                                     lambda: self.mesh(table)[0], self.images, self.at_once)
             self.plain_look = self.plain_look if says else look
             self.notes += [f"{table.where}: {note}" for note in look.images.notes] if look.images else []
             return look

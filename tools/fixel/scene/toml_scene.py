@@ -79,11 +79,9 @@ def _target(top, scene):
     """How the scene asks to be drawn: pixels, depth buffer and order. visibility = "depth" means depth = 16."""
     view = top.table("view")
     scene.pixel_bits = 16 if _is_565(top) else 8
-    scene.depth_bits = view["depth"]
-    if view["visibility"] == "depth":
-        if "depth" in view:
-            raise ToolError(f'{view.at("visibility")}: "depth" is depth = 16; give only one of visibility and depth')
-        scene.depth_bits = 16
+    if view["visibility"] == "depth" and "depth" in view:
+        raise ToolError(f'{view.at("visibility")}: "depth" is depth = 16; give only one of visibility and depth')
+    scene.depth_bits = _depth_bits(top)
     if view["order"] == "tree" and top["tree"] == "none":
         raise ToolError(f'{view.at("order")}: "tree" needs a tree; give tree = "all" at the top of the file')
     if scene.scale and top["tree"] != "none" and view["order"] != "distance":
@@ -94,6 +92,19 @@ def _target(top, scene):
 def _is_565(top):
     """Whether frames are of RGB565, which need no shades of light in the palette."""
     return top.table("view")["pixels"] == "rgb565"
+
+
+def _depth_bits(top):
+    view = top.table("view")
+    return 16 if view["visibility"] == "depth" else view["depth"]
+
+
+def _draws_at_once(top, asked):
+    """Whether u, v and light of small triangles may be functions of the screen (SPEC.md, section 9.1.1), by what the scene says.
+    asked: the target.Target in the place of that."""
+    is_565 = asked.pixels == "rgb565" if asked and asked.pixels else _is_565(top)
+    depth_bits = int(asked.depth) if asked and asked.depth else _depth_bits(top)
+    return is_565 and depth_bits == 16 and not top["beams"] and "scale" not in top.table("view")
 
 
 def _on_screen(lens, screen):
@@ -336,27 +347,27 @@ def _lit_at_run_time(data, where):
     return {**data, "light": {**light, "levels": RAMP}}, note + (f", without {' and '.join(gone)}" if gone else "")
 
 
-def compile_data(data, name, folder, frames=None, progress=None, screen=None, files=None):
+def compile_data(data, name, folder, frames=None, progress=None, screen=None, files=None, asked=None):
     """A scene as a dictionary of TOML's shape -> (SceneImage, notes). See _compile_data. Textures that the tool's light
     cannot be baked into get light at run time."""
-    files = files or toml_model.Files(folder)
+    how = name, folder, frames, progress, screen, files or toml_model.Files(folder), asked
     names = toml_texture.by_path(data)
     if not names:
-        return _compile_lit(data, name, folder, frames, progress, screen, files)
+        return _compile_lit(data, how)
     toml_texture.check_by_path(Table(data, name, keys.TOP), names)
-    scene, _ = _compile_lit(data, name, folder, frames, progress, screen, files)
+    scene, _ = _compile_lit(data, how)
     data, more = toml_texture.sizes_of_path(data, scene, names)
-    scene, notes = _compile_lit(data, name, folder, frames, progress, screen, files)
+    scene, notes = _compile_lit(data, how)
     return scene, [*(f"{name}: {note}" for note in more), *notes]
 
 
-def _compile_lit(data, name, folder, frames, progress, screen, files):
-    """See compile_data; sizes of textures are numbers."""
+def _compile_lit(data, how):
+    """See compile_data; sizes of textures are numbers. how: what _compile_data takes besides."""
     try:
-        return _compile_data(data, name, folder, frames, progress, screen, files)
+        return _compile_data(data, *how)
     except toml_texture.ManyDirections as found:
         changed, note = _lit_at_run_time(data, found)
-    scene, notes = _compile_data(changed, name, folder, frames, progress, screen, files)
+    scene, notes = _compile_data(changed, *how)
     return scene, [note, *notes]
 
 
@@ -367,10 +378,11 @@ def _check_lines(scene, name):
         raise ToolError(f"{name}: lines and {other} do not go together: leave out edges, lines and points, or {key}")
 
 
-def _compile_data(data, name, folder, frames, progress, screen, files):
+def _compile_data(data, name, folder, frames, progress, screen, files, asked):
     """A scene as a dictionary of TOML's shape -> (SceneImage, notes). screen:
     width and height instead of the scene's, seen with the same field of view.
-    files: a toml_model.Files with what was read already. progress: a job.Report."""
+    files: a toml_model.Files with what was read already. progress: a job.Report. asked: what the scene is drawn as
+    (target.Target), which only what it is made of depends on here; None: as it says."""
     progress = progress or Quiet()
     top = Table(data, name, keys.TOP)
     lens = _lens(top)
@@ -384,7 +396,7 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
     light = toml_light.read(top)
     pictures = texture.Pictures(folder)
     objects = Objects(name, files, light, notes, progress, toml_texture.read(top, pictures),
-                      toml_billboard.read(top, pictures))
+                      toml_billboard.read(top, pictures), _draws_at_once(top, asked))
     instances = []
     for number, item in enumerate(top["objects"]):
         progress(f"{name}: object {number}")
@@ -429,7 +441,7 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
     return scene, list(dict.fromkeys(notes))
 
 
-def compile_file(path, frames=None, progress=None, screen=None):
-    """A scene file -> (SceneImage, notes)."""
+def compile_file(path, frames=None, progress=None, screen=None, asked=None):
+    """A scene file -> (SceneImage, notes). See _compile_data."""
     folder, data = os.path.dirname(path), toml_table.read(path)
-    return compile_data(data, shortened(os.path.basename(path)), folder, frames, progress, screen)
+    return compile_data(data, shortened(os.path.basename(path)), folder, frames, progress, screen, asked=asked)

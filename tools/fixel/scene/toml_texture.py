@@ -116,9 +116,10 @@ class _Key(tuple):
 class Wish:
     """What an object says of its surfaces. paints: for each face of the mesh in turn; None: its colour alone.
     light: the scene's; baked: whether the tool computes it. opacities: as paints. images: a toml_images.Images or None.
-    mesh_of: answers the object's mesh. known_images: those made before."""
+    mesh_of: answers the object's mesh. known_images: those made before. at_once: whether the scene's target lets small
+    triangles be functions of the screen (SPEC.md, section 9.1.1)."""
 
-    def __init__(self, table, known, baked, mesh_of, known_images):
+    def __init__(self, table, known, baked, mesh_of, known_images, at_once):
         if "texture" in table and "textures" in table:
             raise ToolError(f"{table.where}: both texture and textures are given; keep one")
         names = (table["texture"],) if "texture" in table else table.rows("textures")
@@ -128,6 +129,7 @@ class Wish:
         self.opacities = images.opacities if images else (table["opacity"],)
         self.mixes = {False: 0, True: image_surface.BLENDED, "add": image_surface.ADDED}[table["blend"]]
         self.smooth, self.crease = self._smoothness(table)
+        self.at_once = at_once and not self.mixes and self.division in (image_surface.DIVIDE_16, image_surface.AFFINE)
         self.by_normals = table["smooth"] == "file"
         self.lit = table.get("lit", not baked and table["shade"] and
                              (self.smooth or self.paints != (None,) or table["vertex_colours"] is True))
@@ -223,6 +225,14 @@ class Wish:
     def paint_of(self, source):
         """Of a face of the mesh."""
         return self.paints[source % len(self.paints)]
+
+    def cuts(self, source):
+        """Whether a face of the mesh becomes triangles if its light is not linear: among edges that show, and where small
+        triangles with its texture are functions of the screen."""
+        paint = self.paint_of(source)
+        return self.crease != corner_normals.ALL or (
+            self.at_once and paint is not None and not paint.clamp and paint.bits != 4 and not paint.picture.has_clear and
+            self.opacities[source % len(self.opacities)] == image_surface.OPAQUE)
 
     def coordinates(self, mesh, scale, inside):
         """For each face of a mesh the coordinates of its corners in texels; of one with colours at its corners these, as parts
@@ -358,8 +368,8 @@ def shape_of(wish, mesh, rows, made, scale, inside):
         made.normals = corner_normals.file_normals(mesh, rows, made)
     if wish.by_normals and mesh.smoothing:
         made.smoothing = [mesh.smoothing[source] for source in made.sources]
-    if wish.smooth and wish.crease != corner_normals.ALL:
-        made, coordinates = corner_normals.cut(made, coordinates, wish.normals(made))
+    if wish.smooth and any(map(wish.cuts, made.sources)):
+        made, coordinates = corner_normals.cut(made, coordinates, wish.normals(made), wish.cuts)
     return made, coordinates
 
 
