@@ -319,6 +319,42 @@ draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
     return FXL_DRAW_SMOOTH_FACE(corners, band, smooth);
 }
 
+#if FXL_PIXEL_IS_MIXED
+
+/* A triangle of less than a pixel whose planes are no words, if it covers no centre: such a thin one takes
+ * as many instructions as one of rows and pixels otherwise. FXL_DEPTH_NOT_DRAWN of any other.
+ * Not inline: its edges would be on the stack of others. Edges are below 2^26. */
+static __attribute__((noinline)) fxl_depth_drawn
+draw_no_centre(const fxl_screen_point p[3], const fxl_traversal *traversal)
+{
+    fxl_scan *scan = &traversal->workspace->work.scan;
+    const int64_t area = fxl_product(p[1].x - p[0].x, p[2].y - p[0].y) -
+                         fxl_product(p[2].x - p[0].x, p[1].y - p[0].y);
+    const fxl_trapezoid *trapezoid;
+    fxl_depth_drawn drawn = FXL_DEPTH_NO_ROW;
+    if (fxl_magnitude(area) >> 33 != 0) {
+        return FXL_DEPTH_NOT_DRAWN;
+    }
+    fxl_scan_outline(p, 3, traversal->band, scan);
+    if (!scan->by_chains) {
+        return FXL_DEPTH_NOT_DRAWN;
+    }
+    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+        fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
+        for (int32_t y = trapezoid->first_row; y < trapezoid->end_row; y++) {
+            if (a.x != b.x) {
+                return FXL_DEPTH_NOT_DRAWN;
+            }
+            fxl_edge_step(&a);
+            fxl_edge_step(&b);
+        }
+        drawn = FXL_DEPTH_DRAWN;
+    }
+    return drawn;
+}
+
+#endif
+
 /* A triangle of the run, from its vertices to its pixels, if it lies inside all planes and its planes
  * are words. */
 static inline __attribute__((always_inline)) inside_result
@@ -361,6 +397,11 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
         }
     }
     if (drawn != FXL_DEPTH_DRAWN) {
+#if FXL_PIXEL_IS_MIXED
+        if (drawn == FXL_DEPTH_NOT_DRAWN) {
+            drawn = draw_no_centre(corners->points, traversal);
+        }
+#endif
         if (drawn == FXL_DEPTH_NOT_DRAWN) {
             return HAS_NO_WORDS;
         }
