@@ -6,6 +6,7 @@
  * the eight pixels that end at an edge begin there. */
 #include "../math/family.h"
 #include "../math/offsets.h"
+#include "../math/registers_armv6m.h"
 
 #if FXL_KERNELS_ARMV6M && !FXL_IS_COMPACT
 
@@ -84,12 +85,7 @@
 
 /* r0: sheet, r1: scan */
 fxl_paint_depth_sheet_\bits:
-    push    {r4-r7, lr}
-    mov     r4, r8
-    mov     r5, r9
-    mov     r6, r10
-    mov     r7, r11
-    push    {r4-r7}
+    save_registers
     sub     sp, #FRAME
     str     r1, [sp, #SCAN]
     movs    r2, #SCAN_TRAPEZOID + TRAPEZOID_END_ROW
@@ -204,12 +200,7 @@ fxl_paint_depth_sheet_\bits:
 
 .Ldone_\bits:
     add     sp, #FRAME
-    pop     {r4-r7}
-    mov     r8, r4
-    mov     r9, r5
-    mov     r10, r6
-    mov     r11, r7
-    pop     {r4-r7, pc}
+    restore_and_return
 
     .size   fxl_paint_depth_sheet_\bits, . - fxl_paint_depth_sheet_\bits
     .endm

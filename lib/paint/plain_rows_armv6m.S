@@ -4,6 +4,7 @@
  * weight take 26. A row takes 130 before its first segment, and a run of segments 90. */
 #include "../math/family.h"
 #include "../math/offsets.h"
+#include "../math/registers_armv6m.h"
 
 #if FXL_KERNELS_ARMV6M
 
@@ -41,12 +42,7 @@
     .endm
 
     .macro  enter
-    push    {r4-r7, lr}
-    mov     r4, r8
-    mov     r5, r9
-    mov     r6, r10
-    mov     r7, r11
-    push    {r4-r7}
+    save_registers
     sub     sp, #F_SIZE
     .endm
 
@@ -436,12 +432,7 @@ fxl_paint_plain_rows:
     movs    r0, #0
 .Lleave:
     add     sp, #F_SIZE
-    pop     {r4-r7}
-    mov     r8, r4
-    mov     r9, r5
-    mov     r10, r6
-    mov     r11, r7
-    pop     {r4-r7, pc}
+    restore_and_return
 
 #include "plain_weights_armv6m.h"
 #include "plain_faces_armv6m.h"

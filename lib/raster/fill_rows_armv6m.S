@@ -8,6 +8,7 @@
  * have the steps. Every store is aligned. */
 #include "../math/family.h"
 #include "../math/offsets.h"
+#include "../math/registers_armv6m.h"
 
 #if FXL_KERNELS_ARMV6M
 
@@ -70,12 +71,7 @@ rows        .req r12    /* rows still to be filled */
 
 /* r0: band, r1: trapezoid, r2: colour */
 FILL_TRAPEZOID:
-    push    {r4-r7, lr}
-    mov     r4, r8
-    mov     r5, r9
-    mov     r6, r10
-    mov     r7, r11
-    push    {r4-r7}
+    save_registers
     movs    r4, #TRAPEZOID_END_ROW
     ldrsh   r3, [r1, r4]
     movs    r4, #TRAPEZOID_FIRST_ROW
@@ -160,12 +156,7 @@ FILL_TRAPEZOID:
     subs    spare, #1
     mov     rows, spare
     bne     .Lrow
-    pop     {r4-r7}
-    mov     r8, r4
-    mov     r9, r5
-    mov     r10, r6
-    mov     r11, r7
-    pop     {r4-r7, pc}
+    restore_and_return
 
     /* Fewer than 8 pixels, perhaps none. */
 .Lshort:

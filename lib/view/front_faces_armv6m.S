@@ -12,6 +12,7 @@
  * than 1. So a difference of 2^(s + 1) + 1 or more has the right sign. */
 #include "../math/family.h"
 #include "../math/offsets.h"
+#include "../math/registers_armv6m.h"
 
 #if FXL_KERNELS_ARMV6M
 
@@ -59,12 +60,7 @@ entry   .req r11
 
 /* r0: faces, r1: bounds, r2: eye, r3: entry; on the stack: count, end */
 fxl_front_faces:
-    push    {r4-r7, lr}
-    mov     r4, r8
-    mov     r5, r9
-    mov     r6, r10
-    mov     r7, r11
-    push    {r4-r7}
+    save_registers
     sub     sp, sp, #32
     mov     entry, r3
     str     r2, [sp, #EYE]
@@ -158,12 +154,7 @@ fxl_front_faces:
     bne     .Lface
     mov     r0, entry
     add     sp, sp, #32
-    pop     {r4-r7}
-    mov     r8, r4
-    mov     r9, r5
-    mov     r10, r6
-    mov     r11, r7
-    pop     {r4-r7, pc}
+    restore_and_return
 
 .Lexact:
     movs    r6, r0
