@@ -175,6 +175,13 @@ static void any_colours(fxl_colour_values *values)
         for (uint32_t i = 0; i < 3; i++) {
             values->of[k][i] = any_value(first, range, end);
         }
+        if (first == 0) { /* a corner is near an end */
+            const bool is_upper = any_below(2) != 0;
+            values->of[k][any_below(3)] = 4096 + (int32_t)any_below(1u << 14);
+            for (uint32_t i = 0; i < 3 && is_upper; i++) {
+                values->of[k][i] = (int32_t)end - values->of[k][i];
+            }
+        }
     }
 }
 

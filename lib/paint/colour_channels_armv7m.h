@@ -168,36 +168,66 @@
     lsls    r3, r3, #2
     movs    r0, #3
     sdiv    r3, r3, r0
-    rsbs    r6, r6, #0
-    cmp     r6, r5
-    it      hi
-    movhi   r5, r6                  /* to the farther side */
-    ldrd    r0, r1, [r7, #-12]
-    ldr     r2, [r7, #-4]
-    adds    r0, r0, r3
-    add     r1, r1, r0
-    add     r2, r2, r0
+    ldr     r0, [r7, #-12]
+    ldrd    r1, r2, [r7, #-8]
     sub     r6, r12, r7
     cmp     r6, #12                 /* green */
     ite     eq
     moveq   r6, #64 << 16
     movne   r6, #32 << 16
-    sub     r6, r6, #2 * 4096
-    sub     r3, r0, #4096
-    cmp     r3, r6
-    itt     ls
-    subls   r1, r1, #4096
-    cmpls   r1, r6
-    itt     ls
-    subls   r2, r2, #4096
-    cmpls   r2, r6
-    itt     ls
-    strls   r0, [r7, #-12]
-    movls   r5, #0
-    cmp     r5, lr, lsr #1
-    bhi     .Ltoo_bent
+    sub     r6, r6, #4096
+    adds    r0, r0, r3
+    ends_of_differences r5, lr, r1, r2
+    rsb     lr, lr, #4096
+    sub     r6, r6, r5
+    cmp     r0, lr                  /* 1/16 away from both ends? */
+    it      ge
+    cmpge   r6, r0
+    blt     .Lhold_mean
+.Lhas_mean:
+    str     r0, [r7, #-12]
     pop     {r3, r5, r6}
     b       .Lbalanced
+
+    /* hold_mean: r0 is held from lr to r6. If no bend is too far from nothing, nothing is added. */
+.Lhold_mean:
+    cmp     r0, lr
+    it      lt
+    movlt   r0, lr
+    cmp     r0, r6
+    it      gt
+    movgt   r0, r6
+    asrs    r1, r1, #8
+    asrs    r2, r2, #8
+    ldrd    r3, r5, [sp, #APART + 12]
+    sub     lr, r2, r1
+    sub     r6, r5, r3
+    mul     lr, lr, r6
+    mul     r1, r1, r3
+    mul     r2, r2, r5
+    sub     r2, r2, lr
+    sub     lr, lr, r1
+    mov     r3, #300 * 64           /* BEND_SIDE */
+    mul     r5, r3, r4
+    movs    r3, #0                  /* is_balanced: r3: more, r6: from none and each of three bends to that */
+.Ladd_mean:
+    mls     r6, r3, r4, r5
+    cmp     r6, r5, lsl #1
+    .irp    bend, r1, lr, r2
+    itt     ls
+    addls   r6, r6, \bend, lsl #6
+    cmpls   r6, r5, lsl #1
+    .endr
+    ldr     r6, [r7, #-12]
+    bls     .Lheld_mean
+    sub     r6, r0, r6
+    cmp     r6, r3
+    mov     r3, r6
+    bne     .Ladd_mean
+    b       .Ltoo_bent
+.Lheld_mean:
+    add     r0, r6, r3
+    b       .Lhas_mean
 .Ltoo_bent:
     add     sp, sp, #12
     b       .Lrefused_colours

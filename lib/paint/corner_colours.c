@@ -59,19 +59,6 @@ static inline bool is_near(const fxl_corner_planes *planes)
     return planes->weight_range <= (planes->weight_most - planes->weight_range) >> 7;
 }
 
-/* Whether a channel that begins `more` away from its values is as far from what no pixel shows as
- * the values of corners are: 1/16. */
-static inline bool stays_within(const int32_t values[3], int32_t more, int32_t end)
-{
-    for (uint32_t i = 0; i < 3; i++) {
-        const int32_t value = values[i] + more;
-        if (value < 4096 || value > end - 4096) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /* Weights at the corners, of which the least has 15 bits: they are rounded down. */
 typedef struct {
     int32_t least, d1, d2; /* the differences of corners 1 and 2 from corner 0: at most 3 2^15 + 3 */
@@ -126,6 +113,32 @@ static inline int32_t mean_of(const channel_bend *bend, int32_t least)
     return (sum < from ? from : sum > to ? to : sum) * 16 / least * 4 / 3;
 }
 
+/* Whether a channel that begins `more` above its values, 16.16, is off by at most BEND_SIDE to each side. Of a bend
+ * within BEND_BOTH and up to 0.3 of a level numbers are below 2^31. */
+static inline bool is_balanced(const channel_bend *bend, int32_t more, int32_t least)
+{
+    return 64 * bend->most <= (64 * BEND_SIDE + more) * least &&
+           64 * bend->least >= (more - 64 * BEND_SIDE) * least;
+}
+
+/* A mean, or of one that would bring the channel of a corner nearer than 1/16 to what no pixel shows nothing, or
+ * what is nearest to it and does not. False: that leaves too much. */
+/* SPEC 9.1.1 */
+static bool hold_mean(const int32_t values[3], const channel_bend *bend, int32_t least, int32_t end,
+                      int32_t *mean)
+{
+    const int32_t nearer = values[0] < values[1] ? values[0] : values[1];
+    const int32_t farther = values[0] > values[1] ? values[0] : values[1];
+    const int32_t from = 4096 - (nearer < values[2] ? nearer : values[2]);
+    const int32_t to = end - 4096 - (farther > values[2] ? farther : values[2]);
+    if (*mean >= from && *mean <= to) {
+        return true;
+    }
+    const int32_t held = *mean < from ? from : *mean;
+    *mean = is_balanced(bend, 0, least) ? 0 : held > to ? to : held;
+    return is_balanced(bend, *mean, least);
+}
+
 /* What is added to each channel, where a constant weight may be asked for: what it takes off in the
  * mean. False: it changes a channel too much. Limits are below 2^25. */
 /* SPEC 9.1.1 */
@@ -138,6 +151,7 @@ static bool find_means(const fxl_corner_planes *planes, int32_t (*values)[3], bo
     for (uint32_t k = 0; k < 3; k++) {
         const channel_bend bend = bend_of(values[k], &weights);
         const int32_t side = bend.most > -bend.least ? bend.most : -bend.least;
+        const int32_t end = k == 1 ? 64 << 16 : 32 << 16;
         means[k] = 0;
         if (side <= none) {
             continue;
@@ -145,12 +159,11 @@ static bool find_means(const fxl_corner_planes *planes, int32_t (*values)[3], bo
         if (!is_coarse || side > BEND_BOTH * least || bend.most - bend.least > BEND_BOTH * least) {
             return false;
         }
-        const int32_t mean = mean_of(&bend, least);
-        if (stays_within(values[k], mean, k == 1 ? 64 << 16 : 32 << 16)) {
-            means[k] = mean;
-        } else if (side > BEND_SIDE * least) {
+        int32_t mean = mean_of(&bend, least);
+        if (!hold_mean(values[k], &bend, least, end, &mean)) {
             return false;
         }
+        means[k] = mean;
     }
     return true;
 }
@@ -173,7 +186,7 @@ static inline int32_t shifted_up(int32_t value, unsigned shift)
 /* Exponents are from 17 to 40. What is cut off a coefficient changes a channel by less than 64
  * 2^-29 level a pixel. False: a coefficient is 4 2^LESS_MAX or more, so a side of the face is
  * short. The largest coefficient is at least 2^28. */
-static inline bool share(const fxl_corner_planes *planes, int32_t column, shared_planes *shared)
+static __attribute__((noinline)) bool share(const fxl_corner_planes *planes, int32_t column, shared_planes *shared)
 {
     const int32_t *along = planes->along, *down = planes->down;
     const int cut = planes->exponent - 29;
@@ -241,21 +254,31 @@ static inline int64_t two_words(uint32_t low, uint32_t high)
     return fxl_signed_64((uint64_t)high << 32 | low);
 }
 
-static inline void set_words(int32_t column, const channel_words channels[3],
-                             fxl_gradients *gradients)
+/* A channel of the corners: of corner 0 in 10.22, and the differences of the others, as find_channel has them. */
+typedef struct {
+    uint32_t first;
+    int32_t d1, d2;
+} channel_corners;
+
+/* Not inline: each of two functions would have three of find_channel. */
+static __attribute__((noinline)) void set_words(const shared_planes *shared, int32_t column,
+                                                const channel_corners of[3],
+                                                fxl_gradients *gradients)
 {
     static const fxl_gradient constant = {FXL_CONSTANT_WEIGHT, 0, 0};
     fxl_gradient *attributes = gradients->attributes;
+    const channel_words red = find_channel(shared, of[0].first, of[0].d1, of[0].d2);
+    const channel_words green = find_channel(shared, of[1].first, of[1].d1, of[1].d2);
+    const channel_words blue = find_channel(shared, of[2].first, of[2].d1, of[2].d2);
     /* Runs have 11 bits of red and blue, which half a unit rounds to nearest. Steps are at most
      * 2^31 - 2^23 + 2^10. */
-    attributes[0].at = two_words(channels[0].at + 1024u, fxl_bits_32(column));
-    attributes[0].along =
-        two_words(fxl_colours_both(channels[0].along + 1024, channels[2].along + 1024),
-                  fxl_bits_32(channels[1].along) << 4);
-    attributes[0].down = two_words(fxl_bits_32(channels[0].down), fxl_bits_32(channels[1].down));
-    attributes[1].at = two_words(channels[1].at, channels[2].at + 1024u);
-    attributes[1].along = two_words(fxl_bits_32(channels[0].along), fxl_bits_32(channels[2].along));
-    attributes[1].down = channels[2].down;
+    attributes[0].at = two_words(red.at + 1024u, fxl_bits_32(column));
+    attributes[0].along = two_words(fxl_colours_both(red.along + 1024, blue.along + 1024),
+                                    fxl_bits_32(green.along) << 4);
+    attributes[0].down = two_words(fxl_bits_32(red.down), fxl_bits_32(green.down));
+    attributes[1].at = two_words(green.at, blue.at + 1024u);
+    attributes[1].along = two_words(fxl_bits_32(red.along), fxl_bits_32(blue.along));
+    attributes[1].down = blue.down;
     gradients->shifts[0] = gradients->shifts[1] = gradients->shifts[2] = FXL_SHIFT_OF_WORDS;
     gradients->count = FXL_GRADIENTS_OF_WORDS;
     gradients->weight = constant;
@@ -264,14 +287,15 @@ static inline void set_words(int32_t column, const channel_words channels[3],
 
 /* A channel of a face that is not lit. mask: its bits of a colour; shift: what moves these to
  * 10.22. A level of 8 bits is 2^19 there, and of green 2^20. */
-static inline channel_words channel_of_colours(const shared_planes *shared,
-                                               const int32_t colours[3], int32_t mask,
-                                               unsigned shift, uint32_t half)
+static inline channel_corners channel_of_colours(const int32_t colours[3], int32_t mask,
+                                                 unsigned shift, uint32_t half)
 {
     const int32_t first = colours[0] & mask;
-    return find_channel(shared, ((uint32_t)first << shift) + half,
-                        fxl_signed_32(fxl_bits_32((colours[1] & mask) - first) << (shift + 3u)),
-                        fxl_signed_32(fxl_bits_32((colours[2] & mask) - first) << (shift + 3u)));
+    const channel_corners channel = {
+        ((uint32_t)first << shift) + half,
+        fxl_signed_32(fxl_bits_32((colours[1] & mask) - first) << (shift + 3u)),
+        fxl_signed_32(fxl_bits_32((colours[2] & mask) - first) << (shift + 3u))};
+    return channel;
 }
 
 bool fxl_corner_colours_unlit(const fxl_corner *const corners[3], const fxl_corner_planes *planes,
@@ -284,19 +308,20 @@ bool fxl_corner_colours_unlit(const fxl_corner *const corners[3], const fxl_corn
         !share(planes, column, &shared) || shared.less != 0) {
         return false;
     }
-    const channel_words channels[3] = {channel_of_colours(&shared, colours, 0xFF0000, 3, 1u << 18),
-                                       channel_of_colours(&shared, colours, 0xFF00, 12, 1u << 19),
-                                       channel_of_colours(&shared, colours, 0xFF, 19, 1u << 18)};
-    set_words(column, channels, gradients);
+    const channel_corners channels[3] = {channel_of_colours(colours, 0xFF0000, 3, 1u << 18),
+                                         channel_of_colours(colours, 0xFF00, 12, 1u << 19),
+                                         channel_of_colours(colours, 0xFF, 19, 1u << 18)};
+    set_words(&shared, column, channels, gradients);
     return true;
 }
 
-static inline channel_words channel_of_values(const shared_planes *shared, const int32_t values[3],
-                                              int32_t more)
+static inline channel_corners channel_of_values(const int32_t values[3], int32_t more,
+                                                unsigned less)
 {
-    return find_channel(shared, fxl_bits_32(values[0] + more) << 6,
-                        shifted_up(values[1] - values[0], 9u + shared->less),
-                        shifted_up(values[2] - values[0], 9u + shared->less));
+    const channel_corners channel = {fxl_bits_32(values[0] + more) << 6,
+                                     shifted_up(values[1] - values[0], 9u + less),
+                                     shifted_up(values[2] - values[0], 9u + less)};
+    return channel;
 }
 
 bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values)[3],
@@ -310,9 +335,9 @@ bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values
         !share(planes, column, &shared) || (shared.less != 0 && !differences_fit(values, shared.less))) {
         return false;
     }
-    const channel_words channels[3] = {channel_of_values(&shared, values[0], means[0]),
-                                       channel_of_values(&shared, values[1], means[1]),
-                                       channel_of_values(&shared, values[2], means[2])};
-    set_words(column, channels, gradients);
+    const channel_corners channels[3] = {channel_of_values(values[0], means[0], shared.less),
+                                         channel_of_values(values[1], means[1], shared.less),
+                                         channel_of_values(values[2], means[2], shared.less)};
+    set_words(&shared, column, channels, gradients);
     return true;
 }

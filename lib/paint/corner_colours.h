@@ -31,8 +31,8 @@ void fxl_corner_colours_light(const fxl_light_settings *settings, const int32_t 
  * Where is_affine, that weight is asked for; false otherwise if it changes a channel by more than
  * 1/8 of a level; where is_coarse, by more than 0.6 from where most is taken off to where least is:
  * the mean of that is added, or what is nearest to it and leaves 0.3 of a level. Where a corner's
- * channel would then be within 1/16 of what no pixel shows, nothing is added, and the limit is 0.3
- * to each side. Also false where the face is no triangle, or where a corner's share of a pixel
+ * channel would then be within 1/16 of what no pixel shows, nothing is added if at most 0.3 is taken off to each
+ * side; else what is nearest to the mean and would not, if it leaves 0.3. Also false where the face is no triangle, or where a corner's share of a pixel
  * changes by 64 or more a pixel, or by so much that a channel might by 512 levels: *gradients is
  * then undefined. Error in the triangle, beyond that, given the corners: k of the range of a channel
  * (corner_planes.h), and 2048 2^-22 level. */

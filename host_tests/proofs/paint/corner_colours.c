@@ -75,22 +75,29 @@ void prove_mean_of(void)
 }
 
 /* [[row]]
- * function = "stays_within"
- * property = "exactly where all corners stay 1/16 away from both ends, and nothing overflows"
- * checks = 26
- * unwind = 4
+ * function = "hold_mean"
+ * property = "a mean that keeps all corners 1/16 away from both ends, or none, and nothing overflows"
+ * checks = 187
  */
-void prove_stays_within(void)
+void prove_hold_mean(void)
 {
+    const channel_bend bend = {nondet_s32(), nondet_s32(), nondet_u32()};
+    const int32_t least = nondet_s32(), end = nondet_u8() != 0 ? 64 << 16 : 32 << 16;
     const int32_t values[3] = {nondet_s32(), nondet_s32(), nondet_s32()};
-    const int32_t more = nondet_s32(), end = nondet_u8() != 0 ? 64 << 16 : 32 << 16;
+    int32_t mean = nondet_s32();
     bool stays = true;
-    ASSUME(more >= -(1 << 16) && more <= 1 << 16);
+    ASSUME(least >> 14 == 1 && bend.least <= 0 && bend.most >= 0 && WITHIN(mean, 19661));
+    ASSUME(WITHIN(bend.least, BEND_BOTH * least) && WITHIN(bend.most, BEND_BOTH * least));
     for (int i = 0; i < 3; i++) {
-        ASSUME(values[i] >= 0 && values[i] <= end);
-        stays &= values[i] + more >= 4096 && values[i] + more <= end - 4096;
+        ASSUME(values[i] >= 4096 && values[i] <= end - 4096);
     }
-    ASSERT("exactly there", stays_within(values, more, end) == stays);
+    if (hold_mean(values, &bend, least, end, &mean)) {
+        for (int i = 0; i < 3; i++) {
+            stays &= values[i] + mean >= 4096 && values[i] + mean <= end - 4096;
+        }
+        ASSERT("stays within", stays);
+        ASSERT("at most 0.3 of a level", WITHIN(mean, 19661));
+    }
     PROOF_ENDS();
 }
 
@@ -238,56 +245,62 @@ void prove_two_words(void)
 
 /* [[row]]
  * function = "channel_of_colours"
- * property = "nothing overflows, for all colours"
- * checks = 95
+ * property = "differences that find_channel takes, for all colours"
+ * checks = 52
  */
 void prove_channel_of_colours(void)
 {
-    const shared_planes shared = any_shared();
     const int32_t colours[3] = {nondet_s32(), nondet_s32(), nondet_s32()};
-    (void)channel_of_colours(&shared, colours, 0xFF0000, 3, 1u << 18);
-    (void)channel_of_colours(&shared, colours, 0xFF00, 12, 1u << 19);
-    (void)channel_of_colours(&shared, colours, 0xFF, 19, 1u << 18);
+    const channel_corners of[3] = {channel_of_colours(colours, 0xFF0000, 3, 1u << 18),
+                                   channel_of_colours(colours, 0xFF00, 12, 1u << 19),
+                                   channel_of_colours(colours, 0xFF, 19, 1u << 18)};
+    for (int i = 0; i < 3; i++) {
+        ASSERT("in 7.25", WITHIN(of[i].d1, DIFFERENCE_MAX) && WITHIN(of[i].d2, DIFFERENCE_MAX));
+    }
     PROOF_ENDS();
 }
 
 /* [[row]]
  * function = "channel_of_values"
- * property = "nothing overflows, for all levels from 1/16 to 63 15/16"
- * checks = 146
+ * property = "differences that find_channel takes, for all levels from 1/16 to 63 15/16"
+ * checks = 82
  * unwind = 4
  */
 void prove_channel_of_values(void)
 {
-    const shared_planes shared = any_shared();
+    const unsigned less = nondet_u32();
     const int32_t values[3] = {nondet_s32(), nondet_s32(), nondet_s32()};
+    ASSUME(less <= LESS_MAX);
     for (int i = 0; i < 3; i++) {
         ASSUME(values[i] >= 1 << 12 && values[i] <= (1 << 22) - (1 << 12));
     }
-    int32_t more = nondet_s32(); /* stays_within */
+    int32_t more = nondet_s32(); /* hold_mean */
     ASSUME(more >= (1 << 12) - values[0] && more <= (1 << 22) - (1 << 12) - values[0]);
     for (int i = 1; i < 3; i++) { /* differences_fit */
         const int64_t apart = (int64_t)values[i] - values[0];
-        ASSUME(WITHIN(apart * (512 << shared.less), DIFFERENCE_MAX - 1));
+        ASSUME(WITHIN(apart * (512 << less), DIFFERENCE_MAX - 1));
     }
-    (void)channel_of_values(&shared, values, more);
+    const channel_corners of = channel_of_values(values, more, less);
+    ASSERT("in 7.25", WITHIN(of.d1, DIFFERENCE_MAX) && WITHIN(of.d2, DIFFERENCE_MAX));
     PROOF_ENDS();
 }
 
 /* [[row]]
  * function = "set_words"
- * property = "nothing is undefined"
- * checks = 266
+ * property = "nothing is undefined, for any values of corners"
+ * checks = 263
+ * unwind = 4
  */
 void prove_set_words(void)
 {
-    channel_words channels[3];
+    const shared_planes shared = any_shared();
+    channel_corners channels[3];
     fxl_gradients gradients;
-    for (int i = 0; i < 3; i++) { /* find_channel */
-        ASSUME(channels[i].along >= -(INT32_MAX - (1 << 23)) &&
-               channels[i].along <= INT32_MAX - (1 << 23));
+    for (int i = 0; i < 3; i++) { /* channel_of_colours, channel_of_values */
+        ASSUME(WITHIN(channels[i].d1, DIFFERENCE_MAX) && WITHIN(channels[i].d2, DIFFERENCE_MAX));
     }
-    set_words(nondet_s32(), channels, &gradients);
+    /* find_channel: the largest difference is that of two corners */
+    set_words(&shared, nondet_s32(), channels, &gradients);
     ASSERT("two records of words", fxl_has_colour_words(&gradients) && gradients.count == 2);
     PROOF_ENDS();
 }
