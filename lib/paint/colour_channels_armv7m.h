@@ -128,9 +128,8 @@
     /* A channel bends by r1, r2 and r0: as find_means and mean_of have it. r5: the most, r6: the
      * least, r3: the sum, then the mean; lr: what the most may be above the least. */
 .Lmean:
-    ldr     lr, [r12]
-    cmp     lr, #60                 /* FXL_BEND_NONE */
-    bne     .Lrefused_colours
+    cmp     r5, r4, lsl #6          /* FXL_BEND_NONE is below that, and FXL_BEND_FINE above */
+    bhi     .Lrefused_colours
     push    {r3, r5, r6}
     adds    r3, r1, r2
     adds    r3, r3, r0
@@ -148,11 +147,13 @@
     movlt   r6, r0
     bic     r5, r5, r5, asr #31
     and     r6, r6, r6, asr #31
-    mov     lr, #600                /* BEND_BOTH */
+    movw    lr, #606                /* BEND_BOTH */
     mul     lr, lr, r4
     subs    r0, r5, r6
     cmp     r0, lr
     bhi     .Ltoo_bent
+    cmp     r0, lr, lsr #1          /* then the mean is nearer to both ends */
+    bls     .Lfree_mean
     sub     r0, r5, lr, lsr #1
     add     r0, r0, r0, lsl #1
     add     r1, r6, lr, lsr #1
@@ -163,6 +164,7 @@
     cmp     r3, r1
     it      gt
     movgt   r3, r1
+.Lfree_mean:
     lsls    r3, r3, #4
     sdiv    r3, r3, r4
     lsls    r3, r3, #2
@@ -207,7 +209,7 @@
     mul     r2, r2, r5
     sub     r2, r2, lr
     sub     lr, lr, r1
-    mov     r3, #300 * 64           /* BEND_SIDE */
+    mov     r3, #303 * 64           /* BEND_SIDE */
     mul     r5, r3, r4
     movs    r3, #0                  /* is_balanced: r3: more, r6: from none and each of three bends to that */
 .Ladd_mean:

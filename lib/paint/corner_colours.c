@@ -17,6 +17,7 @@ static inline int32_t channel_of(uint32_t colour, uint32_t at, uint32_t shift)
 
 void fxl_corner_colours(const fxl_corner *const corners[3], int32_t (*values)[3])
 {
+    FXL_EACH_CORNER
     for (uint32_t i = 0; i < 3; i++) {
         const uint32_t colour = fxl_bits_32(corners[i]->texel.u);
         values[0][i] = channel_of(colour, 16, RED_AND_BLUE_SHIFT);
@@ -99,9 +100,10 @@ static inline channel_bend bend_of(const int32_t values[3], const short_weights 
     return bend;
 }
 
-/* Limits of a bend beside those of the header: 0.3 to each side, 0.6 from one end to the other. */
-#define BEND_SIDE 300
-#define BEND_BOTH 600
+/* Limits of a bend beside those of the header: 0.3 to each side and 0.6 from one end to the other, in 2^-10
+ * level, less 1/256 a side, which its rounding may be. */
+#define BEND_SIDE 303
+#define BEND_BOTH 606
 
 /* The mean of a bend, or what is nearest to it and leaves 0.3 of a level to each side; in 16.16. Of
  * a bend within BEND_BOTH: so numbers are below 3 2^25, and times 16 below 2^31. */
