@@ -190,30 +190,92 @@ FXL_COLD void fxl_extents_measure(const fxl_traversal *filling, fxl_frame *frame
 
 /* --- drawing --------------------------------------------------------------------------- */
 
+/* The faces of an instance that reach a band, by what was measured. */
+typedef struct {
+    fxl_face_walk walk; /* the first member; its face is the first of all, and stays */
+    const face_rows *rows;
+    uint32_t groups;       /* those to come have a bit each */
+    const face_rows *end;  /* of the group that is walked; and the number of the face after it */
+    uint32_t ahead;
+    uint32_t next, size;   /* the number of the next group's first face, and faces of a group */
+    uint32_t resumed;      /* the number of the first face that is wanted */
+    uint32_t face_count;
+    uint32_t first_row, last_row; /* of the band, in units of 2^shift rows */
+} rows_walk;
+
+/* A fxl_next_face: whether a face is turned to the eye was measured, too. */
+static const fxl_face *next_in_rows(const fxl_model_view *model_view, fxl_face_walk *walk)
+{
+    rows_walk *of = (rows_walk *)(void *)walk;
+    (void)model_view;
+    const face_rows *rows = of->rows;
+    const uint32_t first_row = of->first_row, last_row = of->last_row;
+    for (;;) {
+        for (const face_rows *end = of->end; rows != end; rows++) {
+            if (rows->first <= last_row && rows->end > first_row) {
+                of->rows = rows + 1;
+                return walk->face + walk->step * ((int32_t)of->ahead - (int32_t)(of->end - rows));
+            }
+        }
+        if (of->groups == 0) {
+            return NULL;
+        }
+        if ((of->groups & 1u) != 0) {
+            const uint32_t number = of->next > of->resumed ? of->next : of->resumed;
+            of->ahead = of->next + of->size < of->face_count ? of->next + of->size : of->face_count;
+            of->end = rows + (of->ahead - number);
+        }
+        of->groups >>= 1;
+        of->next += of->size;
+    }
+}
+
+/* All faces of a walk at once, as fxl_submit_walk does. False: none was taken. */
+static bool take_faces(const fxl_traversal *traversal, const fxl_model_view *model_view,
+                       fxl_face_walk *walk)
+{
+#if FXL_WALKS_FACES
+    const fxl_shader *shader = model_view->shader;
+    return shader != NULL && shader->code->faces != NULL &&
+           shader->code->faces(model_view, traversal, walk);
+#else
+    (void)traversal;
+    (void)model_view;
+    (void)walk;
+    return false;
+#endif
+}
+
 static bool draw_convex(const fxl_traversal *traversal, const fxl_model_view *model_view,
                         const fxl_model *model, uint32_t kept)
 {
-    const unsigned shift = shift_of(&traversal->renderer->frame);
-    const uint32_t first_row = traversal->band->first_row >> shift;
-    const uint32_t last_row = (traversal->band->first_row + traversal->band->rows - 1u) >> shift;
-    const fxl_face *faces = &traversal->renderer->scene->faces[model->first_face];
-    const bool reverse = traversal->renderer->near_first;
-    const face_rows *rows = faces_of(&traversal->renderer->frame) + (kept & UINT16_MAX);
-    const uint32_t size = group_of(model);
-    uint32_t number = 0;
-    for (uint32_t groups = kept >> GROUPS; groups != 0; groups >>= 1, number += size) {
-        if ((groups & 1u) == 0) {
-            continue;
-        }
-        const uint32_t end = number + size < model->face_count ? number + size : model->face_count;
-        const uint32_t first =
-            number > traversal->resume->faces ? number : traversal->resume->faces;
-        for (uint32_t i = first; i < end; i++, rows++) {
-            const uint32_t at = reverse ? model->face_count - 1 - i : i;
-            if (rows->first <= last_row && rows->end > first_row &&
-                !fxl_submit_face(model_view, &faces[at], traversal)) {
-                return false;
-            }
+    const fxl_renderer *renderer = traversal->renderer;
+    const unsigned shift = shift_of(&renderer->frame);
+    const fxl_band *band = traversal->band;
+    const bool reverse = renderer->near_first;
+    const uint32_t count = model->face_count;
+    rows_walk of;
+    of.walk.face = renderer->scene->faces + model->first_face + (reverse ? count - 1u : 0);
+    of.walk.step = reverse ? -1 : 1;
+    of.walk.left = count;
+    of.walk.submitted = 0;
+    of.walk.next = next_in_rows;
+    of.rows = faces_of(&renderer->frame) + (kept & UINT16_MAX);
+    of.groups = kept >> GROUPS;
+    of.end = of.rows;
+    of.next = 0;
+    of.size = group_of(model);
+    of.resumed = traversal->resume->faces;
+    of.face_count = count;
+    of.first_row = band->first_row >> shift;
+    of.last_row = (band->first_row + band->rows - 1u) >> shift;
+    if (take_faces(traversal, model_view, &of.walk)) {
+        return of.walk.left == count; /* else one could not be submitted */
+    }
+    const fxl_face *face;
+    while ((face = next_in_rows(model_view, &of.walk)) != NULL) {
+        if (!fxl_submit_face(model_view, face, traversal)) {
+            return false;
         }
     }
     return true;

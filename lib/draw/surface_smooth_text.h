@@ -216,6 +216,7 @@ typedef struct {
     const fxl_corner *corners; /* of the surface; null: its faces are not drawn at once */
     const fxl_surface *surface;
     uint32_t number;      /* of the surface */
+    bool is_part;         /* the band has not all rows of the screen */
     inside_result result; /* of the face that was not drawn */
     inside_kind kind;
     int32_t colour; /* of faces of one colour: that of the face before; below 0: there is none */
@@ -355,6 +356,29 @@ draw_no_centre(const fxl_screen_point p[3], const fxl_traversal *traversal)
 
 #endif
 
+/* The first row of a triangle inside all planes, and the row after its last. */
+static inline int32_t first_row_of(const fxl_inside_corners *inside)
+{
+    return fxl_first_centre_from(inside->least.y);
+}
+
+static inline int32_t end_row_of(const fxl_inside_corners *inside)
+{
+    return fxl_first_centre_from(inside->least.y + inside->corners.height);
+}
+
+static inline bool has_rows(const fxl_inside_corners *inside)
+{
+    return first_row_of(inside) != end_row_of(inside);
+}
+
+/* Whether no row of it is in the band. Not inline: bands of all rows need no register for it. */
+static __attribute__((noinline)) bool is_beside(const fxl_inside_corners *inside, const fxl_band *band)
+{
+    return first_row_of(inside) >= band->first_row + band->rows ||
+           end_row_of(inside) <= band->first_row;
+}
+
 /* A triangle of the run, from its vertices to its pixels, if it lies inside all planes and its planes
  * are words. */
 static inline __attribute__((always_inline)) inside_result
@@ -380,8 +404,11 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                    : IS_OTHER;
     }
     fxl_depth_drawn drawn;
+    if (run->is_part && is_beside(&inside, traversal->band)) {
+        drawn = FXL_DEPTH_NO_ROW;
+    } else
 #if FXL_PIXEL_IS_MIXED
-    if (run->kind == HAS_TEXELS) {
+        if (run->kind == HAS_TEXELS) {
         drawn = draw_texel_corners(surfaces, run->surface, of, corners, model_view, traversal,
                                    &run->lens, &run->light, &run->outline.texels);
     } else if (run->kind == HAS_COLOURS) {
@@ -405,10 +432,7 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
         if (drawn == FXL_DEPTH_NOT_DRAWN) {
             return HAS_NO_WORDS;
         }
-        memcpy(workspace->screen.points, corners->points, sizeof corners->points);
-        workspace->screen.count = 3;
-        run->without_rows +=
-            !fxl_outline_has_rows(&workspace->screen, model_view->view->lens.height);
+        run->without_rows += !has_rows(&inside);
     }
     run->drawn++;
     return IS_DRAWN;

@@ -265,6 +265,7 @@ static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *
         return false;
     }
     run.drawn = run.without_rows = 0;
+    run.is_part = traversal->band->rows != model_view->view->lens.height;
     run.light.is_stale = false;
     run.lens = fxl_words_lens_of(&model_view->view->lens);
     run.light.code = surfaces->light != NULL ? surfaces->light_code : NULL;
