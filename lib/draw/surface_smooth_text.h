@@ -373,7 +373,8 @@ static inline bool has_rows(const fxl_inside_corners *inside)
 }
 
 /* Whether no row of it is in the band. Not inline: bands of all rows need no register for it. */
-static __attribute__((noinline)) bool is_beside(const fxl_inside_corners *inside, const fxl_band *band)
+static __attribute__((noinline)) bool is_beside(const fxl_inside_corners *inside,
+                                                const fxl_band *band)
 {
     return first_row_of(inside) >= band->first_row + band->rows ||
            end_row_of(inside) <= band->first_row;

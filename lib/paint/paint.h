@@ -76,6 +76,29 @@ typedef struct {
     const fxl_segment_face *segments; /* null: the kernel cannot paint this face */
 } fxl_paint_row;
 
+/* The first number's upper word, x pixels on. */
+static inline int32_t fxl_row_value_at(int64_t first, const fxl_gradient *gradient, int32_t x)
+{
+    return (int32_t)((first + gradient->along * x) >> 32);
+}
+
+/* Of a number of 64 bits; at least 1. */
+static inline uint32_t fxl_upper_weight(int64_t number)
+{
+    const int32_t weight = (int32_t)(number >> 32);
+    return weight < 1 ? 1 : (uint32_t)weight;
+}
+
+static inline uint32_t fxl_row_weight_at(const fxl_paint *paint, const fxl_paint_row *row,
+                                         int32_t x)
+{
+    return fxl_upper_weight(row->weight + paint->gradients->weight.along * x);
+}
+
+/* The attributes of a pixel, divided. */
+void fxl_divide_row_at(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,
+                       int32_t values[FXL_ATTRIBUTES]);
+
 /* Paints the pixels x0 <= x < x1 of a row. Safe for any gradients: no texel is read that is not of
  * the level, and no other pixel is written. Requires x0 < x1 within the band. */
 void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1);

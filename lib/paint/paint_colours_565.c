@@ -287,7 +287,7 @@ static __attribute__((noinline)) void divide_channels(const fxl_paint *paint,
             upper_32(fxl_multiply_s32(channel_at(paint, row, column, 2), factor)) >> drops[2];
         return;
     }
-    divide_at(paint, row, (int32_t)column, channels);
+    fxl_divide_row_at(paint, row, (int32_t)column, channels);
 }
 
 /* One segment of 2^log columns from `begin` on, whose channels are given at both ends. */

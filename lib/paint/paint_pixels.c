@@ -159,7 +159,8 @@ static void divide_alone(const fxl_paint *paint, const fxl_paint_row *row, int32
 {
     const fxl_gradients *gradients = paint->gradients;
     const int64_t weight = row->weight + gradients->weight.along * x;
-    const unsigned zeros = fxl_leading_zeros(weight_at(paint, row, x)) - 1u; /* of 31 bits */
+    const unsigned zeros =
+        fxl_leading_zeros(fxl_row_weight_at(paint, row, x)) - 1u; /* of 31 bits */
     const fxl_reciprocal reciprocal = fxl_reciprocal_of(
         weight >> 32 < 1 ? (uint32_t)1 << 30 : (uint32_t)((uint64_t)weight << zeros >> 32));
     for (uint32_t i = 0; i < gradients->count; i++) {

@@ -35,40 +35,11 @@ static inline void paint_each_linear(const fxl_paint *paint, const fxl_paint_row
     }
 }
 
-/* The first number's upper word, x pixels on. */
-static inline int32_t value_at(int64_t first, const fxl_gradient *gradient, int32_t x)
-{
-    return (int32_t)((first + gradient->along * x) >> 32);
-}
-
-/* Of a number of 64 bits; at least 1. */
-static inline uint32_t upper_weight(int64_t number)
-{
-    const int32_t weight = (int32_t)(number >> 32);
-    return weight < 1 ? 1 : (uint32_t)weight;
-}
-
-static uint32_t weight_at(const fxl_paint *paint, const fxl_paint_row *row, int32_t x)
-{
-    return upper_weight(row->weight + paint->gradients->weight.along * x);
-}
-
-static void divide_at(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,
-                      int32_t values[FXL_ATTRIBUTES])
-{
-    const fxl_gradients *gradients = paint->gradients;
-    const fxl_reciprocal reciprocal = fxl_reciprocal_of(weight_at(paint, row, x));
-    for (uint32_t i = 0; i < gradients->count; i++) {
-        values[i] = fxl_attribute_of(value_at(row->attributes[i], &gradients->attributes[i], x),
-                                     &reciprocal, gradients->shifts[i]);
-    }
-}
-
 static void divide_each(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     int32_t values[FXL_ATTRIBUTES];
     for (int32_t x = x0; x < x1; x++) {
-        divide_at(paint, row, x, values);
+        fxl_divide_row_at(paint, row, x, values);
         paint_pixel(paint, row, x, values);
     }
 }
@@ -93,9 +64,9 @@ static void paint_segment(const fxl_paint *paint, const fxl_paint_row *row, int3
     int32_t ends[FXL_ATTRIBUTES];
     linear_pixels linear = {{0}, {0}};
     if (at->column != first) {
-        divide_at(paint, row, first, at->values);
+        fxl_divide_row_at(paint, row, first, at->values);
     }
-    divide_at(paint, row, last, ends);
+    fxl_divide_row_at(paint, row, last, ends);
     at->column = last;
     for (uint32_t i = 0; i < FXL_ATTRIBUTES && i < gradients->count; i++) {
         const int32_t change = (int32_t)((uint32_t)ends[i] - (uint32_t)at->values[i]);
@@ -125,13 +96,13 @@ static inline void paint_light_segments(const fxl_paint *paint, const fxl_paint_
     linear_pixels linear = {{0}, {0}};
     int32_t from = at->values[0];
     if (at->column != begin) {
-        const fxl_reciprocal reciprocal = fxl_reciprocal_of(upper_weight(weight));
+        const fxl_reciprocal reciprocal = fxl_reciprocal_of(fxl_upper_weight(weight));
         from = fxl_attribute_of((int32_t)(light >> 32), &reciprocal, shift);
     }
     do {
         weight += weight_step;
         light += light_step;
-        const fxl_reciprocal reciprocal = fxl_reciprocal_of(upper_weight(weight));
+        const fxl_reciprocal reciprocal = fxl_reciprocal_of(fxl_upper_weight(weight));
         const int32_t to = fxl_attribute_of((int32_t)(light >> 32), &reciprocal, shift);
         const int32_t next = begin + (1 << log), end = smaller(next, x1);
         linear.steps[0] = (uint32_t)((int32_t)((uint32_t)to - (uint32_t)from) >> log);
@@ -153,7 +124,7 @@ static __attribute__((unused)) void paint_sixteen(const fxl_paint *paint, const 
     const int32_t first = x0 & ~15;
     const int64_t along = paint->gradients->weight.along, weight = row->weight + along * first;
     const uint32_t log =
-        fxl_segment_log(least, upper_weight(weight), upper_weight(weight + 16 * along));
+        fxl_segment_log(least, fxl_upper_weight(weight), fxl_upper_weight(weight + 16 * along));
     if (log == 0) {
         divide_each(paint, row, x0, x1);
         return;
@@ -208,7 +179,7 @@ static inline column_numbers after(const column_numbers *at, const column_number
 static inline uint32_t weight_after(const fxl_paint *paint, const fxl_paint_row *row,
                                     uint32_t column)
 {
-    return upper_weight(sum_64(
+    return fxl_upper_weight(sum_64(
         row->weight, fxl_multiply_s64_u16(paint->gradients->weight.along, column)));
 }
 
@@ -240,7 +211,7 @@ static inline int32_t upper_32(int64_t number)
 FXL_APART void divide(const fxl_gradients *gradients, const column_numbers *at, int32_t *u,
                       int32_t *v)
 {
-    const fxl_reciprocal reciprocal = fxl_reciprocal_of(upper_weight(at->weight));
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of(fxl_upper_weight(at->weight));
     const int32_t upper_u = upper_32(at->u), upper_v = upper_32(at->v);
     const int32_t u_shift = gradients->shifts[FXL_ATTRIBUTE_U];
     const int32_t v_shift = gradients->shifts[FXL_ATTRIBUTE_V];

@@ -196,7 +196,7 @@ bool fxl_segments_find_565(const fxl_paint *paint, fxl_segment_face *face)
     return true;
 }
 
-#if FXL_IS_COMPACT
+#if FXL_RECIPROCAL_IS_APART
 
 fxl_reciprocal fxl_reciprocal_of(uint32_t weight)
 {
@@ -204,3 +204,15 @@ fxl_reciprocal fxl_reciprocal_of(uint32_t weight)
 }
 
 #endif
+
+void fxl_divide_row_at(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,
+                       int32_t values[FXL_ATTRIBUTES])
+{
+    const fxl_gradients *gradients = paint->gradients;
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of(fxl_row_weight_at(paint, row, x));
+    for (uint32_t i = 0; i < gradients->count; i++) {
+        values[i] =
+            fxl_attribute_of(fxl_row_value_at(row->attributes[i], &gradients->attributes[i], x),
+                             &reciprocal, gradients->shifts[i]);
+    }
+}

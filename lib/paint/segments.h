@@ -217,8 +217,9 @@ static inline fxl_reciprocal fxl_reciprocal_in_place(uint32_t weight)
     return reciprocal;
 }
 
-/* The same; a library for size has it once. */
-#if FXL_IS_COMPACT
+/* The same; a library for size has it once, and one for Armv6-M, whose text is long. */
+#define FXL_RECIPROCAL_IS_APART (FXL_IS_COMPACT || FXL_CORE_ARMV6M)
+#if FXL_RECIPROCAL_IS_APART
 fxl_reciprocal fxl_reciprocal_of(uint32_t weight);
 #else
 static inline fxl_reciprocal fxl_reciprocal_of(uint32_t weight)

@@ -23,12 +23,13 @@ static void divide_small(const fxl_paint *paint, const fxl_paint_row *row,
                          const fxl_segment_face *face, int32_t x, int32_t values[FXL_ATTRIBUTES])
 {
     const fxl_gradients *gradients = paint->gradients;
-    const fxl_reciprocal reciprocal = fxl_reciprocal_of(weight_at(paint, row, x));
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of(fxl_row_weight_at(paint, row, x));
     for (uint32_t i = 0; i < gradients->count; i++) {
         const int less =
             face != NULL ? (i == 0 ? face->log_width : face->log) - (int)FXL_SEGMENT_LOG_MIN : 0;
-        values[i] = fxl_attribute_of(value_at(row->attributes[i], &gradients->attributes[i], x),
-                                     &reciprocal, gradients->shifts[i] - less);
+        values[i] =
+            fxl_attribute_of(fxl_row_value_at(row->attributes[i], &gradients->attributes[i], x),
+                             &reciprocal, gradients->shifts[i] - less);
     }
 }
 
@@ -69,8 +70,8 @@ static inline void find_small(const fxl_paint *paint, const fxl_paint_row *row, 
 static void paint_small(const fxl_paint *paint, const fxl_paint_row *row, const uint32_t least[3],
                         int32_t x0, int32_t x1, small_column *at)
 {
-    const uint32_t weight_0 = weight_at(paint, row, x0 & ~15);
-    const uint32_t weight_1 = weight_at(paint, row, (x0 & ~15) + 16);
+    const uint32_t weight_0 = fxl_row_weight_at(paint, row, x0 & ~15);
+    const uint32_t weight_1 = fxl_row_weight_at(paint, row, (x0 & ~15) + 16);
     const fxl_segment_face *face = row->segments;
     const uint32_t weight = weight_0 < weight_1 ? weight_0 : weight_1;
     if (face != NULL && weight < face->least[3]) {
