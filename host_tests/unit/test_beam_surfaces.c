@@ -36,6 +36,7 @@ static fxl_beam beam;
 static fxl_light light;
 static fxl_light_settings lamp;
 static bool has_light;
+static fxl_pose eye;
 
 void setUp(void)
 {
@@ -73,6 +74,7 @@ void setUp(void)
     lamp.ramp = ramp;
     lamp.levels = LEVELS;
     has_light = false;
+    eye = walls_eye;
 }
 
 /* in_beam: the colours in the beam; null: no beam. */
@@ -113,7 +115,7 @@ static uint8_t entry_of(uint16_t pixel)
 static void draw(const way *into, uint8_t *indices, uint32_t rows)
 {
     const bool is_wide = into->target->pixel_bits == 16;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &walls_eye));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &eye));
     for (uint32_t row = 0; row < HEIGHT; row += rows) {
         const fxl_band band = {.pixels = (uint8_t *)wide + row * WIDTH * (is_wide ? 2 : 1),
                                .width = WIDTH,
@@ -384,4 +386,31 @@ void test_a_beam_that_reaches_no_wall(void)
     draw(&ways[0], behind, HEIGHT);
     TEST_ASSERT_EQUAL_MEMORY(behind, shown, sizeof shown);
     TEST_ASSERT_NOT_NULL(memchr(shown, walls.texels[0], sizeof shown));
+}
+
+static fxl_counters counters_of(const way *into, const uint8_t *in_beam)
+{
+    start(into, true, in_beam);
+    draw(into, shown, HEIGHT);
+    return walls.renderer.workspace.counters;
+}
+
+/* Also where pieces of a face lie beside the screen, the last of them or others. */
+void test_a_face_in_pieces_counts_once(void)
+{
+    uint32_t drawn = 0, clipped = 0;
+    for (uint32_t i = 0; i < 300; i++) {
+        const way *into = &ways[i % TARGETS];
+        eye.yaw = walls_eye.yaw + DEGREES(80) / 300 * i - DEGREES(40);
+        const fxl_counters expected = counters_of(into, NULL), found = counters_of(into, lit);
+        TEST_ASSERT_EQUAL_UINT32(expected.in, found.in);
+        TEST_ASSERT_EQUAL_UINT32(expected.outside, found.outside);
+        TEST_ASSERT_EQUAL_UINT32(expected.drawn, found.drawn);
+        TEST_ASSERT_EQUAL_UINT32(expected.clipped, found.clipped);
+        TEST_ASSERT_EQUAL_UINT32(0, found.refused);
+        drawn += found.drawn;
+        clipped += found.clipped;
+    }
+    TEST_ASSERT_GREATER_THAN(300, drawn);
+    TEST_ASSERT_GREATER_THAN(100, clipped);
 }
