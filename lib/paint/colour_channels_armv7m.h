@@ -61,8 +61,8 @@
     asrs    r2, r2, #8
     subs    r0, r2, r1
     sub     lr, r6, r3
-    mul     r1, r3, r1
-    mul     r2, r6, r2
+    muls    r1, r3, r1
+    muls    r2, r6, r2
     mul     r0, lr, r0
     add     lr, r1, r5
     cmp     lr, r5, lsl #1
@@ -181,7 +181,7 @@
     adds    r0, r0, r3
     ends_of_differences r5, lr, r1, r2
     rsb     lr, lr, #4096
-    sub     r6, r6, r5
+    subs    r6, r6, r5
     cmp     r0, lr                  /* 1/16 away from both ends? */
     it      ge
     cmpge   r6, r0
@@ -203,10 +203,10 @@
     asrs    r2, r2, #8
     ldrd    r3, r5, [sp, #APART + 12]
     sub     lr, r2, r1
-    sub     r6, r5, r3
+    subs    r6, r5, r3
     mul     lr, lr, r6
-    mul     r1, r1, r3
-    mul     r2, r2, r5
+    muls    r1, r3, r1
+    muls    r2, r5, r2
     sub     r2, r2, lr
     sub     lr, lr, r1
     mov     r3, #303 * 64           /* BEND_SIDE */
@@ -222,13 +222,13 @@
     .endr
     ldr     r6, [r7, #-12]
     bls     .Lheld_mean
-    sub     r6, r0, r6
+    subs    r6, r0, r6
     cmp     r6, r3
     mov     r3, r6
     bne     .Ladd_mean
     b       .Ltoo_bent
 .Lheld_mean:
-    add     r0, r6, r3
+    adds    r0, r6, r3
     b       .Lhas_mean
 .Ltoo_bent:
     add     sp, sp, #12

@@ -45,7 +45,7 @@
     add     r11, sp, #LIST_BEGIN
     add     lr, sp, #LIST_ORIGIN
     stm     lr, {r4, r5, r7, r8, r11}
-    sub     r4, r4, r5
+    subs    r4, r4, r5
     str     r4, [sp, #LIST_CELL]
     add     r8, r6, #LIST_ROWS
     cmp     r7, r8
@@ -68,7 +68,7 @@
 .Lrow:
     subs    r0, r8, r4
     blt     .Lexchanged_row
-    sub     r3, r4, r1
+    subs    r3, r4, r1
     stm     lr!, {r0, r3, r4}
 .Lrow_listed:
     add     r1, r1, r2
@@ -89,7 +89,7 @@
     ite     lo
     addlo   r1, r1, r3
     movhs   r1, r3
-    lsr     r1, r1, #16
+    lsrs    r1, r1, #16
     ldrh    r0, [r4], #2
     cmp     r1, r0
     bls     .Lhidden\text
@@ -97,7 +97,7 @@
     ldrh    r0, [r4], #2
     cmp     r0, r3, lsr #16
     bhs     .Lhidden\text
-    lsr     r1, r3, #16
+    lsrs    r1, r3, #16
     .endif
     strh    r1, [r4, #-2]
     lsrs    r0, r5, #26
@@ -196,7 +196,7 @@ fxl_draw_colour_outline:
 
     /* The right edge is not right of the left one. */
 .Lexchanged_row:
-    rsb     r0, r0, #0
+    negs    r0, r0
     sub     r3, r8, r1
     stm     lr!, {r0, r3, r8}
     b       .Lrow_listed

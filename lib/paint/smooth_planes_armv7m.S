@@ -62,7 +62,7 @@
 .Lclockwise\kind:
     orr     r3, r4, r5
     clz     r3, r3
-    sub     r3, r3, #1              /* what scales the edges */
+    subs    r3, r3, #1              /* what scales the edges */
     umull   r1, r2, r4, r5          /* the box */
     lsl     r6, lr, #3
     orr     r6, r6, r12, lsr #29
@@ -96,7 +96,7 @@
     movhi   r4, r5                  /* the shorter side, or all ones */
 
     /* The weights, r3, r6, r12; r0: 32 less their exponent, negated. */
-    add     r0, r0, #SCREEN_CORNERS_DEPTHS
+    adds    r0, r0, #SCREEN_CORNERS_DEPTHS
     ldm     r0, {r2, r3, r5, r6, r7, r12}
     orr     r0, r3, r6
     orrs    r0, r0, r12
@@ -117,11 +117,11 @@
     orr     r5, r3, r6
     orr     r5, r5, r12
     clz     r5, r5
-    lsl     r3, r3, r5
-    lsl     r6, r6, r5
+    lsls    r3, r3, r5
+    lsls    r6, r6, r5
     lsl     r12, r12, r5
-    lsr     r3, r3, #1
-    lsr     r6, r6, #1
+    lsrs    r3, r3, #1
+    lsrs    r6, r6, #1
     lsr     r12, r12, #1
     ldr     r7, [sp, #LENS]
     ldrd    r7, lr, [r7]
@@ -129,8 +129,8 @@
     upper_product r2, r3, lr
     clz     r5, r2
     orr     r2, r2, #1
-    lsl     r2, r2, r5
-    sub     r0, r0, r5
+    lsls    r2, r2, r5
+    subs    r0, r0, r5
     reciprocal r2, r5, lr
     upper_product r7, r2, lr        /* the factor */
     upper_product r3, r7, lr
@@ -145,7 +145,7 @@
     sub     r12, r12, r3
     ends_of_differences r5, r2, r6, r12
     .endif
-    sub     r1, r5, r2
+    subs    r1, r5, r2
     add     r5, r5, r3              /* the greatest weight */
     add     r2, r2, r3              /* the least one */
     strd    r2, r1, [sp, #LEAST]
@@ -165,17 +165,17 @@
     cmp     r7, #1
     bhi     .Lrefused\kind
     ldr     r1, [sp, #LENS]
-    add     r5, r0, r7
+    adds    r5, r0, r7
     ldrd    r1, r2, [r1, #WORDS_LENS_OCTAVES]
     cmp     r5, r1
     bhs     .Lrefused\kind
     .ifnc   \kind, _colours
-    mul     r7, r7, r5
+    muls    r7, r5, r7
     str     r7, [sp, #CROSSED]
     .endif
-    sub     r1, r1, r0
-    sub     r1, r1, #2
-    lsl     r1, r1, r2              /* the bias */
+    subs    r1, r1, r0
+    subs    r1, r1, #2
+    lsls    r1, r1, r2              /* the bias */
     .ifc    \kind, _colours
     cmp     r7, #0
     bne     .Lcrossed_colours
@@ -183,11 +183,11 @@
     str     r7, [sp, #BORDER]
     .endif
     rsb     r7, lr, #31
-    sub     r7, r7, r2              /* bits of a weight below a code's */
-    rsb     r5, r7, #0
+    subs    r7, r7, r2              /* bits of a weight below a code's */
+    negs    r5, r7
     lsr     r0, r3, r7
     lsl     r5, r3, r5              /* one of the two is 0, or both are equal */
-    orr     r0, r0, r5
+    orrs    r0, r0, r5
     add     r0, r0, r1
     add     r0, r0, #65536          /* the code of corner 0 */
 
@@ -219,9 +219,9 @@
     ldrd    r3, r6, [sp, #X]
     smull   r7, r12, r2, r3
     smlal   r7, r12, r5, r6
-    lsr     r7, r7, #16
+    lsrs    r7, r7, #16
     orr     r7, r7, r12, lsl #16
-    sub     r0, r0, r7
+    subs    r0, r0, r7
     .ifc    \kind, _texels
     find_texels
     .endif
@@ -292,7 +292,7 @@
     .ifc    \kind, _colours
     find_channel_mean
 .Lcrossed_colours:
-    lsl     r7, r7, r2
+    lsls    r7, r7, r2
     add     r7, r7, r1
     add     r7, r7, #65536
     b       .Lhave_border
@@ -314,7 +314,7 @@
     .endif
 
 .Lupper_words\kind:
-    sub     r7, r7, #32
+    subs    r7, r7, #32
     asr     r2, r3, r7
     asr     r5, r6, r7
     b       .Lsteps\kind

@@ -10,7 +10,7 @@
  * Overwrites \spare and \other. */
     .macro reciprocal value, spare, other
     mvn     \spare, #0x80000000
-    lsr     \other, \value, #16
+    lsrs    \other, \value, #16
     udiv    \spare, \spare, \other
     mul     \other, \spare, \spare
     umull   \other, \value, \other, \value
@@ -42,9 +42,9 @@
 
 /* The lower word of \high:\low / 2^\drop, in \low; \up: 32 - \drop. 0 < \drop < 32. */
     .macro lower_of_shifted low, high, drop, up
-    lsr     \low, \low, \drop
-    lsl     \high, \high, \up
-    orr     \low, \low, \high
+    lsrs    \low, \low, \drop
+    lsls    \high, \high, \up
+    orrs    \low, \low, \high
     .endm
 
 /* A value r0 of corner 0, and what the other two have more, r2 and r5, become the word at the first

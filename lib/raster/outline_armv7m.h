@@ -40,7 +40,7 @@
     .macro survey
     ldr     r5, [r1, #SCREEN_POINT_Y - 8]
     add     r5, r5, r11
-    asr     r5, r5, #16
+    asrs    r5, r5, #16
     mov     r6, r5
     mov     r7, r5
     movs    r8, #0
@@ -87,8 +87,8 @@
     sub     sp, sp, #FRAME_SIZE
     enter_outline
     movw    r11, #32767
-    add     r4, r4, #1
-    lsl     r4, r4, #16
+    adds    r4, r4, #1
+    lsls    r4, r4, #16
     add     r1, r0, r5, lsl #3
 #if !FXL_IS_COMPACT
     cmp     r5, #3
@@ -115,7 +115,7 @@
     lsl     r11, r6, #16
     sub     r8, r9, #8              /* where both chains begin */
     sub     r9, r6, #1              /* no edge yet: both end above the first row */
-    sub     r4, r7, #1
+    subs    r4, r7, #1
     find_base
     add     r12, r11, #32768        /* from here on, the y of the row's centres in 16.16 */
     add     lr, sp, #FRAME_BEGIN
@@ -172,8 +172,8 @@
     movlt   r9, r1
     add     r6, r6, r11
     add     r7, r12, r11
-    asr     r6, r6, #16
-    asr     r7, r7, #16
+    asrs    r6, r6, #16
+    asrs    r7, r7, #16
     sub     r8, r7, r6
 #ifdef SMALL_ROWS
     cmp     r8, #SMALL_ROWS
@@ -228,7 +228,7 @@
      * on, less 1. */
 .Lset_edge:
     sub     r9, r7, r5              /* height */
-    sub     r6, r6, r4              /* dx */
+    subs    r6, r6, r4              /* dx */
     sub     r5, r12, r5             /* the centre less the top: whole rows, and t */
     clz     r1, r9                  /* shift */
     adds    r8, r8, r5, lsr #16     /* the edge's rows above this one and from it on, less 1 */
@@ -241,12 +241,12 @@
 #endif
     /* The sum of fxl_edge_dividend times 2^16, so that its upper word is the dividend: 4 dx, below
      * 2^29, by 2^14 t, and the height by 2^16 part. */
-    lsl     r6, r6, #2
+    lsls    r6, r6, #2
     lsl     r8, r5, #16
     lsrs    r8, r8, #2
     smull   r10, r11, r6, r8
     sub     r4, r4, #32768          /* start */
-    lsl     r7, r4, #16
+    lsls    r7, r4, #16
     umlal   r10, r11, r7, r9
     cmp     r10, #1
     sbc     r10, r11, #0
@@ -254,15 +254,15 @@
 
     lsl     r7, r9, r1
     mvn     r8, #0x8000
-    lsr     r0, r7, #16
+    lsrs    r0, r7, #16
     udiv    r0, r8, r0
-    lsl     r0, r0, #15
+    lsls    r0, r0, #15
     umull   r8, r2, r0, r7
     negs    r2, r2
     umull   r8, r0, r0, r2          /* the reciprocal */
     rsb     r2, r1, #32
     mvn     r7, #0x80000000
-    lsr     r7, r7, r2              /* 2^(shift - 1) - 1 */
+    lsrs    r7, r7, r2              /* 2^(shift - 1) - 1 */
 
 /* Input: \whole: the dividend times four. Results: \whole, and r8: the fraction, whose carry the
  * caller adds to \whole. */
@@ -271,7 +271,7 @@
     lsl     r11, \whole, r1
     lsr     r8, r8, r2
     orrs    r8, r8, r11
-    asr     \whole, \whole, r2
+    asrs    \whole, \whole, r2
     subs    r8, r8, r7
     sbc     \whole, \whole, #0
     mls     r11, r8, r9, r9         /* the rest of the dividend, with half added */
@@ -377,8 +377,8 @@
     add     r1, sp, #8
     asr     r2, r9, #16
     sub     r3, r7, r9
-    sub     r3, r3, #1
-    asr     r3, r3, #16
+    subs    r3, r3, #1
+    asrs    r3, r3, #16
     adds    r3, r3, #1
     mov     r10, r3
     push    {r7, r8}                /* the edge, and a word for alignment */
@@ -401,7 +401,7 @@
     beq     .Lside_done
     /* The same edge is set again below the rows for which it holds. */
     add     r0, r0, r11
-    sub     r0, r0, #1
+    subs    r0, r0, #1
     ldrd    r4, r5, [sp, #FRAME_BEGIN]
     cmp     sp, r3
     bne     .Lright_again
