@@ -192,6 +192,24 @@ static bool draw_texels(const polygon *of, const fxl_band *band)
 
 #endif
 
+#if FXL_DRAWS_SMOOTH_WORDS
+
+/* Light whose gradient has more bits becomes words. */
+static bool draw_words(const polygon *of, const fxl_band *band)
+{
+    static fxl_scan scan;
+    const fxl_light_plane light = fxl_light_plane_of(&of->gradients);
+    fxl_gradients gradients = of->gradients;
+    fxl_paint paint = of->paint;
+    gradients.attributes[0] = (fxl_gradient){light.at, light.along, light.down};
+    paint.gradients = &gradients;
+    fxl_scan_outline(of->points, of->count, band, &scan);
+    fxl_draw_smooth_words(&paint, &of->plane, &by_core, of->pixel_bits / 8, band, &scan);
+    return true;
+}
+
+#endif
+
 /* Draws nothing where the outline has more than two chains, or the plane is not the kernel's. */
 static bool draw_by_kernel(const polygon *of, const fxl_band *band)
 {
@@ -415,7 +433,7 @@ void test_depth_outlines(uint32_t rounds)
     }
 }
 
-#if FXL_DRAWS_SMOOTH_OUTLINES
+#if FXL_DRAWS_SMOOTH_OUTLINES || FXL_DRAWS_SMOOTH_WORDS
 
 static void fill_ramp(void)
 {
@@ -423,6 +441,22 @@ static void fill_ramp(void)
         ramp[i] = (uint8_t)(any_32() >> 9);
     }
 }
+
+#endif
+
+#if FXL_DRAWS_SMOOTH_WORDS
+
+void test_smooth_words(uint32_t rounds)
+{
+    fill_ramp();
+    for (uint32_t i = 0; i < rounds; i++) {
+        compare(draw_words, SMOOTH);
+    }
+}
+
+#endif
+
+#if FXL_DRAWS_SMOOTH_OUTLINES
 
 void test_depth_faces(uint32_t rounds)
 {

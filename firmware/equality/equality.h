@@ -56,6 +56,7 @@ extern const equality_test equality_tests[];
     TEST("depth-outlines", test_depth_outlines, OUTLINES)       \
     TEST("depth-faces", test_depth_faces, SMOOTH)               \
     TEST("smooth-outlines", test_smooth_outlines, SMOOTH)       \
+    TEST("smooth-words", test_smooth_words, WORDS)              \
     TEST("colour-outlines", test_colour_outlines, SMOOTH)       \
     TEST("texel-outlines", test_texel_outlines, SMOOTH)         \
     TEST("smooth-planes", test_smooth_planes, SMOOTH)           \

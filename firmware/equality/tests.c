@@ -10,6 +10,7 @@
 #define LARGE(name, test)
 #define OUTLINES(name, test)
 #define SMOOTH(name, test)
+#define WORDS(name, test)
 #else
 #define SMALL(name, test)
 #define LARGE(name, test) {name, test},
@@ -22,6 +23,11 @@
 #define SMOOTH(name, test) {name, test},
 #else
 #define SMOOTH(name, test)
+#endif
+#if FXL_DRAWS_SMOOTH_WORDS
+#define WORDS(name, test) {name, test},
+#else
+#define WORDS(name, test)
 #endif
 #endif
 

@@ -33,12 +33,14 @@ def equality(core, build, *more, keep="record.txt", **changes):
 def kernels_of(core):
     """The tests that a core's program lists. With FXL_SMALL no kernel is in assembly, so that list is shorter; outlines
     with a depth buffer are drawn in one call but by -Os, and smooth ones, small planes and short runs have kernels on Armv7-M
-    alone."""
+    alone; smooth ones in words are drawn in C on other cores."""
     libraries = {"BOTH", "SMALL"} if core.endswith("-small") else {"BOTH", "LARGE"}
     if core in ("m0", "m3", "m4f", "m55"):
         libraries.add("OUTLINES")
     if core in ("m3", "m4f", "m55"):
         libraries.add("SMOOTH")
+    if core == "m0":
+        libraries.add("WORDS")
     header = (ROOT / "firmware/equality/equality.h").read_text(encoding="utf-8")
     names = [name for name, library in re.findall(r'TEST\("([\w-]+)", test_\w+, (\w+)\)', header) if library in libraries]
     assert len(names) >= 8

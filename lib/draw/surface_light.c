@@ -87,7 +87,13 @@ static fxl_kept_lights *kept_lights(const fxl_surfaces *surfaces, const fxl_trav
 #define KEPT_LIGHT NULL, NULL, NULL
 #endif
 
-static const fxl_surface_light_code code = {light_corners, KEPT_LIGHT};
+#if FXL_DRAWS_SMOOTH_WORDS
+#define DRAW_WORDS fxl_draw_smooth_words
+#else
+#define DRAW_WORDS NULL
+#endif
+
+static const fxl_surface_light_code code = {light_corners, KEPT_LIGHT, DRAW_WORDS};
 
 /* surfaces 5.5 */
 fxl_status fxl_attach_lit(fxl_renderer *renderer, fxl_lit_surfaces *lit)

@@ -37,6 +37,7 @@ typedef struct fxl_surface_light_code {
     fxl_kept_lights *(*kept_lights)(const fxl_surfaces *surfaces, const fxl_traversal *traversal);
     fxl_kept_light_finder *find_kept;
     fxl_corners_light *corners_of; /* where it does: of all three corners */
+    fxl_smooth_drawer *draw_words; /* null where kernels or rows draw polygons in words */
 } fxl_surface_light_code;
 
 static inline bool fxl_surface_is_lit(const fxl_surfaces *surfaces, const fxl_surface *surface)

@@ -439,6 +439,37 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
     return IS_DRAWN;
 }
 
+#elif FXL_DRAWS_SMOOTH_WORDS && FXL_TARGET_DEPTH_BITS == 16
+
+/* Draws a polygon in words as the kernel does: an opaque one that is lit and in no beam. Not inline: what
+ * it has would be on the stack of others. */
+static __attribute__((noinline)) fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces,
+                                                             fxl_workspace *workspace,
+                                                             const fxl_surface_polygon *polygon,
+                                                             const fxl_screen_point *points,
+                                                             uint32_t count, const fxl_band *band)
+{
+    const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
+    const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
+    fxl_scan *scan = &workspace->work.scan;
+    fxl_paint paint;
+    if (!fxl_has_light_alone(surfaces, surface) || surfaces->light == NULL || head->or_equal) {
+        return FXL_DEPTH_NOT_DRAWN;
+    }
+    fxl_scan_outline(points, count, band, scan);
+    if (!fxl_scan_reaches(scan, band)) {
+        return FXL_DEPTH_NO_ROW;
+    }
+    fxl_depth_clear(workspace, band, scan->outline_first, scan->outline_end,
+                    FXL_TARGET_DEPTH_BITS / 8);
+    fxl_surface_light_of(surfaces, &paint);
+    paint.gradients = &polygon->gradients;
+    paint.colour = polygon->colour;
+    mix_light(surfaces, band, &paint);
+    surfaces->light_code->draw_words(&paint, &polygon->depth, head, FXL_PIXEL_BITS / 8, band, scan);
+    return FXL_DEPTH_DRAWN;
+}
+
 #else
 
 static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_workspace *workspace,

@@ -8,6 +8,7 @@
 #include "../raster/fill.h"
 #include "../raster/scan.h"
 #include "depth_outline.h"
+#include "outline_rows.h"
 
 #if FXL_DRAWS_DEPTH_OUTLINES && !FXL_KERNELS_ARMV7M
 
@@ -116,8 +117,7 @@ static inline __attribute__((always_inline)) void paint_rows(const sheet *codes,
 static inline __attribute__((always_inline)) void
 paint_pixel(uint16_t *cell, void *pixel, uint32_t code, uint32_t filling, uint32_t bits)
 {
-    if (code >> 16 > *cell) {
-        *cell = (uint16_t)(code >> 16);
+    if (fxl_keep_nearer(cell, code)) {
         if (bits == 16) {
             *(uint16_t *)pixel = (uint16_t)filling;
         } else {
@@ -171,12 +171,6 @@ static inline __attribute__((always_inline)) void paint_codes(uint16_t *cells, u
     }
 }
 
-/* An edge, or its step, as one number: fxl_edge_step is a sum then, which wraps. */
-static inline uint64_t whole_of(int32_t x, uint32_t fraction)
-{
-    return (uint64_t)(uint32_t)x << 32 | fraction;
-}
-
 /* The rows of a scan between two chains. */
 static inline __attribute__((always_inline)) void paint_rows(const sheet *codes,
                                                              const fxl_depth_outline *outline,
@@ -192,12 +186,12 @@ static inline __attribute__((always_inline)) void paint_rows(const sheet *codes,
         uint64_t line = codes->at + times((int64_t)down, row);
         uint16_t *cells = outline->cells + place;
         uint8_t *pixels = band->pixels + place * bytes;
-        uint64_t a = whole_of(trapezoid->edges[0].x, trapezoid->edges[0].fraction),
-                 b = whole_of(trapezoid->edges[1].x, trapezoid->edges[1].fraction);
+        uint64_t a = fxl_whole_edge(trapezoid->edges[0].x, trapezoid->edges[0].fraction),
+                 b = fxl_whole_edge(trapezoid->edges[1].x, trapezoid->edges[1].fraction);
         const uint64_t a_step =
-            whole_of(trapezoid->edges[0].step, trapezoid->edges[0].step_fraction);
+            fxl_whole_edge(trapezoid->edges[0].step, trapezoid->edges[0].step_fraction);
         const uint64_t b_step =
-            whole_of(trapezoid->edges[1].step, trapezoid->edges[1].step_fraction);
+            fxl_whole_edge(trapezoid->edges[1].step, trapezoid->edges[1].step_fraction);
         for (int32_t rows = trapezoid->end_row - trapezoid->first_row; rows > 0; rows--) {
             int32_t x0 = (int32_t)(a >> 32), x1 = (int32_t)(b >> 32);
             if (x0 > x1) {

@@ -16,6 +16,7 @@ extern "C" {
 
 #define FXL_DRAWS_DEPTH_OUTLINES  (!FXL_IS_COMPACT && !FXL_HAS_LONG_DIVIDER)
 #define FXL_DRAWS_SMOOTH_OUTLINES (FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT)
+#define FXL_DRAWS_SMOOTH_WORDS    (FXL_DRAWS_DEPTH_OUTLINES && !FXL_KERNELS_ARMV7M) /* in C */
 
 /* What the kernel needs of a polygon, and what it keeps from row to row. Cells are counted from the
  * first one of the band. An octave here is the number of leading zeros of the gradient's upper

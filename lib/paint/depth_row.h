@@ -197,11 +197,8 @@ static inline void fxl_depth_begin(fxl_depth_painting *of, const void *memory,
     of->head = (const fxl_depth_head *)memory;
     of->band = band;
     of->keeps = FXL_DEPTH_KEEPS_ALL;
-    if (fxl_depth_is_in_words(plane)) {
-        fxl_depth_octave_of_word(of->head->scale, plane, 0, &of->octave);
-    } else {
-        fxl_depth_octave_of(of->head->scale, plane, 0, &of->octave);
-    }
+    of->octave.low = of->octave.high = 0; /* no value is of it */
+    of->octave.drop = 0;
 }
 
 #ifdef __cplusplus

@@ -28,8 +28,9 @@ static inline uint32_t sum_of(uint32_t a, uint32_t b)
 static FXL_ONE_COPY uint32_t from_direction(const fxl_direction *direction, fxl_q2_30 strength,
                                             const fxl_direction *normal)
 {
-    const int64_t facing = -((int64_t)normal->x * direction->x + (int64_t)normal->y * direction->y +
-                             (int64_t)normal->z * direction->z);
+    const int64_t facing =
+        -(fxl_product(normal->x, direction->x) + fxl_product(normal->y, direction->y) +
+          fxl_product(normal->z, direction->z));
     return facing > 0 ? fraction_of((uint32_t)strength, (uint32_t)(facing >> 30)) : 0;
 }
 

@@ -129,6 +129,17 @@ static inline uint16_t fxl_mixed_565(const fxl_mixture_565 *mixture, uint32_t co
                       (red >> 8 & FXL_BLUE_565));
 }
 
+/* light part_of_level / 2^32, rounded down: how much of 256 parts light leaves, which has 24 bits after the
+ * point. Requires a product below 2^48; then no sum here is above 2^32. */
+static inline uint32_t fxl_part_of_565(uint32_t light, uint32_t part_of_level)
+{
+#if FXL_HAS_LONG_PRODUCT
+    return (uint32_t)(fxl_multiply_u32(light, part_of_level) >> 32);
+#else
+    return ((light >> 16) * part_of_level + ((light & 0xFFFFu) * part_of_level >> 16)) >> 16;
+#endif
+}
+
 /* Half of 1/256 of the light of a ramp, in levels with 24 bits after the point: what is added to it
  * so that parts are rounded to nearest. */
 static inline uint32_t fxl_half_part_565(uint32_t levels_less_1)

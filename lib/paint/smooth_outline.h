@@ -2,8 +2,8 @@
 /* An outline whose depth codes are linear on the screen, in a depth buffer of 16 bits, near to
  * far: of one colour and with light that is linear too, or with such colours at its corners; and
  * with texels and light that are linear, in any order.
- * Survey, edges, depth test and pixels are one call. Only Armv7-M has this, as depth_outline.h
- * says. Internal. */
+ * Survey, edges, depth test and pixels are one call of a kernel, which only Armv7-M has, as depth_outline.h
+ * says. Other cores have texels and light in C. Internal. */
 #ifndef FXL_SMOOTH_OUTLINE_H
 #define FXL_SMOOTH_OUTLINE_H
 
@@ -91,6 +91,17 @@ fxl_depth_drawn fxl_draw_smooth_triangle_16(const fxl_inside_corners *corners, c
                                             fxl_smooth_outline *smooth);
 
 #endif
+
+/* fxl_draw_smooth_words: what a renderer with lit surfaces links, where FXL_DRAWS_SMOOTH_WORDS.
+ *
+ * Draws a polygon in words, near to far, into a band whose depth buffer `memory` has, and whose cells are
+ * cleared. paint: of the face: gradients whose light is fxl_corner_planes_linear's, colour, ramp, levels_less_1, and of pixels of 2
+ * bytes of_565 but for its key and what is mixed; scan: of the outline, not read yet. It writes what
+ * fxl_depth_paint_row and fxl_paint_pixels, or fxl_paint_pixels_565, write. */
+typedef void fxl_smooth_drawer(const fxl_paint *paint, const fxl_depth_plane *depth,
+                               const void *memory, uint32_t pixel_bytes, const fxl_band *band,
+                               fxl_scan *scan);
+fxl_smooth_drawer fxl_draw_smooth_words;
 
 /* Sets what all polygons of a band and a ramp share whose pixels have `pixel_bytes` bytes. Requires
  * fxl_depth_outline_can_draw. */

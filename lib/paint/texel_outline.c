@@ -2,7 +2,7 @@
 #include "smooth_outline.h"
 
 #include "../math/family.h"
-#include "../raster/fill.h"
+#include "outline_rows.h"
 #include "rgb565_colour.h"
 #include "segments.h"
 #include "texture_level.h"
@@ -20,8 +20,7 @@ static inline uint32_t colour_of(const fxl_texel_outline *of, const fxl_texel_wo
     if (!is_lit) {
         return colour;
     }
-    const uint32_t part = (uint32_t)(fxl_multiply_u32(at->light, of->part_of_level) >> 32);
-    return fxl_mixed_565(&of->mixture, colour, part);
+    return fxl_mixed_565(&of->mixture, colour, fxl_part_of_565(at->light, of->part_of_level));
 }
 
 static inline void step(fxl_texel_words *at, const fxl_texel_words *along)
@@ -32,17 +31,18 @@ static inline void step(fxl_texel_words *at, const fxl_texel_words *along)
     at->light += along->light;
 }
 
-/* count pixels of a row, from 1 on, of a face of one octave, near to far. The compiler cannot tell
- * pixels from what the loop reads, so it has copies. */
+/* Pixels of a row of a face of one octave, near to far. The compiler cannot tell pixels from what the
+ * loop reads, so it has copies. */
 static inline __attribute__((always_inline)) void paint_near(const fxl_texel_outline *face,
-                                                             fxl_texel_words at, uint16_t *cell,
-                                                             uint16_t *pixel, uint32_t count,
+                                                             fxl_texel_words at,
+                                                             const fxl_outline_row *row,
                                                              bool is_lit, bool is_wide)
 {
     const fxl_texel_outline of = *face;
-    for (const uint16_t *end = cell + count; cell != end; cell++, pixel++) {
-        if (at.code >> 16 > *cell) {
-            *cell = (uint16_t)(at.code >> 16);
+    const uint16_t *end = row->cell + row->count;
+    uint16_t *pixel = (uint16_t *)(void *)row->pixel;
+    for (uint16_t *cell = row->cell; cell != end; cell++, pixel++) {
+        if (fxl_keep_nearer(cell, at.code)) {
             *pixel = (uint16_t)colour_of(&of, &at, is_lit, is_wide);
         }
         step(&at, &of.planes.along);
@@ -50,10 +50,12 @@ static inline __attribute__((always_inline)) void paint_near(const fxl_texel_out
 }
 
 /* The same of any face, in any order. */
-static inline void paint_any(const fxl_texel_outline *of, fxl_texel_words at, uint16_t *cell,
-                             uint16_t *pixel, uint32_t count)
+static inline void paint_any(const fxl_texel_outline *of, fxl_texel_words at,
+                             const fxl_outline_row *row)
 {
-    for (const uint16_t *end = cell + count; cell != end; cell++, pixel++) {
+    const uint16_t *end = row->cell + row->count;
+    uint16_t *pixel = (uint16_t *)(void *)row->pixel;
+    for (uint16_t *cell = row->cell; cell != end; cell++, pixel++) {
         const uint32_t code = at.code < of->border ? 2u * at.code - of->border : at.code;
         if (code >> 16 > *cell || (of->or_equal && code >> 16 == *cell)) {
             *cell = (uint16_t)(code >> 16);
@@ -62,14 +64,6 @@ static inline void paint_any(const fxl_texel_outline *of, fxl_texel_words at, ui
         }
         step(&at, &of->planes.along);
     }
-}
-
-static inline fxl_texel_words words_at(const fxl_texel_words *at, const fxl_texel_words *along,
-                                       uint32_t count)
-{
-    const fxl_texel_words there = {at->code + along->code * count, at->u + along->u * count,
-                                   at->v + along->v * count, at->light + along->light * count};
-    return there;
 }
 
 /* --- rows ----------------------------------------------------------------------------------- */
@@ -81,38 +75,34 @@ static inline fxl_texel_words words_at(const fxl_texel_words *at, const fxl_texe
 /* As kind, beside FXL_TEXELS_WIDE and _LIT: pixels of any kind, in any order. */
 #define ANY FXL_TEXELS_BENT
 
+static inline fxl_texel_words words_of(const fxl_texel_planes *of, const fxl_outline_row *row)
+{
+    const uint32_t x = row->x, y = row->y;
+    const fxl_texel_words words = {of->at.code + of->down.code * y + of->along.code * x,
+                                   of->at.u + of->down.u * y + of->along.u * x,
+                                   of->at.v + of->down.v * y + of->along.v * x,
+                                   of->at.light + of->down.light * y + of->along.light * x};
+    return words;
+}
+
+/* fxl_outline_row_painter. */
+static inline __attribute__((always_inline)) void paint_row(const void *with, uint32_t kind,
+                                                            fxl_outline_row row)
+{
+    const fxl_texel_outline *of = (const fxl_texel_outline *)with;
+    const fxl_texel_words at = words_of(&of->planes, &row);
+    if (kind == ANY) {
+        paint_any(of, at, &row);
+    } else {
+        paint_near(of, at, &row, (kind & FXL_TEXELS_LIT) != 0, (kind & FXL_TEXELS_WIDE) != 0);
+    }
+}
+
 /* All rows of a scan. */
 static inline __attribute__((always_inline)) void
 paint_rows(const fxl_texel_outline *of, const fxl_band *band, fxl_scan *scan, uint32_t kind)
 {
-    const uint32_t width = band->width, stride = band->stride;
-    const fxl_texel_words down = of->planes.down;
-    const fxl_trapezoid *trapezoid;
-    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
-        const uint32_t row = (uint32_t)(trapezoid->first_row - band->first_row);
-        fxl_texel_words at = words_at(&of->planes.at, &down, (uint32_t)trapezoid->first_row);
-        uint16_t *cell = of->cells + (size_t)row * width;
-        uint16_t *pixel = (uint16_t *)(void *)band->pixels + (size_t)row * stride;
-        fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
-        for (int32_t rows = trapezoid->end_row - trapezoid->first_row; rows > 0; rows--) {
-            const int32_t x0 = a.x < b.x ? a.x : b.x, x1 = a.x < b.x ? b.x : a.x;
-            if (x0 < x1) {
-                const fxl_texel_words from = words_at(&at, &of->planes.along, (uint32_t)x0);
-                const uint32_t count = (uint32_t)(x1 - x0);
-                if (kind == ANY) {
-                    paint_any(of, from, cell + x0, pixel + x0, count);
-                } else {
-                    paint_near(of, from, cell + x0, pixel + x0, count,
-                               (kind & FXL_TEXELS_LIT) != 0, (kind & FXL_TEXELS_WIDE) != 0);
-                }
-            }
-            fxl_edge_step(&a);
-            fxl_edge_step(&b);
-            step(&at, &down);
-            cell += width;
-            pixel += stride;
-        }
-    }
+    fxl_paint_outline_rows(band, of->cells, 2, scan, paint_row, of, kind);
 }
 
 #if FXL_DRAWS_SMOOTH_OUTLINES

@@ -256,11 +256,12 @@ void prove_paint_near(void)
     const uint32_t word = at.code + of.planes.along.code * i;
     const bool is_near = nondet_bool();
     uint32_t code = word;
+    const fxl_outline_row row = {0, 0, count, cells, (uint8_t *)pixels};
     if (is_near) {
-        paint_near(&of, at, cells, pixels, count, nondet_bool(), (of.kind & FXL_TEXELS_WIDE) != 0);
+        paint_near(&of, at, &row, nondet_bool(), (of.kind & FXL_TEXELS_WIDE) != 0);
     } else {
         code = word < of.border ? 2u * word - of.border : word;
-        paint_any(&of, at, cells, pixels, count);
+        paint_any(&of, at, &row);
     }
     const bool is_visible = i < count && (code >> 16 > before[i] || (!is_near && of.or_equal && code >> 16 == before[i]));
     ASSERT("a visible one is kept", cells[i] == (is_visible ? code >> 16 : before[i]));
@@ -269,19 +270,23 @@ void prove_paint_near(void)
 }
 
 /* [[row]]
- * function = "lib/paint/texel_outline.c:words_at"
- * property = "any words and up to 3 pixels: those of as many steps, modulo 2^32"
+ * function = "lib/paint/texel_outline.c:words_of"
+ * property = "any words, up to 3 rows and 3 columns: those of as many steps, modulo 2^32"
  * checks = 98
  * unwind = 5
  */
-void prove_words_at(void)
+void prove_words_of(void)
 {
-    fxl_texel_words at, along;
-    const uint32_t count = nondet_u32();
-    ASSUME(count <= 3);
-    const fxl_texel_words there = words_at(&at, &along, count);
-    for (uint32_t i = 0; i < count; i++) {
-        step(&at, &along);
+    fxl_texel_planes of;
+    fxl_outline_row row;
+    ASSUME(row.x <= 3 && row.y <= 3);
+    const fxl_texel_words there = words_of(&of, &row);
+    fxl_texel_words at = of.at;
+    for (uint32_t i = 0; i < row.y; i++) {
+        step(&at, &of.down);
+    }
+    for (uint32_t i = 0; i < row.x; i++) {
+        step(&at, &of.along);
     }
     ASSERT("as by steps", there.code == at.code && there.u == at.u && there.v == at.v && there.light == at.light);
     PROOF_ENDS();

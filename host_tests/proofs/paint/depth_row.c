@@ -343,9 +343,8 @@ void prove_depth_paint_row(void)
 
 /* [[row]]
  * function = "fxl_depth_begin"
- * property = "any plane and band: nothing overflows"
- * checks = 64
- * stands_in = { fxl_depth_octave_of = "any_octave_of", fxl_depth_octave_of_word = "any_octave_of_word" }
+ * property = "any plane and band: no depth is of its octave"
+ * checks = 58
  * stubs = { fxl_depth_keep_visible = "not called", fxl_depth_skip_hidden = "not called" }
  */
 void prove_depth_begin(void)
@@ -354,6 +353,7 @@ void prove_depth_begin(void)
     any_painting();
     fxl_depth_begin(&of, &memory, &plane, &band);
     ASSERT("a shift", of.octave.drop >= -31 && of.octave.drop <= 35);
+    ASSERT("no octave yet", !fxl_depth_octave_holds(&of.octave, nondet_s64()));
     ASSERT("all are kept", of.head == &memory.head && of.plane == &plane && of.band == &band && of.keeps == FXL_DEPTH_KEEPS_ALL);
     PROOF_ENDS();
 }
