@@ -95,7 +95,7 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     planes->weight_range = fxl_range_of(planes->weights);
     planes->weight_most = largest_of(planes->weights);
     /* A side has at most 26 bits, and weights 30. */
-    if (fxl_product_unsigned(planes->weight_range, (uint32_t)FXL_SMALL_SLOPES << 16) >
+    if ((uint64_t)planes->weight_range * ((uint32_t)FXL_SMALL_SLOPES << 16) >
         fxl_product_unsigned(planes->weight_most, width < height ? width : height)) {
         if (!for_words) {
             return false;
@@ -201,14 +201,15 @@ bool fxl_corner_planes_depth_words(const fxl_corner_planes *planes, fxl_depth_pl
 
 #define SHIFT_OF_LIGHT 53 /* of gradients whose lower words are those of light_row.h */
 
-/* Drops of light are from 6 to 28. */
+/* Drops of light are from 6 to 28. Weights are below 2^30, and what they are allowed is a power of two: no
+ * product, but a shift. */
 bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t light[3],
                               fxl_gradients *gradients, fxl_depth_plane *depth)
 {
     static const fxl_gradient constant = {FXL_CONSTANT_WEIGHT, 0, 0};
     const uint32_t least = planes->weight_most - planes->weight_range;
     const uint64_t error = fxl_product_unsigned(fxl_range_of(light), planes->weight_range);
-    if (error > fxl_product_unsigned(least, 4u * FXL_WORDS_ERROR_LIGHT)) {
+    if (error > (uint64_t)least * (4u * FXL_WORDS_ERROR_LIGHT)) {
         return false;
     }
     const int32_t d1 = light[1] - light[0], d2 = light[2] - light[0];
@@ -218,7 +219,7 @@ bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t lig
     if ((upper_size(along) | upper_size(down)) >> (drop - 1u) != 0) {
         return false;
     }
-    const int32_t more = error > fxl_product_unsigned(least, 4u * FXL_AFFINE_ERROR_LIGHT)
+    const int32_t more = error > (uint64_t)least * (4u * FXL_AFFINE_ERROR_LIGHT)
                              ? fxl_corner_planes_mean(planes, d1, d2)
                              : 0;
     find_words(planes, (uint32_t)(light[0] + more) << 8, along, down, drop,
@@ -261,7 +262,7 @@ static inline bool is_nearly_linear(const fxl_corner_planes *planes, int32_t (*v
                fxl_product_unsigned(least, 4u * FXL_WORDS_ERROR_TEXEL) &&
            (count <= FXL_SEGMENT_LIGHT ||
             fxl_product_unsigned(fxl_range_of(values[FXL_SEGMENT_LIGHT]), planes->weight_range) <=
-                fxl_product_unsigned(least, 4u * FXL_WORDS_ERROR_LIGHT));
+                (uint64_t)least * (4u * FXL_WORDS_ERROR_LIGHT));
 }
 
 bool fxl_find_texels(const fxl_corner_planes *planes, int32_t (*values)[3], uint32_t count,
