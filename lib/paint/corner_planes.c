@@ -262,7 +262,7 @@ static inline bool is_nearly_linear(const fxl_corner_planes *planes, int32_t (*v
                fxl_product_unsigned(least, 4u * FXL_WORDS_ERROR_TEXEL) &&
            (count <= FXL_SEGMENT_LIGHT ||
             fxl_product_unsigned(fxl_range_of(values[FXL_SEGMENT_LIGHT]), planes->weight_range) <=
-                (uint64_t)least * (4u * FXL_WORDS_ERROR_LIGHT));
+                fxl_product_unsigned(least, 4u * FXL_WORDS_ERROR_LIGHT));
 }
 
 bool fxl_find_texels(const fxl_corner_planes *planes, int32_t (*values)[3], uint32_t count,
