@@ -356,6 +356,7 @@ draw_no_centre(const fxl_screen_point p[3], const fxl_traversal *traversal)
 
 #endif
 
+/* place fill-rule: the rows of a triangle, by its box */
 /* The first row of a triangle inside all planes, and the row after its last. */
 static inline int32_t first_row_of(const fxl_inside_corners *inside)
 {
