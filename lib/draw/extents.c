@@ -204,7 +204,12 @@ typedef struct {
 } rows_walk;
 
 /* A fxl_next_face: whether a face is turned to the eye was measured, too. */
-static const fxl_face *next_in_rows(const fxl_model_view *model_view, fxl_face_walk *walk)
+#if !FXL_WALKS_FACES /* in place, a walk has no address, and takes less of the stack */
+static inline __attribute__((always_inline))
+#else
+static
+#endif
+const fxl_face *next_in_rows(const fxl_model_view *model_view, fxl_face_walk *walk)
 {
     rows_walk *of = (rows_walk *)(void *)walk;
     (void)model_view;
@@ -263,7 +268,7 @@ static bool draw_convex(const fxl_traversal *traversal, const fxl_model_view *mo
     of.rows = faces_of(&renderer->frame) + (kept & UINT16_MAX);
     of.groups = kept >> GROUPS;
     of.end = of.rows;
-    of.next = 0;
+    of.ahead = of.next = 0;
     of.size = group_of(model);
     of.resumed = traversal->resume->faces;
     of.face_count = count;
