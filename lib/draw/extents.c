@@ -203,23 +203,42 @@ typedef struct {
     uint32_t first_row, last_row; /* of the band, in units of 2^shift rows */
 } rows_walk;
 
-/* A fxl_next_face: whether a face is turned to the eye was measured, too. */
-#if !FXL_WALKS_FACES /* in place, a walk has no address, and takes less of the stack */
-static inline __attribute__((always_inline))
-#else
-static
-#endif
-const fxl_face *next_in_rows(const fxl_model_view *model_view, fxl_face_walk *walk)
+static inline rows_walk rows_walk_of(const fxl_traversal *traversal, const fxl_model *model,
+                                     uint32_t kept)
 {
-    rows_walk *of = (rows_walk *)(void *)walk;
-    (void)model_view;
+    const fxl_renderer *renderer = traversal->renderer;
+    const unsigned shift = shift_of(&renderer->frame);
+    const fxl_band *band = traversal->band;
+    const bool reverse = renderer->near_first;
+    const uint32_t count = model->face_count;
+    rows_walk of;
+    of.walk.face = renderer->scene->faces + model->first_face + (reverse ? count - 1u : 0);
+    of.walk.step = reverse ? -1 : 1;
+    of.walk.left = count;
+    of.walk.submitted = 0;
+    of.rows = faces_of(&renderer->frame) + (kept & UINT16_MAX);
+    of.groups = kept >> GROUPS;
+    of.end = of.rows;
+    of.ahead = of.next = 0;
+    of.size = group_of(model);
+    of.resumed = traversal->resume->faces;
+    of.face_count = count;
+    of.first_row = band->first_row >> shift;
+    of.last_row = (band->first_row + band->rows - 1u) >> shift;
+    return of;
+}
+
+/* The next one, or null. In place, a walk has no address, and takes no stack. */
+static inline __attribute__((always_inline)) const fxl_face *next_of_walk(rows_walk *of)
+{
     const face_rows *rows = of->rows;
     const uint32_t first_row = of->first_row, last_row = of->last_row;
     for (;;) {
         for (const face_rows *end = of->end; rows != end; rows++) {
             if (rows->first <= last_row && rows->end > first_row) {
                 of->rows = rows + 1;
-                return walk->face + walk->step * ((int32_t)of->ahead - (int32_t)(of->end - rows));
+                return of->walk.face +
+                       of->walk.step * ((int32_t)of->ahead - (int32_t)(of->end - rows));
             }
         }
         if (of->groups == 0) {
@@ -235,50 +254,49 @@ const fxl_face *next_in_rows(const fxl_model_view *model_view, fxl_face_walk *wa
     }
 }
 
-/* All faces of a walk at once, as fxl_submit_walk does. False: none was taken. */
-static bool take_faces(const fxl_traversal *traversal, const fxl_model_view *model_view,
-                       fxl_face_walk *walk)
-{
 #if FXL_WALKS_FACES
-    const fxl_shader *shader = model_view->shader;
-    return shader != NULL && shader->code->faces != NULL &&
-           shader->code->faces(model_view, traversal, walk);
-#else
-    (void)traversal;
+
+/* A fxl_next_face: whether a face is turned to the eye was measured, too. */
+static const fxl_face *next_in_rows(const fxl_model_view *model_view, fxl_face_walk *walk)
+{
     (void)model_view;
-    (void)walk;
-    return false;
-#endif
+    return next_of_walk((rows_walk *)(void *)walk);
 }
+
+typedef enum {
+    NONE_TAKEN = 0,
+    SOME_TAKEN, /* one could not be submitted */
+    ALL_TAKEN
+} taken_faces;
+
+/* All faces at once, as fxl_submit_walk does. Not inline: its walk would be on the stack of others. */
+static __attribute__((noinline)) taken_faces take_faces(const fxl_traversal *traversal,
+                                                        const fxl_model_view *model_view,
+                                                        const fxl_model *model, uint32_t kept)
+{
+    rows_walk of = rows_walk_of(traversal, model, kept);
+    of.walk.next = next_in_rows;
+    return !model_view->shader->code->faces(model_view, traversal, &of.walk) ? NONE_TAKEN
+           : of.walk.left == model->face_count                               ? ALL_TAKEN
+                                                                              : SOME_TAKEN;
+}
+
+#endif
 
 static bool draw_convex(const fxl_traversal *traversal, const fxl_model_view *model_view,
                         const fxl_model *model, uint32_t kept)
 {
-    const fxl_renderer *renderer = traversal->renderer;
-    const unsigned shift = shift_of(&renderer->frame);
-    const fxl_band *band = traversal->band;
-    const bool reverse = renderer->near_first;
-    const uint32_t count = model->face_count;
-    rows_walk of;
-    of.walk.face = renderer->scene->faces + model->first_face + (reverse ? count - 1u : 0);
-    of.walk.step = reverse ? -1 : 1;
-    of.walk.left = count;
-    of.walk.submitted = 0;
-    of.walk.next = next_in_rows;
-    of.rows = faces_of(&renderer->frame) + (kept & UINT16_MAX);
-    of.groups = kept >> GROUPS;
-    of.end = of.rows;
-    of.ahead = of.next = 0;
-    of.size = group_of(model);
-    of.resumed = traversal->resume->faces;
-    of.face_count = count;
-    of.first_row = band->first_row >> shift;
-    of.last_row = (band->first_row + band->rows - 1u) >> shift;
-    if (take_faces(traversal, model_view, &of.walk)) {
-        return of.walk.left == count; /* else one could not be submitted */
+#if FXL_WALKS_FACES
+    if (model_view->shader != NULL && model_view->shader->code->faces != NULL) {
+        const taken_faces taken = take_faces(traversal, model_view, model, kept);
+        if (taken != NONE_TAKEN) {
+            return taken == ALL_TAKEN;
+        }
     }
+#endif
+    rows_walk of = rows_walk_of(traversal, model, kept);
     const fxl_face *face;
-    while ((face = next_in_rows(model_view, &of.walk)) != NULL) {
+    while ((face = next_of_walk(&of)) != NULL) {
         if (!fxl_submit_face(model_view, face, traversal)) {
             return false;
         }
