@@ -14,6 +14,7 @@ enum {
     FACES = 2 * SIDES * (RINGS - 1),
     BALLS = 3,
     LEVELS = 8,
+    BACKGROUND = 77,
     WORDS = 300
 };
 
@@ -35,7 +36,7 @@ static fxl_renderer renderer;
 static fxl_surfaces surfaces;
 static fxl_light light;
 static fxl_lit_surfaces lit;
-static uint64_t memory[700], cells[FXL_DEPTH_BYTES(WIDTH, HEIGHT, 16) / 8];
+static uint64_t memory[700], cells[FXL_DEPTH_BYTES(WIDTH, HEIGHT, 32) / 8];
 static uint16_t colours[256], whole[PIXELS], again[PIXELS];
 
 static void make_triangle(uint32_t number, uint32_t a, uint32_t b, uint32_t c)
@@ -138,21 +139,20 @@ static void make_scene(uint32_t round)
                             .normal_count = VERTICES};
 }
 
-static void start(void)
+static void start(const fxl_target *target, const fxl_painter *painter)
 {
     static const fxl_light_settings lamp = {.direction = {0, 0, FXL_Q2_30_ONE},
                                             .strength = FXL_Q2_30_ONE / 2,
                                             .ambient = FXL_Q2_30_ONE / 4,
                                             .ramp = ramp,
                                             .levels = LEVELS};
-    fxl_config config = fxl_config_for(WIDTH, HEIGHT, &fxl_rgb565_depth_16);
+    fxl_config config = fxl_config_for(WIDTH, HEIGHT, target);
     config.palette = colours;
     config.depth = cells;
     config.depth_size = sizeof cells;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &set,
-                                                  FXL_SURFACES_OF(fxl_rgb565_depth_16)));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &set, painter));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &lamp));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lit(&renderer, &lit));
 }
@@ -169,7 +169,7 @@ static void draw(uint16_t *frame, uint32_t words, uint32_t rows, fxl_counters *c
                                .first_row = (uint16_t)row,
                                .rows = (uint16_t)(row + rows <= HEIGHT ? rows : HEIGHT - row),
                                .palette = colours};
-        fxl_frame_fill(&renderer, &band, 0);
+        fxl_frame_fill(&renderer, &band, BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
     }
     *counters = renderer.workspace.counters;
@@ -188,7 +188,7 @@ void test_balls_in_bands_are_those_of_one_band(void)
     for (uint32_t round = 0; round < UNIT_REPEAT / 500 + 32; round++) {
         fxl_counters expected, found;
         make_scene(round);
-        start();
+        start(&fxl_rgb565_depth_16, FXL_SURFACES_OF(fxl_rgb565_depth_16));
         const uint32_t most = renderer.frame.display_list.capacity;
         draw(whole, 0, HEIGHT, &expected);
         drawn += expected.drawn;
@@ -201,4 +201,23 @@ void test_balls_in_bands_are_those_of_one_band(void)
         }
     }
     TEST_ASSERT_GREATER_THAN_UINT32(2000, drawn);
+}
+
+/* A depth buffer of 32 bits has no kernels for them. */
+void test_colours_that_are_mixed_are_those_of_another_depth(void)
+{
+    for (uint32_t round = 0; round < 64; round++) {
+        fxl_counters counters;
+        make_scene(4u + (round & 1u) * 8u);
+        const bool is_added = (round & 2u) != 0;
+        surface.flags |= (uint8_t)(is_added ? FXL_SURFACE_ADD : FXL_SURFACE_BLEND);
+        surface.sixteenths = (uint8_t)(is_added ? 0 : unit_between(1, 15));
+        surface.division = (uint8_t)((round & 4u) != 0 ? FXL_DIVIDE_1 : FXL_DIVIDE_16);
+        scene.instance_count = 1;
+        start(&fxl_rgb565_depth_32, FXL_SURFACES_OF(fxl_rgb565_depth_32));
+        draw(whole, 0, HEIGHT, &counters);
+        start(&fxl_rgb565_depth_16, FXL_SURFACES_OF(fxl_rgb565_depth_16));
+        draw(again, 0, HEIGHT, &counters);
+        TEST_ASSERT_EQUAL_HEX16_ARRAY(whole, again, PIXELS);
+    }
 }

@@ -203,7 +203,7 @@ paint_runs(const fxl_paint *paint, run_kernel *kernel, run_memory *memory, fxl_p
     runs->end = memory->rows.runs;
     memory->rows.runs = memory->list;
 #if FXL_PIXEL_IS_MIXED
-    if (paint->colours != NULL && paint->opacity == 16 &&
+    if (paint->colours != NULL && paint->opacity == 16 && !fxl_is_mixed_565(paint) &&
         !fxl_has_colour_words(paint->gradients)) {
         paint->colours->runs(paint, runs);
         return;
