@@ -157,34 +157,43 @@ static void start(const fxl_target *target, const fxl_painter *painter)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lit(&renderer, &lit));
 }
 
-static void draw(uint16_t *frame, uint32_t words, uint32_t rows, fxl_counters *counters)
+static void draw_at(uint16_t *frame, uint32_t stride, uint32_t words, uint32_t rows)
 {
     const fxl_pose eye = {{0, 0, 0}, 0, 0, 0};
     renderer.frame.display_list.capacity = words;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
     for (uint32_t row = 0; row < HEIGHT; row += rows) {
-        const fxl_band band = {.pixels = (uint8_t *)(frame + row * WIDTH),
+        const fxl_band band = {.pixels = (uint8_t *)(frame + row * stride),
                                .width = WIDTH,
-                               .stride = WIDTH,
+                               .stride = (uint16_t)stride,
                                .first_row = (uint16_t)row,
                                .rows = (uint16_t)(row + rows <= HEIGHT ? rows : HEIGHT - row),
                                .palette = colours};
         fxl_frame_fill(&renderer, &band, BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
     }
+}
+
+static void draw(uint16_t *frame, uint32_t words, uint32_t rows, fxl_counters *counters)
+{
+    draw_at(frame, WIDTH, words, rows);
     *counters = renderer.workspace.counters;
     counters->spilled = counters->split_bands = 0;
 }
 
-void test_balls_in_bands_are_those_of_one_band(void)
+void setUp(void)
 {
-    uint32_t drawn = 0;
     for (uint32_t i = 0; i < 256; i++) {
         colours[i] = (uint16_t)(i * 31153u);
     }
     for (uint32_t i = 0; i < sizeof texels; i++) {
         texels[i] = (uint8_t)unit_between(0, 255);
     }
+}
+
+void test_balls_in_bands_are_those_of_one_band(void)
+{
+    uint32_t drawn = 0;
     for (uint32_t round = 0; round < UNIT_REPEAT / 500 + 32; round++) {
         fxl_counters expected, found;
         make_scene(round);
@@ -201,6 +210,31 @@ void test_balls_in_bands_are_those_of_one_band(void)
         }
     }
     TEST_ASSERT_GREATER_THAN_UINT32(2000, drawn);
+}
+
+/* Where rows begin apart, or at a pixel that is no pair's first. Nothing beside the rows is touched. */
+void test_balls_in_a_wider_frame_are_those_of_a_frame(void)
+{
+    enum {
+        STRIDE = WIDTH + 7
+    };
+    static _Alignas(uint32_t) uint16_t wider[1 + HEIGHT * STRIDE + 1];
+    for (uint32_t round = 0; round < 96; round++) {
+        const uint32_t stride = round < 64 ? STRIDE : WIDTH, first = round >= 32;
+        fxl_counters counters;
+        make_scene(round);
+        start(&fxl_rgb565_depth_16, FXL_SURFACES_OF(fxl_rgb565_depth_16));
+        const uint32_t most = renderer.frame.display_list.capacity;
+        draw(whole, 0, HEIGHT, &counters);
+        memset(wider, 0xA5, sizeof wider);
+        draw_at(wider + first, stride, (round & 16u) != 0 ? most : 0,
+                (uint32_t)unit_between(1, HEIGHT));
+        for (uint32_t i = 0; i < sizeof wider / sizeof wider[0]; i++) {
+            const uint32_t x = (i - first) % stride, y = (i - first) / stride;
+            const bool is_beside = i < first || x >= WIDTH || y >= HEIGHT;
+            TEST_ASSERT_EQUAL_HEX16(is_beside ? 0xA5A5 : whole[y * WIDTH + x], wider[i]);
+        }
+    }
 }
 
 /* A depth buffer of 32 bits has no kernels for them. */

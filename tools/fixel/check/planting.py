@@ -80,7 +80,7 @@ class Break:
     ledger: str
     kind: str = ""
     occurrence: int = 0     # counted from 1; 0: the lines stand once
-    tests: tuple = ()       # of the host, or equality/CORE, or run/SCENE, that are likeliest to see it
+    tests: tuple = ()       # of the host, or m3/TEST, equality/CORE or run/SCENE, that are likeliest to see it
     rows: tuple = ()        # of make prove that must fail
     clause: str = ""        # of the specification, that it breaks: "SPEC 4.5", or several
     blind: bool = False     # written by somebody who had not read the tests: make breaks draws these

@@ -22,13 +22,15 @@ import sys
 from fixel.base import children, limits, sampling
 from fixel.base.errors import ToolError
 from fixel.base.table import coloured, table
+from fixel.board import unit_tests
 from fixel.check import planting
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 # What make needs to build the library's tests.
 COPIED = ("Makefile", "lib", "boards", "firmware", "linker", "bench", "host_tests", "scenes")
 # What make has built of them in the checkout, which it need not build again.
-COPIED_BUILT = ("host/unit", "equality", "bench/m0", "bench/m3", "core/*/lib", "core/runners", "boards/mps2-an385/boards",
+COPIED_BUILT = ("host/unit", "equality", "bench/m0", "bench/m3", "core/*/lib", "core/runners", "core/cpu-cortex-m3_float-abi-soft_no-unaligned-access/unit",
+                "boards/mps2-an385/boards", "boards/mps2-an385/unit",
                 "boards/host/boards", "boards/host/firmware", "boards/host/walk", "host/objects", "host/walk", "host/*.a", "host/judge", "host/raycast",
                 "lib_needs.mk", "lib_conditions*")
 # What make finds in all sources of the library, in two seconds: a bug in a line changes nothing of it.
@@ -37,6 +39,9 @@ TEST_CPU = 120          # seconds of CPU time; a bug that never ends is caught t
 # A core's kernels against the portable ones, on the emulated core: with so many thousand inputs.
 EQUALITY = ("equality/m0", "equality/m3", "equality/m55", "equality/m3-small", "equality/m3-os")
 EQUALITY_THOUSANDS = 20
+# Those that bugs name of the unit tests on a board with the kernels of Armv7-M.
+ON_M3 = ("m3/test_smooth_bands",)
+M3_UNITS = "build/boards/mps2-an385/unit/units.json"
 # Those that bugs name of UNIT_BARE in host_tests/unit/unit.mk.
 BARE = ("test_pick_methods_bare",)
 # Frames that the host draws and the reference renderer judges, as make run does: "run/SCENE", "run/SCENE/PIXELS".
@@ -60,13 +65,15 @@ class Verdict:
 
 def all_tests(root):
     """Names of the library's Unity programs, of the comparisons of kernels, and of the runs that are judged."""
-    return sorted(file.stem for file in (pathlib.Path(root) / "host_tests/unit").glob("test_*.c")) + [*BARE, *EQUALITY, *RUNS]
+    return sorted(file.stem for file in (pathlib.Path(root) / "host_tests/unit").glob("test_*.c")) + [*BARE, *ON_M3, *EQUALITY, *RUNS]
 
 
 def target(test):
     """The program of a test, as make knows it; of a run the one that draws."""
     if test in RUNS:
         return RUN_PROGRAMS[0]
+    if test in ON_M3:
+        return M3_UNITS
     return f"build/{test}.elf" if test in EQUALITY else f"build/host/unit/{test}"
 
 
@@ -96,7 +103,7 @@ def build_targets(folder, targets, jobs):
     environment = {name: value for name, value in os.environ.items()
                    if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES")}
     kept = [word for name in FOUND if (folder / name).exists() for word in ("-o", name)]
-    done = children.run(["make", "-s", f"-j{jobs}", *kept, *targets],
+    done = children.run(["make", "-s", f"-j{jobs}", f"PY={sys.executable}", *kept, *targets],
                         cwd=folder, stderr=subprocess.STDOUT, text=True, errors="replace", env=environment)
     return done.stdout if done.returncode else None
 
@@ -127,10 +134,21 @@ def judge_run(folder, test):
     return f"{summary['pixels_unexplained']} of {summary['pixels']} pixels are unexplained"
 
 
+def run_on_m3(folder, name):
+    """run_test of a unit test on the board."""
+    units = folder / M3_UNITS
+    programs = json.loads(units.read_text(encoding="utf-8"))["programs"]
+    elf = next(units.parent / program for program, names in programs.items() if name in names)
+    [file] = unit_tests.run(elf, [name], every=False)
+    return next((line for line in file.output.splitlines() if ":FAIL" in line), "failed") if file.failed else None
+
+
 def run_test(folder, test):
     """None if the program passes, else its first words of failure."""
     if test in RUNS:
         return judge_run(folder, test)
+    if test in ON_M3:
+        return run_on_m3(folder, test.removeprefix("m3/"))
     if test in EQUALITY:
         from fixel.check import equality     # it needs packages, and whoever reads the options needs none
         return equality.first_difference(folder / target(test), EQUALITY_THOUSANDS, TEST_CPU)
