@@ -417,11 +417,12 @@ void prove_tiny_codes_find(void)
 /* [[row]]
  * function = "lib/paint/depth_outline.h:fxl_depth_tiny_draw"
  * property = "two pixels beside or above each other, of 8 or 16 bits: nothing overflows, and no cell or pixel beside the band is written"
- * checks = 680
+ * checks = 2034
  * unwind = 3
- * cases = [8, 16]
+ * cases = [1108, 1208, 2108, 1116, 1216, 2116]
  * uses = ["fxl_tiny_codes_find"]
  */
+/* A case: the columns, the rows, the bits of a pixel. */
 void prove_depth_tiny_draw(void)
 {
     fxl_tiny tiny;
@@ -429,12 +430,12 @@ void prove_depth_tiny_draw(void)
     any_painting();
     ASSUME(WITHIN(plane.gradient.at, (int64_t)1 << 59) && WITHIN(plane.gradient.along, (int64_t)1 << 49) && WITHIN(plane.gradient.down, (int64_t)1 << 49));
     ASSUME(WITHIN(plane.one, 199));
-    ASSUME(tiny.row >= 0 && tiny.row < ROWS && tiny.rows >= 1 && tiny.rows <= ROWS - tiny.row);
-    ASSUME(tiny.column >= 0 && tiny.column < CELLS && tiny.columns >= 1 && tiny.columns <= CELLS - tiny.column);
-    ASSUME(tiny.rows * tiny.columns <= 2);
+    tiny.columns = CASE / 1000;
+    tiny.rows = CASE / 100 % 10;
+    ASSUME(tiny.row >= 0 && tiny.row <= ROWS - tiny.rows && tiny.column >= 0 && tiny.column <= CELLS - tiny.columns);
     ASSUME(tiny.pixels << (tiny.rows * tiny.columns) == 0);
     ASSUME(band.first_row == 0 && band.rows == ROWS);
     band.pixels = (uint8_t *)pixels;
-    (void)fxl_depth_tiny_draw(&plane, &tiny, &memory.head, &band, 0xC3u, CASE);
+    (void)fxl_depth_tiny_draw(&plane, &tiny, &memory.head, &band, 0xC3u, CASE % 100);
     PROOF_ENDS();
 }
