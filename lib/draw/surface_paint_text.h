@@ -34,6 +34,11 @@ static const fxl_colours_code colours = {
 #else
     NULL,
 #endif
+#if FXL_DRAWS_SMOOTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
+    FXL_DRAW_COLOURS,
+#else
+    NULL,
+#endif
 };
 
 /* place light: RGB565: the part of a colour that light leaves of a lit surface */

@@ -53,30 +53,31 @@ static inline bool can_draw_smooth(const fxl_workspace *workspace, const fxl_ban
 
 #if FXL_PIXEL_IS_MIXED
 
-/* The same of an outline with colours at its corners, which is opaque: a kernel leaves it as it was where
- * rows are not clear. */
-static inline fxl_depth_drawn draw_colours(fxl_workspace *workspace,
-                                           const fxl_colour_outline *outline,
-                                           const fxl_screen_point *points, uint32_t count,
-                                           const fxl_band *band)
+/* The same of an outline with colours at its corners, which is opaque, by the kernel of colours: it leaves
+ * an outline as it was where rows are not clear. */
+static inline __attribute__((always_inline)) fxl_depth_drawn
+draw_colours(const fxl_colours_code *code, fxl_workspace *workspace,
+             const fxl_colour_outline *outline, const fxl_screen_point *points, uint32_t count,
+             const fxl_band *band)
 {
-    const fxl_depth_drawn drawn = FXL_DRAW_COLOURS(points, count, band, outline);
+    const fxl_depth_drawn drawn = code->outline(points, count, band, outline);
     if (drawn != FXL_DEPTH_NOT_CLEAR) {
         return drawn;
     }
     fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
-    return FXL_DRAW_COLOURS(points, count, band, outline);
+    return code->outline(points, count, band, outline);
 }
 
 /* The same of a polygon. Not inline: its outline would be on the stack of others. */
 static __attribute__((noinline)) fxl_depth_drawn
-draw_colour_polygon(fxl_workspace *workspace, const fxl_surface_polygon *polygon,
-                    const fxl_screen_point *points, uint32_t count, const fxl_band *band)
+draw_colour_polygon(const fxl_colours_code *code, fxl_workspace *workspace,
+                    const fxl_surface_polygon *polygon, const fxl_screen_point *points,
+                    uint32_t count, const fxl_band *band)
 {
     fxl_colour_outline outline;
     fxl_colour_outline_set((const fxl_depth_head *)workspace->target_memory, &polygon->depth,
                            &polygon->gradients, band, &outline);
-    return draw_colours(workspace, &outline, points, count, band);
+    return draw_colours(code, workspace, &outline, points, count, band);
 }
 
 #endif
@@ -94,7 +95,8 @@ static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_work
     }
 #if FXL_PIXEL_IS_MIXED
     if (surface->flags & FXL_SURFACE_COLOURS) {
-        return draw_colour_polygon(workspace, polygon, points, count, band);
+        return draw_colour_polygon(surfaces->painter->colours, workspace, polygon, points, count,
+                                   band);
     }
 #endif
     if (polygon->is_in_beam || !fxl_surface_is_lit(surfaces, surface)) {
@@ -188,7 +190,7 @@ draw_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
     if (!fxl_find_colour_planes(corners, words_lens, &values, outline)) {
         return FXL_DEPTH_NOT_DRAWN;
     }
-    return draw_colours(workspace, outline, points, count, traversal->band);
+    return draw_colours(COLOURS, workspace, outline, points, count, traversal->band);
 }
 
 #endif
@@ -382,11 +384,11 @@ static __attribute__((noinline)) bool is_beside(const fxl_inside_corners *inside
 }
 
 /* A triangle of the run, from its vertices to its pixels, if it lies inside all planes and its planes
- * are words. */
+ * are words. has_colours: whether a surface may have some at corners. */
 static inline __attribute__((always_inline)) inside_result
 draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
             const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *traversal,
-            smooth_run *run)
+            smooth_run *run, bool has_colours)
 {
     fxl_workspace *workspace = traversal->workspace;
     const fxl_corner *const of[3] = {&run->corners[mapped->corners[0]],
@@ -394,6 +396,7 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                                      &run->corners[mapped->corners[2]]};
     fxl_inside_corners inside;
     const fxl_screen_corners *corners = &inside.corners;
+    (void)has_colours; /* a frame of a palette has none */
     if (face->count != 3 || face->indices[0] != of[0]->vertex ||
         face->indices[1] != of[1]->vertex || face->indices[2] != of[2]->vertex) {
         return IS_OTHER;
@@ -413,7 +416,7 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
         if (run->kind == HAS_TEXELS) {
         drawn = draw_texel_corners(surfaces, run->surface, of, corners, model_view, traversal,
                                    &run->lens, &run->light, &run->outline.texels);
-    } else if (run->kind == HAS_COLOURS) {
+    } else if (has_colours && run->kind == HAS_COLOURS) {
         drawn = draw_colour_face(surfaces, run->surface, of, corners, model_view, corners->points,
                                  3, traversal, &run->lens, &run->light, &run->outline.colours);
     } else

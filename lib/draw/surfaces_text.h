@@ -211,12 +211,10 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face,
 
 #if FXL_DRAWS_SMOOTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
 
-/* Draws the faces of a walk until one is drawn otherwise, and returns that; null: all are drawn. Not
- * inline: what it has would be on the stack of what draws others. */
-static __attribute__((noinline)) const fxl_face *draw_inside_faces(const fxl_model_view *model_view,
-                                                                   const fxl_traversal *traversal,
-                                                                   fxl_face_walk *walk,
-                                                                   smooth_run *run)
+/* Draws the faces of a walk until one is drawn otherwise, and returns that; null: all are drawn. */
+static inline __attribute__((always_inline)) const fxl_face *
+draw_faces(const fxl_model_view *model_view, const fxl_traversal *traversal, fxl_face_walk *walk,
+           smooth_run *run, bool has_colours)
 {
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)model_view->shader;
     const fxl_surface_set *set = surfaces->set;
@@ -236,7 +234,7 @@ static __attribute__((noinline)) const fxl_face *draw_inside_faces(const fxl_mod
             break;
         }
         const inside_result result =
-            draw_inside(surfaces, mapped, model_view, face, traversal, run);
+            draw_inside(surfaces, mapped, model_view, face, traversal, run, has_colours);
         if (result != IS_DRAWN) {
             run->result = result;
             break;
@@ -245,10 +243,24 @@ static __attribute__((noinline)) const fxl_face *draw_inside_faces(const fxl_mod
     return face;
 }
 
-/* fxl_shader_code.faces: what the surfaces say is looked up once for all faces of a run. A model whose
- * first face is not drawn at once is not taken. */
-static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *traversal,
-                         fxl_face_walk *walk)
+typedef const fxl_face *faces_drawer(const fxl_model_view *model_view,
+                                     const fxl_traversal *traversal, fxl_face_walk *walk,
+                                     smooth_run *run);
+
+/* Not inline: what it has would be on the stack of what draws others. A painter without colours at corners
+ * links nothing that draws them. */
+static __attribute__((noinline)) const fxl_face *draw_inside_faces(const fxl_model_view *model_view,
+                                                                   const fxl_traversal *traversal,
+                                                                   fxl_face_walk *walk,
+                                                                   smooth_run *run)
+{
+    return draw_faces(model_view, traversal, walk, run, true);
+}
+
+/* What the surfaces say is looked up once for all faces of a run. A model whose first face is not drawn at
+ * once is not taken. */
+static bool submit_walk(const fxl_model_view *model_view, const fxl_traversal *traversal,
+                        fxl_face_walk *walk, faces_drawer *draw_inside_of)
 {
     const fxl_shader *shader = model_view->shader;
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
@@ -277,7 +289,7 @@ static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *
         run.light.kept = run.light.code->kept_lights(surfaces, traversal);
     }
     const fxl_face *face;
-    while ((face = draw_inside_faces(model_view, traversal, walk, &run)) != NULL) {
+    while ((face = draw_inside_of(model_view, traversal, walk, &run)) != NULL) {
         const fxl_mapped_face *mapped = &set->faces[set->face_map[face - scene->faces] - 1];
         const fxl_mapped_surface of = {surfaces, mapped, NULL, NULL, false};
         if (!(run.result == IS_OTHER ? submit(model_view, face, traversal, shader)
@@ -295,6 +307,30 @@ static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *
     traversal->counters->spilled += run.drawn - run.without_rows;
     return true;
 }
+
+/* fxl_shader_code.faces */
+static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *traversal,
+                         fxl_face_walk *walk)
+{
+    return submit_walk(model_view, traversal, walk, draw_inside_faces);
+}
+
+#if FXL_PIXEL_IS_MIXED
+
+static __attribute__((noinline)) const fxl_face *
+draw_textured_faces(const fxl_model_view *model_view, const fxl_traversal *traversal,
+                    fxl_face_walk *walk, smooth_run *run)
+{
+    return draw_faces(model_view, traversal, walk, run, false);
+}
+
+static bool submit_textured(const fxl_model_view *model_view, const fxl_traversal *traversal,
+                            fxl_face_walk *walk)
+{
+    return submit_walk(model_view, traversal, walk, draw_textured_faces);
+}
+
+#endif
 
 #endif
 
@@ -316,9 +352,23 @@ static const fxl_shader_code code = {
 #endif
 };
 
+/* The same of the painter without colours at corners. */
+#if FXL_DRAWS_SMOOTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16 && FXL_PIXEL_IS_MIXED
+static const fxl_shader_code textures_code = {
+    .reaches = fxl_surfaces_reach,
+    .face = submit,
+    .split = fxl_surfaces_split,
+    .takes = fxl_surfaces_map,
+    .faces = submit_textured,
+};
+#define TEXTURES_CODE (&textures_code)
+#else
+#define TEXTURES_CODE (&code)
+#endif
+
 const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET, &code,        draw,   submit_piece,
                                          find_whole,  FIND_COLOURS, COLOURS};
-const fxl_painter FXL_TARGET_TEXTURES = {&FXL_TARGET, &code, draw, submit_piece,
-                                         find_whole,  NULL,  NULL};
+const fxl_painter FXL_TARGET_TEXTURES = {&FXL_TARGET, TEXTURES_CODE, draw, submit_piece,
+                                         find_whole,  NULL,          NULL};
 
 #endif

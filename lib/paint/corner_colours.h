@@ -10,6 +10,7 @@
 
 #include "../raster/scan.h"
 #include "corner_planes.h"
+#include "depth_outline.h"
 #include "paint.h"
 #include "plain_rows.h"
 
@@ -68,12 +69,18 @@ static inline bool fxl_has_colour_words(const fxl_gradients *gradients)
     return gradients->shifts[0] == FXL_SHIFT_OF_WORDS;
 }
 
-/* What a painter has for such faces, which links it: those below. Compact, polygon and runs are null. */
+/* What draws an outline of them with depth: smooth_outline.h. */
+typedef struct fxl_colour_outline fxl_colour_outline;
+
+/* What a painter has for such faces, which links it: those below. Compact, polygon and runs are null, and
+ * outline is where no kernel draws one. */
 struct fxl_colours_code {
     void (*paint)(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1);
     bool (*polygon)(const fxl_paint *paint, const fxl_screen_point *points, uint32_t count,
                     const fxl_band *band, fxl_scan *scan);
     void (*runs)(const fxl_paint *paint, fxl_plain_runs *runs);
+    fxl_depth_drawn (*outline)(const fxl_screen_point *points, uint32_t count,
+                               const fxl_band *band, const fxl_colour_outline *outline);
 };
 
 /* A polygon of such a face, into a band without a depth buffer. False: it is not of opaque pixels

@@ -189,7 +189,7 @@ static inline bool fxl_smooth_outline_begin(const void *memory, const fxl_depth_
 /* What the kernel of colours needs of a polygon, in the order in which it loads it. The words are those of row 0
  * of the screen, and what a row adds: the code in column 0, the channels in the face's column
  * (corner_colours.h). */
-typedef struct {
+struct fxl_colour_outline {
     uint32_t code, code_down, green, green_down;
     uint32_t red, blue, red_down, blue_down;
     uint32_t column;     /* the face's */
@@ -198,7 +198,7 @@ typedef struct {
     uint32_t step, green_step; /* what a column adds: fxl_colour_words */
     uint32_t border;           /* as of fxl_depth_border */
     uint16_t *cells;           /* of the band */
-} fxl_colour_outline;
+};
 
 #if FXL_DRAWS_SMOOTH_OUTLINES
 
