@@ -242,14 +242,14 @@ $(BENCH_OUT)/$(1)/size/$(3)/$(2).elf: $(call BENCH_SIZE_OBJECTS.$(3),$(1),$(2)) 
 endef
 
 # What [[programs]] of bench.toml link: all of the library that the bench's programs need.
-BENCH_PROGRAM_LIBRARIES := $(foreach flag,os small,$(BENCH_OUT)/m3/programs/$(flag)/libfixel.a)
+BENCH_PROGRAM_LIBRARIES := $(foreach flag,o2 os small,$(BENCH_OUT)/m3/programs/$(flag)/libfixel.a)
 define BENCH_PROGRAM_LIBRARY_RULES
-$(BENCH_OUT)/m3/programs/$(1)/libfixel.a: $(call BENCH_PLACES,m3,$(BENCH_NEEDED:%=$(1)/lib/%))
+$(BENCH_OUT)/m3/programs/$(1)/libfixel.a: $(call BENCH_PLACES,m3,$(BENCH_NEEDED:%=$(if $(filter-out o2,$(1)),$(1)/)lib/%))
 	@mkdir -p $$(@D)
 	@rm -f $$@
 	@$(CROSS)ar rcs $$@ $$^
 endef
-$(if $(WIDE_GOALS),$(foreach flag,os small,$(eval $(call BENCH_PROGRAM_LIBRARY_RULES,$(flag)))))
+$(if $(WIDE_GOALS),$(foreach flag,o2 os small,$(eval $(call BENCH_PROGRAM_LIBRARY_RULES,$(flag)))))
 
 define BENCH_CORE_SIZE_RULES
 BENCH_CC_OS.$(1) := $(call BENCH_CROSS,$(1))gcc $(BENCH_FLAGS.$(1)) -Os $(BENCH_CFLAGS)

@@ -112,40 +112,45 @@ void fxl_find_exact_depth(const fxl_model_view *model_view, const fxl_face *face
 /* Of a part of so many rows or more, faces clear the rows that they reach. */
 #define CLEARED_BY_FACES 16
 
-/* Sets so many bytes to 0. */
-static void clear(uint8_t *bytes, uint32_t count)
+/* Sets so many bytes to 0, by what fills a band: so a program has no kernel for pixels that it does not
+ * draw. Cells have at least as many bytes as pixels, but for pixels of 16 bits none is at an odd address. */
+static void clear(const fxl_target *target, uint8_t *bytes, uint32_t count)
 {
+    static const uint16_t colours[1] = {0};
+    const uint32_t pixel_bytes = target->pixel_bits / 8u;
     const uint32_t rows = count / CLEARED_AT_ONCE, remaining = count % CLEARED_AT_ONCE;
     fxl_band band = {.pixels = bytes,
-                     .width = CLEARED_AT_ONCE,
-                     .stride = CLEARED_AT_ONCE,
+                     .palette = colours,
+                     .width = (uint16_t)(CLEARED_AT_ONCE / pixel_bytes),
+                     .stride = (uint16_t)(CLEARED_AT_ONCE / pixel_bytes),
                      .first_row = 0,
                      .rows = (uint16_t)rows};
     if (rows > 0) {
-        fxl_fill_band(&band, 0);
+        target->fill(NULL, &band, 0);
     }
     if (remaining > 0) {
         band.pixels += rows * CLEARED_AT_ONCE;
-        band.width = band.stride = (uint16_t)remaining;
+        band.width = band.stride = (uint16_t)(remaining / pixel_bytes);
         band.rows = 1;
-        fxl_fill_band(&band, 0);
+        target->fill(NULL, &band, 0);
     }
 }
 
 /* Clears the cells of the rows first <= y < end. */
 static void clear_rows(fxl_depth_head *head, const fxl_band *band, int32_t first, int32_t end,
-                       uint32_t row_bytes)
+                       const fxl_target *target)
 {
-    clear((uint8_t *)(head + 1) + (uint32_t)(first - band->first_row) * row_bytes,
+    const uint32_t row_bytes = band->width * (target->depth_bits / 8u);
+    clear(target,
+          (uint8_t *)(head + 1) + (uint32_t)(first - band->first_row) * row_bytes,
           (uint32_t)(end - first) * row_bytes);
 }
 
 void fxl_depth_clear(fxl_workspace *workspace, const fxl_band *band, int32_t first, int32_t end,
-                     uint32_t cell_bytes)
+                     const fxl_target *target)
 {
     fxl_depth_head *head = (fxl_depth_head *)workspace->target_memory;
     const int32_t top = band->first_row, below = top + band->rows;
-    const uint32_t row_bytes = band->width * cell_bytes;
     int32_t from = head->clear_from, to = head->clear_to;
     first = first < top ? top : first;
     end = end > below ? below : end;
@@ -156,11 +161,11 @@ void fxl_depth_clear(fxl_workspace *workspace, const fxl_band *band, int32_t fir
         from = to = first;
     }
     if (first < from) {
-        clear_rows(head, band, first, from, row_bytes);
+        clear_rows(head, band, first, from, target);
         from = first;
     }
     if (end > to) {
-        clear_rows(head, band, to, end, row_bytes);
+        clear_rows(head, band, to, end, target);
         to = end;
     }
     const bool is_all = from == top && to == below;
@@ -168,9 +173,9 @@ void fxl_depth_clear(fxl_workspace *workspace, const fxl_band *band, int32_t fir
     head->clear_to = (int16_t)(is_all ? INT16_MAX : to);
 }
 
-void fxl_depth_clear_all(fxl_workspace *workspace, const fxl_band *band, uint32_t cell_bytes)
+void fxl_depth_clear_all(fxl_workspace *workspace, const fxl_band *band, const fxl_target *target)
 {
-    fxl_depth_clear(workspace, band, band->first_row, band->first_row + band->rows, cell_bytes);
+    fxl_depth_clear(workspace, band, band->first_row, band->first_row + band->rows, target);
 }
 
 /* What a pass tests, and by what. */
@@ -245,10 +250,12 @@ static fxl_depth_scale scale_of(const fxl_lens *lens)
 }
 
 void fxl_depth_draw_parts(const fxl_renderer *renderer, fxl_workspace *workspace,
-                          const fxl_band *band, uint32_t cell_bytes, uint32_t pixel_bytes)
+                          const fxl_band *band)
 {
     fxl_depth_head *head = (fxl_depth_head *)workspace->target_memory;
-    const uint32_t row_bytes = band->width * cell_bytes;
+    const fxl_target *target = renderer->target;
+    const uint32_t pixel_bytes = target->pixel_bits / 8u;
+    const uint32_t row_bytes = band->width * (target->depth_bits / 8u);
     const uint32_t room =
         (workspace->target_memory_size - (uint32_t)sizeof(fxl_depth_head)) / row_bytes;
     fxl_band part = *band;
@@ -259,7 +266,7 @@ void fxl_depth_draw_parts(const fxl_renderer *renderer, fxl_workspace *workspace
         part.rows = (uint16_t)(left < room ? left : room);
         head->clear_from = head->clear_to = (int16_t)part.first_row;
         if (part.rows < CLEARED_BY_FACES) {
-            fxl_depth_clear_all(workspace, &part, cell_bytes);
+            fxl_depth_clear_all(workspace, &part, target);
         }
         draw_part(renderer, workspace, &part, pixel_bytes);
         left -= part.rows;

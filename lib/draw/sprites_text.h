@@ -103,7 +103,7 @@ static bool find_place(const fxl_renderer *renderer, fxl_workspace *workspace,
     if (head->pass == FXL_DEPTH_BLENDED) {
         return false;
     }
-    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+    fxl_depth_clear_rest(workspace, band, &FXL_TARGET);
     const fxl_q18_46 distance =
         (fxl_q18_46)((uint64_t)(uint32_t)points[3].x << 32 | (uint32_t)points[3].y);
     fxl_depth_plane plane;

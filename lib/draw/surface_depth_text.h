@@ -284,7 +284,7 @@ static void clear_under(fxl_workspace *workspace, const fxl_screen_point *points
 {
     const fxl_rows rows =
         fxl_rows_of_points(points, count, (uint16_t)(band->first_row + band->rows));
-    fxl_depth_clear(workspace, band, rows.first, rows.end, FXL_TARGET_DEPTH_BITS / 8);
+    fxl_depth_clear(workspace, band, rows.first, rows.end, &FXL_TARGET);
 }
 
 /* A polygon whose texels are in words, which is opaque. What it needs of a paint is found here alone.
@@ -317,7 +317,7 @@ static __attribute__((noinline)) bool draw_texels(const fxl_surfaces *surfaces,
     if (((const fxl_depth_head *)workspace->target_memory)->pass == FXL_DEPTH_BLENDED) {
         return false;
     }
-    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+    fxl_depth_clear_rest(workspace, band, &FXL_TARGET);
     paint.gradients = &polygon->gradients;
     fxl_texture_level_find(&surfaces->set->textures[surface->texture - 1], polygon->level,
                            &paint.level);

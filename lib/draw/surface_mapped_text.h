@@ -76,7 +76,7 @@ draw_texel_corners(const fxl_surfaces *surfaces, const fxl_surface *surface,
     if (one == run->one && !is_even) {
         run->outline.planes.at.light += run->light_more;
     } else { /* as of the first face of a run */
-        fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+        fxl_depth_clear_rest(workspace, band, &FXL_TARGET);
         run->paint.is_evenly_lit = is_even;
         run->paint.light = is_even ? (uint16_t)(light[0] >> 8) : 0;
         fxl_texel_outline_of_face((const fxl_depth_head *)workspace->target_memory, &run->paint,

@@ -384,27 +384,26 @@ void fxl_find_depth_by_normal(const fxl_model_view *model_view, const fxl_face *
  * the band and not cleared yet, and all between these and the cleared ones. So rows that nothing
  * reaches are not cleared. */
 void fxl_depth_clear(fxl_workspace *workspace, const fxl_band *band, int32_t first, int32_t end,
-                     uint32_t cell_bytes);
+                     const fxl_target *target);
 
 /* The same for all rows of the band. */
-void fxl_depth_clear_all(fxl_workspace *workspace, const fxl_band *band, uint32_t cell_bytes);
+void fxl_depth_clear_all(fxl_workspace *workspace, const fxl_band *band, const fxl_target *target);
 
 /* Before a face of one colour or with a texture, or a billboard, is painted: these mostly come in
  * numbers that reach all rows, so they clear what is left at once. */
 static inline void fxl_depth_clear_rest(fxl_workspace *workspace, const fxl_band *band,
-                                        uint32_t cell_bytes)
+                                        const fxl_target *target)
 {
     const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
     if (head->clear_from != FXL_DEPTH_ALL_CLEAR) {
-        fxl_depth_clear_all(workspace, band, cell_bytes);
+        fxl_depth_clear_all(workspace, band, target);
     }
 }
 
 /* fxl_target.draw_band: as many rows at a time as the workspace has cells for. Far to near
- * each part is drawn in two passes: what is opaque, then what is blended. A cell and a pixel have
- * so many bytes. */
+ * each part is drawn in two passes: what is opaque, then what is blended. */
 void fxl_depth_draw_parts(const fxl_renderer *renderer, fxl_workspace *workspace,
-                          const fxl_band *band, uint32_t cell_bytes, uint32_t pixel_bytes);
+                          const fxl_band *band);
 
 #ifdef __cplusplus
 }

@@ -64,7 +64,7 @@ draw_colours(const fxl_colours_code *code, fxl_workspace *workspace,
     if (drawn != FXL_DEPTH_NOT_CLEAR) {
         return drawn;
     }
-    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+    fxl_depth_clear_rest(workspace, band, &FXL_TARGET);
     return code->outline(points, count, band, outline);
 }
 
@@ -465,7 +465,7 @@ static __attribute__((noinline)) fxl_depth_drawn draw_smooth(const fxl_surfaces 
         return FXL_DEPTH_NO_ROW;
     }
     fxl_depth_clear(workspace, band, scan->outline_first, scan->outline_end,
-                    FXL_TARGET_DEPTH_BITS / 8);
+                    &FXL_TARGET);
     fxl_surface_light_of(surfaces, &paint);
     paint.gradients = &polygon->gradients;
     paint.colour = polygon->colour;

@@ -81,7 +81,7 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     if (polygon->gradients.count == 1) {
         clear_under(workspace, points, count, band);
     } else {
-        fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+        fxl_depth_clear_rest(workspace, band, &FXL_TARGET);
     }
     return paint_by_rows(surfaces, workspace, polygon, points, count, band);
 }

@@ -93,7 +93,7 @@ static __attribute__((noinline)) tiny_drawn draw_tiny(const fxl_model_view *mode
         return TINY_IS_DRAWN;
     }
     find_depth(model_view, face, traversal, usual, &plane);
-    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+    fxl_depth_clear_rest(workspace, band, &FXL_TARGET);
     const fxl_filling filling = fxl_filling_of(
         band, face->material, FXL_PIXEL_IS_MIXED ? workspace->screen.shade : 0, workspace->dark);
     uint32_t pixels = tiny.pixels;
@@ -227,7 +227,7 @@ static bool draw_tiny(const fxl_model_view *model_view, const fxl_face *face,
         return true;
     }
     find_depth(model_view, face, traversal, true, &plane);
-    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+    fxl_depth_clear_rest(workspace, band, &FXL_TARGET);
     const fxl_filling filling = fxl_filling_of(
         band, face->material, FXL_PIXEL_IS_MIXED ? workspace->screen.shade : 0, workspace->dark);
     return fxl_depth_tiny_draw(&plane, tiny, head, band, filling, FXL_PIXEL_BITS);
@@ -360,7 +360,7 @@ static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *
     }
     const fxl_face *face = walk->next(model_view, walk);
     if (face != NULL) {
-        fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+        fxl_depth_clear_rest(workspace, band, &FXL_TARGET);
         fxl_depth_outline_of_band((const fxl_depth_head *)workspace->target_memory, band,
                                   FXL_PIXEL_BITS / 8, &outline);
     }

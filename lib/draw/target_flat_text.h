@@ -123,7 +123,7 @@ static inline __attribute__((always_inline)) bool
 paint_flat_here(fxl_workspace *workspace, flat_outline *outline, const fxl_screen_point *points,
                 uint32_t count, uint8_t colour, uint8_t shade, const fxl_band *band)
 {
-    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+    fxl_depth_clear_rest(workspace, band, &FXL_TARGET);
     const fxl_depth_drawn drawn =
         draw_outline(workspace, outline, points, count, colour, shade, band);
     if (drawn == FXL_DEPTH_NOT_DRAWN) {

@@ -77,7 +77,7 @@ static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspa
     if (FXL_PIXEL_IS_MIXED) {
         workspace->dark = renderer->dark;
     }
-    fxl_depth_draw_parts(renderer, workspace, band, FXL_TARGET_DEPTH_BITS / 8, FXL_PIXEL_BITS / 8);
+    fxl_depth_draw_parts(renderer, workspace, band);
     return FXL_OK;
 }
 

@@ -168,7 +168,7 @@ void fxl_draw_over_instances(const fxl_renderer *renderer, fxl_workspace *worksp
     fxl_resume_point resume = {0, 0};
     fxl_traversal traversal = fxl_traversal_of(renderer, workspace, &resume);
     traversal.band = band;
-    fxl_depth_clear_rest(workspace, band, renderer->target->depth_bits / 8u);
+    fxl_depth_clear_rest(workspace, band, renderer->target);
     for (uint32_t i = 0; i < frame->visible_count; i++) {
         const uint32_t place = renderer->near_first ? frame->visible_count - 1u - i : i;
         draw(&traversal, frame->draw_list[place].index, with);
@@ -237,7 +237,7 @@ fxl_status fxl_frame_draw_line(fxl_renderer *renderer, fxl_workspace *workspace,
         fxl_line_canvas canvas;
         fxl_find_line_canvas(renderer, workspace, &from_0, &canvas);
         if (canvas.head != NULL) {
-            fxl_depth_clear_rest(workspace, &from_0, renderer->target->depth_bits / 8u);
+            fxl_depth_clear_rest(workspace, &from_0, renderer->target);
         }
         fxl_paint_wide_line(&canvas, &painted);
     }

@@ -13,16 +13,28 @@ static struct {
 } memory;
 static const uint8_t *end_of_cells;
 
-/* For fxl_fill_band: the rows lie within the cells of the band. */
-static void any_fill_band(const fxl_band *band, uint8_t colour)
+static uint32_t pixel_bytes;
+
+/* For fxl_target.fill: the rows lie within the cells of the band, and the colour makes a code of 0. */
+static void any_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour)
 {
-    (void)colour;
+    (void)renderer;
     ASSERT("cells of the band", band->rows >= 1 && band->pixels >= (const uint8_t *)memory.cells &&
-                                    band->pixels + ((band->rows - 1u) * band->stride + band->width) <= end_of_cells);
+                                    band->pixels + ((band->rows - 1u) * band->stride + band->width) * pixel_bytes <= end_of_cells);
+    ASSERT("a code of 0", pixel_bytes == 1 ? colour == 0 : band->palette[colour] == 0);
 }
 
-#define fxl_fill_band any_fill_band
 #include "draw/depth.c"
+
+static fxl_target any_target(void)
+{
+    fxl_target target;
+    target.pixel_bits = nondet_bool() ? 8 : 16;
+    target.depth_bits = nondet_bool() ? 16 : 32;
+    target.fill = any_fill;
+    pixel_bytes = target.pixel_bits / 8;
+    return target;
+}
 
 static fxl_band any_band(uint32_t cell_bytes)
 {
@@ -42,19 +54,19 @@ static bool is_range(const fxl_band *band)
 /* [[row]]
  * function = "lib/draw/depth.c:fxl_depth_clear"
  * property = "any rows: nothing but cells of the band is cleared, and the rows that are clear stay rows of the band; bands of up to 4 rows of 4 cells"
- * checks = 166
- * stubs = { fxl_fill_band = "asserts that all lies within the cells of the band" }
+ * checks = 229
+ * stubs = { any_fill = "asserts that all lies within the cells of the band" }
  */
 void prove_depth_clear(void)
 {
     fxl_workspace workspace;
-    const uint32_t cell_bytes = nondet_bool() ? 2 : 4;
-    const fxl_band band = any_band(cell_bytes);
+    const fxl_target target = any_target();
+    const fxl_band band = any_band(target.depth_bits / 8);
     const int32_t first = nondet_s32(), end = nondet_s32();
     workspace.target_memory = (uint8_t *)&memory;
     ANY_CONTENT(&memory);
     ASSUME(is_range(&band));
-    fxl_depth_clear(&workspace, &band, first, end, cell_bytes);
+    fxl_depth_clear(&workspace, &band, first, end, &target);
     ASSERT("still rows of the band", is_range(&band));
     PROOF_ENDS();
 }
@@ -62,18 +74,18 @@ void prove_depth_clear(void)
 /* [[row]]
  * function = "lib/draw/depth.c:fxl_depth_clear_all"
  * property = "from any state: nothing but cells of the band is cleared, and all are clear; bands of up to 4 rows of 4 cells"
- * checks = 179
- * stubs = { fxl_fill_band = "asserts that all lies within the cells of the band" }
+ * checks = 242
+ * stubs = { any_fill = "asserts that all lies within the cells of the band" }
  */
 void prove_depth_clear_all(void)
 {
     fxl_workspace workspace;
-    const uint32_t cell_bytes = nondet_bool() ? 2 : 4;
-    const fxl_band band = any_band(cell_bytes);
+    const fxl_target target = any_target();
+    const fxl_band band = any_band(target.depth_bits / 8);
     workspace.target_memory = (uint8_t *)&memory;
     ANY_CONTENT(&memory);
     ASSUME(is_range(&band));
-    fxl_depth_clear_all(&workspace, &band, cell_bytes);
+    fxl_depth_clear_all(&workspace, &band, &target);
     ASSERT("all are clear", memory.head.clear_from == FXL_DEPTH_ALL_CLEAR);
     PROOF_ENDS();
 }

@@ -22,7 +22,7 @@ FROM_LIBRARY = re.compile(r"libfixel\.a\(")
 # What a system would bring; it gets an address and takes no bytes.
 SYSTEM = ("memcpy", "memmove", "memset", "memcmp")
 CORE = "m3"
-FOLDERS = {"-Os": "os", "-Os -DFXL_SMALL": "small"}
+FOLDERS = {"-O2": "o2", "-Os": "os", "-Os -DFXL_SMALL": "small"}
 SHOW = "\nint show(const {pixel} *pixels) {{ return pixels[0] & 1; }}\n"
 # What makes RGB565 of a program with a texture that shows its frames: (before, after).
 TO_RGB565 = (("const uint8_t *pixels)", "const uint16_t *pixels)"),
@@ -31,6 +31,12 @@ TO_RGB565 = (("const uint8_t *pixels)", "const uint16_t *pixels)"),
              ("    for (int i = 0; i < 768;", "    config.palette = colours;\n    for (int i = 0; i < 768;"),
              ("FXL_TEXTURES_OF(fxl_palette)", "FXL_TEXTURES_OF(fxl_rgb565)"), (".ramp = ramp, ", ""),
              ("&eye, pixels[0], 320)", "&eye, (uint8_t *)pixels[0], 320)"))
+# What gives the same a depth buffer, and a crate that does not turn.
+TO_DEPTH = (("&fxl_rgb565);", "&fxl_rgb565_depth_16);"), ("FXL_TEXTURES_OF(fxl_rgb565)", "FXL_TEXTURES_OF(fxl_rgb565_depth_16)"),
+            ("static uint16_t pixels[240][320];", "static uint16_t pixels[240][320], cells[240 * 320];"),
+            ("config.palette = colours;", "config.palette = colours; config.depth = cells; config.depth_size = sizeof cells;"),
+            ("    scene.placements = &placement;\n    scene.placement_code = &fxl_turned_instances;\n", ""),
+            ("fxl_orientation_from_axis(&axis, frame * FXL_DEGREES(3), &placement.orientation) ||\n", ""))
 # Kernels that write pixels of one size, each in a section of its name.
 WRITES = {8: re.compile(r"\.text\.fxl_(draw_outline|fill_rows|fill_trapezoid|paint_(lit_)?segments)$"),
           16: re.compile(r"\.text\.fxl_\w*_(rgb)?565$")}
@@ -106,7 +112,7 @@ def text_of(entry):
     if entry["bits"] == 16 and not shows:
         text = in_rgb565(text)
     elif entry["bits"] == 16:
-        for before, after in TO_RGB565:
+        for before, after in TO_RGB565 + (TO_DEPTH if entry.get("depth") else ()):
             if before not in text:
                 raise ToolError(f"{entry['source']} has no '{before}'")
             text = text.replace(before, after)
