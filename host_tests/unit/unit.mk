@@ -63,7 +63,7 @@ UNIT_OBJECTS_OF = $(addprefix $(UNIT_OUT)/,$(1).o $(1)_main.o unity.o assert.o $
 $(if $(WIDE_GOALS),$(foreach program,$(UNIT_PROGRAMS),$(eval $(program): $(call UNIT_OBJECTS_OF,$(notdir $(program))))))
 # Tests that run once more, as test_..._bare, with the library of a core that has nothing (lib/math/family.h): its kernels in C
 # have no other build with the sanitizers.
-UNIT_BARE := $(addprefix test_,arith plane divided gradients depth depth_hashes depth_outlines depth_runs lines line_planes line_surfaces pick pick_methods smooth_depth)
+UNIT_BARE := $(addprefix test_,arith plane divided gradients depth depth_hashes depth_outlines depth_runs depth_small lines line_planes line_surfaces pick pick_methods smooth_depth smooth_words)
 UNIT_BARE_PROGRAMS := $(UNIT_BARE:%=$(UNIT_OUT)/%_bare)
 UNIT_BARE_NAMES := $(call LIB_NAMES_FOR,bare,$(HOSTCC) -O2 -DFXL_CORE_HAS=0)
 $(eval $(call LIB_RULES,$(UNIT_OUT)/bare,$$(HOSTCC) $$(UNIT_CFLAGS) -DFXL_ASSERT_HOOK -DFXL_CORE_HAS=0 -c $$< -o $$@,host_tests/unit/unit.mk,$$(SAY)))
