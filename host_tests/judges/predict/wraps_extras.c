@@ -58,13 +58,13 @@ WRAPPED_COUNT_VOID(void, fxl_find_depth_plane,
                    (normal, axes, corner, view, plane), counted.depth_planes += 1)
 
 WRAPPED(void, fxl_depth_draw_parts,
-        (const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band,
-         uint32_t cell_bytes, uint32_t pixel_bytes))
+        (const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band))
 {
+    const bool is_narrow = renderer->target->depth_bits == 16;
     has_depth_buffer = true;
     compares_each = !renderer->near_first;
-    cells_of_16 = cell_bytes == 2 ? (const fxl_depth_head *)workspace->target_memory : NULL;
-    __real_fxl_depth_draw_parts(renderer, workspace, band, cell_bytes, pixel_bytes);
+    cells_of_16 = is_narrow ? (const fxl_depth_head *)workspace->target_memory : NULL;
+    __real_fxl_depth_draw_parts(renderer, workspace, band);
     has_depth_buffer = draws_depth_outline = draws_smooth = draws_listed = false;
     cells_of_16 = NULL;
 }
