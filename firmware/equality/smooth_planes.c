@@ -165,23 +165,40 @@ static int32_t any_value(uint32_t first, uint32_t range, uint32_t end)
     return (int32_t)(4096u + value % (end - 2u * 4096u + 1u));
 }
 
-static void any_colours(fxl_colour_values *values)
+static void any_values(int32_t (*values)[3])
 {
-    static const int32_t limits[4] = {FXL_BEND_NONE, FXL_BEND_NONE, FXL_BEND_FINE, FXL_BEND_ANY};
-    values->limit = limits[any_below(4)];
     for (uint32_t k = 0; k < 3; k++) {
         const uint32_t end = (k == 1 ? 64u : 32u) << 16, range = any_size(21) + 1u;
         const uint32_t first = any_below(4) != 0 ? any_below(end) : 0;
         for (uint32_t i = 0; i < 3; i++) {
-            values->of[k][i] = any_value(first, range, end);
+            values[k][i] = any_value(first, range, end);
         }
         if (first == 0) { /* a corner is near an end */
             const bool is_upper = any_below(2) != 0;
-            values->of[k][any_below(3)] = 4096 + (int32_t)any_below(1u << 14);
+            values[k][any_below(3)] = 4096 + (int32_t)any_below(1u << 14);
             for (uint32_t i = 0; i < 3 && is_upper; i++) {
-                values->of[k][i] = (int32_t)end - values->of[k][i];
+                values[k][i] = (int32_t)end - values[k][i];
             }
         }
+    }
+}
+
+/* Values of a face that is lit, or colours of one that is not, whose values are *values then. */
+static void any_colours(fxl_corner corners[3], int32_t (*values)[3], fxl_colour_face *face)
+{
+    static const int32_t limits[4] = {FXL_BEND_NONE, FXL_BEND_NONE, FXL_BEND_FINE, FXL_BEND_ANY};
+    const fxl_corner *const of[3] = {&corners[0], &corners[1], &corners[2]};
+    face->limit = limits[any_below(4)];
+    face->is_lit = any_below(2);
+    any_values(values);
+    for (uint32_t i = 0; i < 3; i++) { /* the upper byte means nothing */
+        corners[i].texel.u = (int32_t)(any_below(256) << 24 | (uint32_t)values[0][i] >> 13 << 16 |
+                                       (uint32_t)values[1][i] >> 14 << 8 | (uint32_t)values[2][i] >> 13);
+    }
+    if (face->is_lit) {
+        memcpy(face->values, values, sizeof face->values);
+    } else {
+        fxl_corner_colours(of, values);
     }
 }
 
@@ -195,32 +212,34 @@ void test_colour_planes(uint32_t rounds)
 {
     static fxl_lens lens;
     fxl_screen_corners corners;
-    fxl_colour_outline by_core, by_portable;
+    fxl_colour_outline by_portable;
+    fxl_colour_face by_core;
+    fxl_corner of[3];
+    const fxl_corner *const at[3] = {&of[0], &of[1], &of[2]};
     fxl_gradients gradients;
     fxl_depth_plane portable;
     fxl_corner_planes planes;
     memset(&by_core, 0, sizeof by_core);
     memset(&by_portable, 0, sizeof by_portable);
     for (uint32_t i = 0; i < rounds; i++) {
-        fxl_colour_values values, again;
+        int32_t values[3][3];
         any_lens(&lens);
         any_corners(&lens, &corners);
         corners.is_triangle = true;
-        any_colours(&values);
-        again = values;
+        any_colours(of, values, &by_core);
         const fxl_words_lens words_lens = fxl_words_lens_of(&lens);
-        const bool found = fxl_find_colour_planes(&corners, &words_lens, &values, &by_core);
+        const bool found = fxl_find_colour_planes(&corners, &words_lens, at, &by_core);
         const bool expected =
             corners.width <= FXL_WORDS_SIDE_MAX && corners.height <= FXL_WORDS_SIDE_MAX &&
             fxl_corner_planes_begin(&corners, &lens, FXL_COLOURS_SIDE_MAX, &planes) &&
-            fxl_corner_colours_linear(&planes, again.of, again.limit == FXL_BEND_ANY,
-                                      again.limit == FXL_BEND_NONE, &gradients) &&
+            fxl_corner_colours_linear(&planes, values, by_core.limit == FXL_BEND_ANY,
+                                      by_core.limit == FXL_BEND_NONE, &gradients) &&
             fxl_corner_planes_depth_words(&planes, &portable);
         if (expected) {
             fxl_colour_outline_of_words(&gradients, &by_portable);
             fxl_colour_outline_of_plane(fxl_depth_scale_of(&lens), &portable, &by_portable);
         }
-        equality_case(found == expected && (!found || has_same_words(&by_core, &by_portable)));
+        equality_case(found == expected && (!found || has_same_words(&by_core.outline, &by_portable)));
     }
 }
 

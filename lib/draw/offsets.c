@@ -261,7 +261,9 @@ AT(fxl_lit_run, least, LIT_RUN_LEAST);
 AT(fxl_lit_run, paint, LIT_RUN_LEAST + 4);
 AT(fxl_lit_run, lowest, LIT_RUN_LOWEST);
 
-AT(fxl_colour_values, limit, COLOUR_VALUES_LIMIT);
+AT(fxl_colour_face, is_lit, COLOUR_FACE_IS_LIT);
+AT(fxl_colour_face, limit, COLOUR_FACE_IS_LIT + 4);
+AT(fxl_colour_face, values, COLOUR_FACE_VALUES);
 AT(fxl_words_lens, near_high, 0);
 AT(fxl_words_lens, near_zeros, 4);
 AT(fxl_words_lens, octaves, WORDS_LENS_OCTAVES);

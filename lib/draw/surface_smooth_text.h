@@ -163,38 +163,6 @@ static inline bool may_be_smooth(const fxl_surfaces *surfaces, const fxl_surface
            can_draw_smooth(traversal->workspace, traversal->band);
 }
 
-#if FXL_PIXEL_IS_MIXED
-
-/* A face with colours at its corners, of which the clipper has left some points. *outline has what all
- * polygons of a band share. */
-static inline __attribute__((always_inline)) fxl_depth_drawn
-draw_colour_face(const fxl_surfaces *surfaces, const fxl_surface *surface,
-                 const fxl_corner *const of[3], const fxl_screen_corners *corners,
-                 const fxl_model_view *model_view, const fxl_screen_point *points, uint32_t count,
-                 const fxl_traversal *traversal, const fxl_words_lens *words_lens,
-                 const run_light *run, fxl_colour_outline *outline)
-{
-    fxl_workspace *workspace = traversal->workspace;
-    const fxl_lens *lens = &model_view->view->lens;
-    fxl_colour_values values;
-    fxl_corner_colours(of, values.of);
-    if (fxl_surface_is_lit(surfaces, surface)) {
-        int32_t light[3];
-        run->code->light_corners(surfaces, model_view, traversal, of, light);
-        fxl_corner_colours_light(&surfaces->light->settings, light, values.of);
-    }
-    values.limit = surface->division == FXL_AFFINE && fxl_corners_are_on_screen(corners, lens)
-                       ? FXL_BEND_ANY
-                   : surface->division == FXL_DIVIDE_8 ? FXL_BEND_FINE
-                                                       : FXL_BEND_NONE;
-    if (!fxl_find_colour_planes(corners, words_lens, &values, outline)) {
-        return FXL_DEPTH_NOT_DRAWN;
-    }
-    return draw_colours(COLOURS, workspace, outline, points, count, traversal->band);
-}
-
-#endif
-
 #include "surface_mapped_text.h"
 
 /* What became of a triangle of a walk. */
@@ -221,6 +189,7 @@ typedef struct {
     bool is_part;         /* the band has not all rows of the screen */
     inside_result result; /* of the face that was not drawn */
     inside_kind kind;
+    bool has_values; /* colours at corners are lit, or may be asked to bend at will: set_colours */
     int32_t colour; /* of faces of one colour: that of the face before; below 0: there is none */
     fxl_words_lens lens;
     run_light light;
@@ -229,7 +198,7 @@ typedef struct {
             fxl_smooth_outline outline;
             int32_t one; /* of the depth plane of the face before; 0: there is none */
         } smooth;
-        fxl_colour_outline colours;
+        fxl_colour_face colours;
 #if FXL_PIXEL_IS_MIXED
         texel_run texels;
 #endif
@@ -280,7 +249,11 @@ static __attribute__((noinline)) void begin_run(const fxl_surfaces *surfaces, ui
 #if FXL_PIXEL_IS_MIXED
     if (surface->flags & FXL_SURFACE_COLOURS) {
         run->kind = HAS_COLOURS;
-        fxl_colour_outline_of_band(head, band, &run->outline.colours);
+        fxl_colour_outline_of_band(head, band, &run->outline.colours.outline);
+        run->outline.colours.is_lit = fxl_surface_is_lit(surfaces, surface);
+        run->outline.colours.limit =
+            surface->division == FXL_DIVIDE_8 ? FXL_BEND_FINE : FXL_BEND_NONE;
+        run->has_values = run->outline.colours.is_lit || surface->division == FXL_AFFINE;
         return;
     }
 #endif
@@ -323,6 +296,43 @@ draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
 }
 
 #if FXL_PIXEL_IS_MIXED
+
+/* What a face with colours at its corners has of its own but for these, where it has some. Not inline: other faces
+ * would keep for it what they need not. */
+static __attribute__((noinline)) void
+set_colours(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
+            const fxl_inside_corners *corners, const fxl_model_view *model_view,
+            const fxl_traversal *traversal, smooth_run *run)
+{
+    fxl_colour_face *face = &run->outline.colours;
+    if (face->is_lit) {
+        int32_t light[3];
+        fxl_corner_colours(of, face->values);
+        run->light.code->light_corners(surfaces, model_view, traversal, of, light);
+        fxl_corner_colours_light(&surfaces->light->settings, light, face->values);
+    }
+    if (run->surface->division == FXL_AFFINE) {
+        face->limit = fxl_corners_are_on_screen(&corners->corners, &model_view->view->lens)
+                          ? FXL_BEND_ANY
+                          : FXL_BEND_NONE;
+    }
+}
+
+/* A triangle of the run with colours at its corners. */
+static inline __attribute__((always_inline)) fxl_depth_drawn
+draw_inside_colours(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
+                    const fxl_inside_corners *corners, const fxl_model_view *model_view,
+                    const fxl_traversal *traversal, smooth_run *run)
+{
+    if (run->has_values) {
+        set_colours(surfaces, of, corners, model_view, traversal, run);
+    }
+    if (!fxl_find_colour_planes(&corners->corners, &run->lens, of, &run->outline.colours)) {
+        return FXL_DEPTH_NOT_DRAWN;
+    }
+    return draw_colours(COLOURS, traversal->workspace, &run->outline.colours.outline,
+                        corners->corners.points, 3, traversal->band);
+}
 
 /* A triangle of less than a pixel whose planes are no words, if it covers no centre: such a thin one takes
  * as many instructions as one of rows and pixels otherwise. FXL_DEPTH_NOT_DRAWN of any other.
@@ -417,8 +427,7 @@ draw_inside(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
         drawn = draw_texel_corners(surfaces, run->surface, of, corners, model_view, traversal,
                                    &run->lens, &run->light, &run->outline.texels);
     } else if (has_colours && run->kind == HAS_COLOURS) {
-        drawn = draw_colour_face(surfaces, run->surface, of, corners, model_view, corners->points,
-                                 3, traversal, &run->lens, &run->light, &run->outline.colours);
+        drawn = draw_inside_colours(surfaces, of, &inside, model_view, traversal, run);
     } else
 #endif
     {

@@ -208,8 +208,9 @@
 #define LIT_RUN_LEAST        140 /* then the kernel of columns */
 #define LIT_RUN_LOWEST       148
 
-/* fxl_colour_values */
-#define COLOUR_VALUES_LIMIT 36
+/* fxl_colour_face */
+#define COLOUR_FACE_IS_LIT 60 /* then the limit */
+#define COLOUR_FACE_VALUES 68
 
 /* fxl_depth_plane */
 #define DEPTH_PLANE_ONE 24
@@ -267,8 +268,8 @@
 #define COLOUR_OUTLINE_GREEN      8
 #define COLOUR_OUTLINE_GREEN_DOWN 12
 #define COLOUR_OUTLINE_RED        16
-#define COLOUR_OUTLINE_BLUE       20
-#define COLOUR_OUTLINE_RED_DOWN   24
+#define COLOUR_OUTLINE_RED_DOWN   20
+#define COLOUR_OUTLINE_BLUE       24
 #define COLOUR_OUTLINE_BLUE_DOWN  28
 #define COLOUR_OUTLINE_COLUMN     32
 #define COLOUR_OUTLINE_CODE_ALONG 36

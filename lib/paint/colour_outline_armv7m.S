@@ -125,8 +125,8 @@
     paint_pixel_of_colours \left, 0
     .endr
     cmp     r4, r2
-    blo     .Lpixel8
-    b       .Llisted\text
+    bhs     .Llisted\text
+    b       .Lpixel8
     .else
     paint_pixel_of_colours \text, 1
     cmp     r4, r2
@@ -213,9 +213,9 @@ fxl_draw_colour_outline:
     ldm     r1!, {r3-r12}           /* code, green; red, blue; column, the code's step */
     mla     r3, r4, r0, r3
     mla     r5, r6, r0, r5
-    mla     r7, r9, r0, r7
-    mla     r8, r10, r0, r8
-    strd    r9, r10, [sp, #LIST_DOWN + 8]
+    strd    r8, r10, [sp, #LIST_DOWN + 8]
+    mla     r7, r8, r0, r7
+    mla     r8, r10, r0, r9
     mla     r3, r12, r11, r3
     mls     r4, r12, r2, r4
     ldm     r1, {r9-r11, lr}        /* pixels, steps, border */

@@ -191,7 +191,7 @@ static inline bool fxl_smooth_outline_begin(const void *memory, const fxl_depth_
  * (corner_colours.h). */
 struct fxl_colour_outline {
     uint32_t code, code_down, green, green_down;
-    uint32_t red, blue, red_down, blue_down;
+    uint32_t red, red_down, blue, blue_down;
     uint32_t column;     /* the face's */
     uint32_t code_along; /* what a column adds */
     uintptr_t pixels;    /* as of fxl_depth_outline: of the cell after the pixel's */
@@ -202,18 +202,21 @@ struct fxl_colour_outline {
 
 #if FXL_DRAWS_SMOOTH_OUTLINES
 
-/* What the kernel of their planes begins with. */
+/* A face with colours at its corners, and what the kernel of its planes begins with. */
 typedef struct {
-    int32_t of[3][3]; /* red, green and blue at the corners */
-    int32_t limit;    /* FXL_BEND_NONE, FXL_BEND_FINE or FXL_BEND_ANY */
-} fxl_colour_values;
+    fxl_colour_outline outline;
+    uint32_t is_lit;
+    int32_t limit;        /* FXL_BEND_NONE, FXL_BEND_FINE or FXL_BEND_ANY */
+    int32_t values[3][3]; /* red, green and blue at the corners of a face that is lit; then the kernel's own */
+} fxl_colour_face;
 
 /* fxl_corner_planes_begin with FXL_COLOURS_SIDE_MAX, fxl_corner_colours_linear,
  * fxl_corner_planes_depth_words, fxl_colour_outline_of_words and fxl_colour_outline_of_plane at once, of
- * a face with sides up to FXL_WORDS_SIDE_MAX. Returns false where one of the first three does: what
- * they set of *outline is undefined then. *values is always. */
+ * a face with sides up to FXL_WORDS_SIDE_MAX; if it is not lit, fxl_corner_colours of its corners too. Returns
+ * false where one of the first three does: what they set of the outline is undefined then. The values are
+ * always. */
 bool fxl_find_colour_planes(const fxl_screen_corners *corners, const fxl_words_lens *lens,
-                            fxl_colour_values *values, fxl_colour_outline *outline);
+                            const fxl_corner *const of[3], fxl_colour_face *face);
 
 /* Draws an outline of count points, as fxl_draw_smooth_outline_16 does. Writes what
  * fxl_depth_paint_row and fxl_paint_colours_565 write of opaque pixels. Requires points whose

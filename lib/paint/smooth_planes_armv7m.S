@@ -21,7 +21,6 @@
 #define LIGHT     (OWN_SIZE + 8)
 #define VALUES    LIGHT
 #define BORDER    CROSSED /* of fxl_find_colour_planes */
-#define ROW       EXPONENT /* when that is used */
 #define WORDS     (OWN_SIZE + 12)
 #define OUTLINE   WORDS           /* of fxl_find_colour_planes */
 #define TEXEL_LIGHT (OWN_SIZE + 52)
@@ -32,8 +31,8 @@
 #include "colour_channels_armv7m.h"
 
 /* The planes of a face; kind: _light, _colours or _texels; range: the longest side less the least; thin:
- * 0: it may be neither thin nor steep. r0: corners, r1: fxl_words_lens, r2: light, values, or corners of texels, r3:
- * words, of colours outline; of texels on the stack: light, is_affine, v_drop. */
+ * 0: it may be neither thin nor steep. r0: corners, r1: fxl_words_lens, r2: light, or corners, r3:
+ * words, of colours the face; of texels on the stack: light, is_affine, v_drop. */
     .macro find_planes kind, range, thin
     push    {r0-r11, lr}
     sub     sp, sp, #OWN_SIZE
