@@ -5,6 +5,7 @@
 #include <fixel/orientation.h>
 #include <fixel/pixels.h>
 #include <fixel/target.h>
+#include <stdio.h>
 #include <string.h>
 
 #define CANARY 64 /* bytes before and after the buffer */
@@ -12,6 +13,10 @@
 uint8_t screen[HEIGHT][2 * WIDTH];
 uint16_t palette[256];
 uint8_t grey_palette[256][3];
+model_t model, twin;
+lv_obj_t *view, *label, *button;
+const fxl_pose eye = {.position = {0, FXL_UNITS(2), FXL_UNITS(-8)}, .pitch = FXL_DEGREES(-12)};
+const box_t whole_view = {VIEW_X, VIEW_Y, VIEW_X + VIEW_W, VIEW_Y + VIEW_H};
 
 static struct {
     uint8_t before[CANARY];
@@ -119,9 +124,9 @@ void turn_model(model_t *model, uint32_t k)
     fxl_orientation_from_axis(&axis, k * FXL_DEGREES(6), &model->placement.orientation);
 }
 
-static bool is_within(const box_t *box, int32_t x, int32_t y)
+bool holds(box_t box, int32_t x, int32_t y)
 {
-    return x >= box->x && x < box->end_x && y >= box->y && y < box->end_y;
+    return x >= box.x && x < box.end_x && y >= box.y && y < box.end_y;
 }
 
 /* A pixel of the picture as the display has it. */
@@ -151,11 +156,57 @@ long pixels_that_differ(model_t *model, const fxl_pose *eye, int32_t x, int32_t 
         for (int32_t column = within.x; column < within.end_x; column++) {
             bool is_left_out = false;
             for (size_t i = 0; i < count; i++) {
-                is_left_out = is_left_out || is_within(&without[i], column, row);
+                is_left_out = is_left_out || holds(without[i], column, row);
             }
             const size_t place = (size_t)(row - y) * lens->width + (size_t)(column - x);
             differ += !is_left_out && shown_at(column, row) != expected_at(pixels, place);
         }
     }
     return differ;
+}
+
+/* --- the dashboard ------------------------------------------------------------------------- */
+
+box_t box_of(const lv_obj_t *obj)
+{
+    lv_area_t area;
+    lv_obj_get_coords(obj, &area);
+    return (box_t){area.x1, area.y1, area.x2 + 1, area.y2 + 1};
+}
+
+long size_of(box_t box)
+{
+    return (long)(box.end_x - box.x) * (box.end_y - box.y);
+}
+
+void make_dashboard(lv_color_format_t format)
+{
+    const bool is_wide = format != LV_COLOR_FORMAT_L8;
+    begin_display(format);
+    const fxl_status made = make_model(&model, is_wide, VIEW_W, VIEW_H),
+                     twin_made = make_model(&twin, is_wide, VIEW_W, VIEW_H);
+    view = lv_fixel_create(lv_screen_active());
+    const fxl_status set =
+        lv_fixel_set_renderer(view, &model.renderer, is_wide ? NULL : grey_palette[0]);
+    printf("made: %d %d %d\n", made, twin_made, set);
+    lv_fixel_set_pose(view, &eye);
+    lv_obj_set_pos(view, VIEW_X, VIEW_Y);
+    label = lv_label_create(view);
+    lv_label_set_text(label, "speed 42");
+    lv_obj_set_pos(label, LABEL_X, LABEL_Y);
+    button = lv_button_create(lv_screen_active());
+    lv_obj_set_pos(button, VIEW_X + VIEW_W - 20, VIEW_Y + VIEW_H - 15);
+    lv_obj_set_size(button, 60, 40);
+    lv_obj_set_style_shadow_width(button, 0, 0);
+}
+
+uint32_t stored(void)
+{
+    return lv_fixel_get_counters(view).pixels;
+}
+
+long view_differs(const fxl_pose *pose)
+{
+    const box_t without[] = {box_of(label), box_of(button)};
+    return pixels_that_differ(&twin, pose, VIEW_X, VIEW_Y, whole_view, without, COUNTED(without));
 }

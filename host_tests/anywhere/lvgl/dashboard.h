@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the tests of lv_fixel share: a memory display, a scene whose model turns, and its picture by
- * the library alone. */
+/* What the tests of lv_fixel share: a memory display, a scene whose model turns, its picture by
+ * the library alone, and a dashboard that shows it. */
 #ifndef DASHBOARD_H
 #define DASHBOARD_H
 
@@ -54,11 +54,27 @@ typedef struct {
     int32_t x, y, end_x, end_y;
 } box_t;
 
+box_t box_of(const lv_obj_t *obj);
+long size_of(box_t box);
+bool holds(box_t box, int32_t x, int32_t y);
+
 /* Draws the model as the library does, and counts the pixels of the display that differ from it
  * within a box, but for those in the boxes that are left out. at: where the picture is on the
  * display. */
 long pixels_that_differ(model_t *model, const fxl_pose *eye, int32_t x, int32_t y, box_t within,
                         const box_t *without, size_t count);
+
+/* The dashboard: a widget with a label over it, and a button beside it, which covers a corner of
+ * it. */
+extern model_t model, twin;
+extern lv_obj_t *view, *label, *button;
+extern const fxl_pose eye;
+extern const box_t whole_view;
+void make_dashboard(lv_color_format_t format);
+/* Pixels that the widget has stored. */
+uint32_t stored(void);
+/* How many pixels of the view, but for label and button, are not the library's own of a pose. */
+long view_differs(const fxl_pose *pose);
 
 /* Tests, each a line on standard output. */
 void test_dashboard(void);

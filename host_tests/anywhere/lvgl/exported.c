@@ -8,15 +8,15 @@
 
 #define FRAMES 4
 
-static fxl_setup shown, twin;
-static uint64_t shown_memory[MODEL_SETUP_MEMORY(ROWS)], twin_memory[MODEL_SETUP_MEMORY(HEIGHT)];
+static fxl_setup shown, own;
+static uint64_t shown_memory[MODEL_SETUP_MEMORY(ROWS)], own_memory[MODEL_SETUP_MEMORY(HEIGHT)];
 
 /* How many pixels of the display are not the library's own of a frame. */
 static long frame_differs(uint32_t frame)
 {
     static uint16_t pixels[HEIGHT][WIDTH];
     long differ = 0;
-    if (fxl_render(&twin.renderer, fxl_setup_frame(&twin, frame), pixels, WIDTH) != FXL_OK) {
+    if (fxl_render(&own.renderer, fxl_setup_frame(&own, frame), pixels, WIDTH) != FXL_OK) {
         return WIDTH * HEIGHT;
     }
     for (int32_t y = 0; y < HEIGHT; y++) {
@@ -34,7 +34,7 @@ void test_setup(void)
     lv_obj_t *view = lv_fixel_create(lv_screen_active());
     const fxl_status statuses[] = {
         fxl_setup_init(&shown, &model_setup, ROWS, shown_memory, sizeof shown_memory),
-        fxl_setup_init(&twin, &model_setup, HEIGHT, twin_memory, sizeof twin_memory),
+        fxl_setup_init(&own, &model_setup, HEIGHT, own_memory, sizeof own_memory),
         lv_fixel_set_renderer(view, &shown.renderer, model_setup.palette)};
     for (uint32_t frame = 0; frame < FRAMES; frame++) {
         lv_fixel_set_pose(view, fxl_setup_frame(&shown, frame));

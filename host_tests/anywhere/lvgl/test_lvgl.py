@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The widget lv_fixel in LVGL 9.5, which the crate lightvgl-sys brings and cargo builds, on a display in memory: lines of tests.c."""
+"""The widget lv_fixel in LVGL 9.5, which the crate lightvgl-sys brings and cargo builds, on a display in memory: lines of tests*.c."""
 
 import json
 import pathlib
