@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../unit/controller.h"
+#include "../unit/pixel_formats.h"
 #include "answers.h"
 #include "fixel/driver.h"
 
@@ -16,11 +17,7 @@ enum {
     GUARD = 0x5A
 };
 
-/* place converter: the list of formats */
-static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb565_low,
-                                                  &fxl_pixels_rgb332, &fxl_pixels_rgb666,
-                                                  &fxl_pixels_grey4,  &fxl_pixels_mono_rows,
-                                                  &fxl_pixels_mono_pages};
+static const fxl_pixel_format *const formats[] = EVERY_FORMAT;
 #define FORMATS ((uint32_t)(sizeof formats / sizeof formats[0]))
 static const fxl_display_driver *const drivers[] = EVERY_DRIVER;
 #define DRIVERS (sizeof drivers / sizeof drivers[0])

@@ -3,6 +3,7 @@
  * docs/extras/changed.md. */
 #include "changed_unit.h"
 #include "controller.h"
+#include "pixel_formats.h"
 
 enum {
     WIDTH = CHANGED_WIDTH,
@@ -111,11 +112,7 @@ static fxl_status show_changes(void)
     return status;
 }
 
-/* place converter: formats */
-static const fxl_pixel_format *const formats[] = {
-    &fxl_pixels_rgb565, &fxl_pixels_rgb565_low, &fxl_pixels_rgb332,     &fxl_pixels_rgb666,
-    &fxl_pixels_grey4,  &fxl_pixels_mono_rows,  &fxl_pixels_mono_pages,
-};
+static const fxl_pixel_format *const formats[] = EVERY_FORMAT;
 
 static void expect_built_up(const fxl_pixel_format *format, bool has_boxes, uint32_t columns)
 {

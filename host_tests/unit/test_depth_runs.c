@@ -241,7 +241,7 @@ void test_a_cell_of_no_face_is_0_and_hides_nothing(void)
     memset(&memory, 0xA5, sizeof memory);
     memory.head.clear_from = memory.head.clear_to = 0;
     workspace.target_memory = &memory;
-    fxl_depth_clear_all(&workspace, &band, &fxl_rgb565_depth_16);
+    fxl_depth_clear_all(&workspace, &band, &fxl_palette_depth_16);
     const uint16_t *left = (const uint16_t *)(const void *)(&memory.head + 1);
     for (int32_t x = 0; x < CELLS; x++) {
         const fxl_depth_rule rule = {.wide = false};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The formats of displays, pixel by pixel, against docs/extras/pixels.md. */
+#include "pixel_formats.h"
 #include "unit.h"
 
 #define WIDEST 66u
@@ -14,11 +15,8 @@ static uint16_t frame_565[ROWS * (WIDEST + 3u) + 4u];
 static const uint16_t colours[256]; /* of a band of RGB565; no conversion reads them */
 static fxl_pixels pixels;
 
-/* place converter: formats, got, expected (the formula in C) and sizes */
-static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb565_low,
-                                                  &fxl_pixels_rgb332, &fxl_pixels_rgb666,
-                                                  &fxl_pixels_grey4,  &fxl_pixels_mono_rows,
-     &fxl_pixels_mono_pages};
+/* place converter: got, expected (the formula in C) and sizes */
+static const fxl_pixel_format *const formats[] = EVERY_FORMAT;
 
 void setUp(void)
 {

@@ -66,7 +66,6 @@ CONVERTER = Change("converter", {
         ("extern const fxl_pixel_format fxl_pixels_grey4;", "extern const fxl_pixel_format fxl_pixels_rgb444;  /* red first; two pixels in three bytes */\n"
                                                             "extern const fxl_pixel_format fxl_pixels_grey4;")],
     "host_tests/unit/test_pixels.c": [
-        ("     &fxl_pixels_mono_pages};", "     &fxl_pixels_mono_pages, &fxl_pixels_rgb444};"),
         ("    if (pixels.format == &fxl_pixels_grey4) {\n        const uint8_t byte",
          "    if (pixels.format == &fxl_pixels_rgb444) {\n"
          "        const uint8_t *at = out + row * ((3u * width + 1u) / 2u) + x / 2u * 3u;\n"
@@ -75,9 +74,7 @@ CONVERTER = Change("converter", {
         ("    return level_of(colour, pixels.format", "    if (pixels.format == &fxl_pixels_rgb444) {\n"
          "        return colour[0] / 16u * 256u + colour[1] / 16u * 16u + colour[2] / 16u;\n    }\n    return level_of(colour, pixels.format"),
         ("{340, 340, 170, 510, 90, 30, 34}", "{340, 340, 170, 510, 90, 30, 34, 260}")],
-    "host_tests/unit/test_pump.c": [
-        ("  &fxl_pixels_mono_rows,  &fxl_pixels_mono_pages, NULL};", "  &fxl_pixels_rgb444, &fxl_pixels_mono_rows,  &fxl_pixels_mono_pages, NULL};")],
-    "host_tests/fuzz/show.c": [("     &fxl_pixels_mono_pages};", "     &fxl_pixels_mono_pages, &fxl_pixels_rgb444};")],
+    "host_tests/unit/pixel_formats.h": [("&fxl_pixels_mono_pages}", "&fxl_pixels_mono_pages, &fxl_pixels_rgb444}")],
     "docs/extras/pixels.md": [
         ("| `fxl_pixels_grey4` | 4 |", "| `fxl_pixels_rgb444` | 12 | 256 ⌊r/16⌋ + 16 ⌊g/16⌋ + ⌊b/16⌋ | two pixels in three bytes, the left one first |\n"
                                        "| `fxl_pixels_grey4` | 4 |")],
