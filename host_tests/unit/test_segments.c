@@ -45,23 +45,28 @@ void test_texels_are_on_the_line_between_both_ends(void)
     }
 }
 
-/* Its leading zeros are at most the drop and 32: below that the kernel would shift to the left. */
+/* Its leading zeros are at most the drop and 32: below that the kernel would shift to the left. A row of
+ * one weight keeps FXL_ROW_BITS bits more, and its least weight is also that of each length of segments, by
+ * which clamped texels are painted. */
 void test_the_least_weight_that_a_face_takes(void)
 {
     segment_choose_size(5, 5);
-    segment.gradients.weight.along = 1;
-    for (int shift = 0; shift < 80; shift++) {
-        const int drop = 46 - (shift > 24 ? shift : 24) - (20 - 5);
+    for (int i = 0; i < 2 * 80; i++) {
+        const int shift = i / 2, is_line = i % 2;
+        const int drop = 46 - (shift > 24 ? shift : 24) - (20 - 5) - (is_line ? FXL_ROW_BITS : 0);
         int32_t least = 2;
         int zeros = 30;
+        segment.gradients.weight.along = !is_line;
         segment.gradients.shifts[0] = (int8_t)shift;
         segment.gradients.shifts[1] = 24;
         for (; zeros > 0 && zeros > drop + 32; zeros--) {
             least = zeros > 1 ? 2 * least : INT32_MAX;
         }
+        memset(segment.face.least, 0xFF, sizeof segment.face.least);
         TEST_ASSERT_EQUAL(least != INT32_MAX, fxl_segments_find(&segment.paint, &segment.face));
-        TEST_ASSERT_EQUAL_UINT32(least, segment.face.least[0]);
-        TEST_ASSERT_EQUAL_UINT32(least, segment.face.least[3]);
+        for (uint32_t k = 0; k < 4; k++) {
+            TEST_ASSERT_EQUAL_UINT32(least, segment.face.least[k]);
+        }
     }
 }
 
