@@ -7,6 +7,7 @@
 #include "../clip/clip_by_view.h"
 #include "../view/model_view.h"
 #include "../view/project.h"
+#include "depth_pixel.h"
 #include "submit.h"
 #include "target_flat_text.h"
 
@@ -226,10 +227,14 @@ static bool draw_tiny(const fxl_model_view *model_view, const fxl_face *face,
     if (tiny->pixels == 0) {
         return true;
     }
-    find_depth(model_view, face, traversal, true, &plane);
     fxl_depth_clear_rest(workspace, band, &FXL_TARGET);
     const fxl_filling filling = fxl_filling_of(
         band, face->material, FXL_PIXEL_IS_MIXED ? workspace->screen.shade : 0, workspace->dark);
+    if ((tiny->pixels & (tiny->pixels - 1u)) == 0 &&
+        fxl_depth_draw_pixel(model_view, face, traversal, tiny, filling, FXL_PIXEL_BITS / 8)) {
+        return true;
+    }
+    find_depth(model_view, face, traversal, true, &plane);
     return fxl_depth_tiny_draw(&plane, tiny, head, band, filling, FXL_PIXEL_BITS);
 }
 

@@ -252,12 +252,22 @@ static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, 
     return quotient;
 }
 
-/* Entry i is 2^23 / (2^15 + 2^9 i + 2^8), rounded: a reciprocal of 7 bits. */
+/* Entry i is 2^23 / (2^15 + 2^9 i + 2^8), rounded: a reciprocal of 7 bits. Kernels have it too. */
+#if FXL_KERNELS_ARMV6M
+#ifdef __cplusplus
+extern "C"
+#else
+extern
+#endif
+    const uint8_t fxl_reciprocals_armv6m[65];
+#define fxl_reciprocals fxl_reciprocals_armv6m
+#else
 static const uint8_t fxl_reciprocals[65] = {
     254, 250, 246, 243, 239, 236, 232, 229, 226, 223, 220, 217, 214, 211, 209, 206, 204,
     201, 199, 196, 194, 192, 189, 187, 185, 183, 181, 179, 177, 175, 173, 172, 170, 168,
     166, 165, 163, 161, 160, 158, 157, 155, 154, 152, 151, 150, 148, 147, 146, 144, 143,
     142, 141, 139, 138, 137, 136, 135, 134, 133, 132, 131, 130, 129, 128};
+#endif
 
 /* 2^31 / value for 2^15 <= value <= 2^16, within 3 units (every value was tried). It starts
  * from the table; two steps of Newton's method, 2 r - r^2 v, square the relative error
