@@ -98,6 +98,17 @@ void test_a_part_has_the_box_of_the_whole_face(void)
     TEST_ASSERT_TRUE(found.width > width && found.height > height);
 }
 
+/* One, which is no corner, is between the eye and the near plane. The cache has lost it, and then it has it. */
+void test_a_face_with_a_vertex_before_the_near_plane_has_no_box(void)
+{
+    face.vertices[3] = clip_place(&view, 0, 0, view.lens.near_z / 2);
+    face.seen[3].tag = 0;
+    face.face.count = 4;
+    fxl_face_take_indices(&face.face, face.corners, 0);
+    TEST_ASSERT_FALSE(finds(corners));
+    TEST_ASSERT_FALSE(finds(corners));
+}
+
 void test_corners_that_are_not_the_face_s_are_refused(void)
 {
     static const uint16_t other[3][3] = {{0, 1, 3}, {0, 3, 2}, {3, 1, 2}};
