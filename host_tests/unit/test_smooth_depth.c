@@ -24,6 +24,10 @@ enum {
 
 static const fxl_point in_one_octave[] = {
     {-70000, -60000, 200000}, {-40000, 70000, 210000}, {80000, -50000, 204000}};
+static const fxl_point across[] = {
+    {-90000, -80000, 249000}, {-60000, 90000, 288000}, {100000, -60000, 268000}};
+static const fxl_point steep[] = {
+    {-70000, -60000, 200000}, {-60000, 110000, 390000}, {90000, -50000, 204000}};
 static const uint16_t indices[] = {0, 1, 2}, face_map[] = {1};
 static const fxl_model model = {
     .vertex_count = 3, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = 12 * 65536};
@@ -172,6 +176,30 @@ void test_a_blended_face_has_the_light_of_an_opaque_one(void)
     TEST_ASSERT_EQUAL(0, left_by(&glass, GLASS));
 }
 
+/* Rows of light are for opaque pixels that all of a face has. Over black the sum is the face's own pixel. */
+void test_an_added_face_has_the_pixels_of_a_stippled_one(void)
+{
+    static const fxl_surface half = {.opacity = 8, .flags = FXL_SURFACE_LIT};
+    static const fxl_surface added = {.opacity = 16, .flags = FXL_SURFACE_LIT | FXL_SURFACE_ADD};
+    static uint16_t frames[2][PIXELS];
+    uint32_t covered = 0;
+    target = &fxl_rgb565_depth_16;
+    painter = FXL_SURFACES_OF(fxl_rgb565_depth_16);
+    colours[BACKGROUND] = 0;
+    colours[COLOUR] = UINT16_MAX;
+    corners = steep;
+    cells_size = sizeof cells;
+    draw(&half, NULL, frames[0]);
+    draw(&added, NULL, frames[1]);
+    for (uint32_t i = 0; i < PIXELS; i++) {
+        if (frames[0][i] != 0) {
+            TEST_ASSERT_EQUAL_HEX16(frames[0][i], frames[1][i]);
+            covered++;
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(100, covered);
+}
+
 void test_a_face_divided_at_each_pixel_has_the_same_light(void)
 {
     const fxl_surface exact = {.opacity = 16, .flags = FXL_SURFACE_LIT, .division = FXL_DIVIDE_1};
@@ -244,8 +272,6 @@ static void check_codes(uint32_t least)
 /* SPEC 10.2b-c, 10.3b, 10.3e */
 void test_codes_of_a_face_that_crosses_the_end_of_an_octave(void)
 {
-    static const fxl_point across[] = {
-        {-90000, -80000, 249000}, {-60000, 90000, 288000}, {100000, -60000, 268000}};
     static const fxl_surface plain = {.opacity = 16, .flags = FXL_SURFACE_LIT};
     corners = across;
     cells_size = sizeof cells;
@@ -285,8 +311,6 @@ void test_codes_of_a_face_with_colours_in_three_octaves(void)
  * near it. */
 void test_a_steep_face_has_the_light_of_one_divided_at_each_pixel(void)
 {
-    static const fxl_point steep[] = {
-        {-70000, -60000, 200000}, {-60000, 110000, 390000}, {90000, -50000, 204000}};
     const fxl_surface exact = {.opacity = 16, .flags = FXL_SURFACE_LIT, .division = FXL_DIVIDE_1};
     corners = steep;
     TEST_ASSERT_EQUAL(0, left_by(&exact, 0));
@@ -354,12 +378,8 @@ void test_which_textures_are_functions_of_the_screen(void)
 /* SPEC 9.1.1 */
 void test_texels_drawn_at_once_are_those_of_a_display_list(void)
 {
-    static const fxl_point across[] = {
-        {-90000, -80000, 249000}, {-60000, 90000, 288000}, {100000, -60000, 268000}};
     static const fxl_point cut[] = {
         {-190000, -60000, 200000}, {-40000, 70000, 210000}, {80000, -50000, 204000}};
-    static const fxl_point steep[] = {
-        {-70000, -60000, 200000}, {-60000, 110000, 390000}, {90000, -50000, 204000}};
     static const fxl_point thin[] = {
         {-190000, 133000, 204000}, {20000, 0, 204000}, {182000, -130000, 205000}};
     static const fxl_point sloping[] = {
