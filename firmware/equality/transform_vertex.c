@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "view/model_view.h"
 #include "view/outcode.h"
+#include "view/project.h"
 #include "view/view.h"
 
 #include "equality.h"
@@ -17,12 +18,47 @@ static bool same(const fxl_cached_vertex *a, const fxl_cached_vertex *b)
            a->position.y == b->position.y && a->position.z == b->position.z;
 }
 
+#if FXL_TRANSFORMS_AND_PROJECTS
+
+/* The same function that projects, too: whether it does what two do. Without all planes a vertex may lie so
+ * that it must not be projected. */
+static bool projects_the_same(uint32_t number, const fxl_cached_vertex *untouched)
+{
+    fxl_cached_vertex both = *untouched, two = *untouched;
+    if (placed.planes != FXL_PLANES_ALL) {
+        return true;
+    }
+    portable_transform_vertex(&placed, number, &two);
+    const int32_t status =
+        two.clip_flags != FXL_VERTEX_UNPROJECTED
+            ? -1
+            : (int32_t)portable_project_inside(&view.projection, &two.position, &two.screen);
+    const bool equal =
+        fxl_transform_and_project(&placed, number, &both, placed.tag + number) == status;
+    if (status != -1) {
+        both.clip_flags = two.clip_flags;
+    }
+    return equal && same(&both, &two);
+}
+
+#else
+
+static bool projects_the_same(uint32_t number, const fxl_cached_vertex *untouched)
+{
+    (void)number;
+    (void)untouched;
+    return true;
+}
+
+#endif
+
 static void compare(uint32_t number)
 {
-    fxl_cached_vertex core = {0xDEADBEEFu, 0x55u, {123, 456}, {1, 2, 3}}, portable = core;
+    const fxl_cached_vertex untouched = {0xDEADBEEFu, 0x55u, {123, 456}, {1, 2, 3}};
+    fxl_cached_vertex core = untouched, portable = untouched;
     fxl_transform_vertex(&placed, number, &core);
     portable_transform_vertex(&placed, number, &portable);
-    equality_case(same(&core, &portable));
+    equality_case(same(&core, &portable) && projects_the_same(number, &untouched));
 }
 
 static int32_t within(int32_t limit)

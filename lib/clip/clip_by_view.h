@@ -44,6 +44,23 @@ static inline uint32_t fxl_vertex_place_flags(const fxl_screen_point *screen)
     return row << 20 | column << 8;
 }
 
+/* fxl_fetch_vertex, by fxl_transform_and_project where there is one: its clip flags may be its place. */
+static inline __attribute__((always_inline)) fxl_cached_vertex *
+fxl_fetch_placed(const fxl_model_view *model_view, uint32_t number)
+{
+#if FXL_TRANSFORMS_AND_PROJECTS
+    const uint32_t tag = model_view->tag + number;
+    fxl_cached_vertex *entry = &model_view->entries[number & model_view->mask];
+    if (entry->tag != tag &&
+        fxl_transform_and_project(model_view, number, entry, tag) == FXL_OK) {
+        entry->clip_flags = fxl_vertex_place_flags(&entry->screen);
+    }
+    return entry;
+#else
+    return fxl_fetch_vertex(model_view, number);
+#endif
+}
+
 FXL_STATIC_ASSERT((FXL_PLANES_ALL & FXL_VERTEX_UNPROJECTED) == 0 &&
                       (FXL_PLANES_ALL | FXL_VERTEX_UNPROJECTED) <= FXL_VERTEX_OUTSIDE,
                   "planes and the flag share a byte");

@@ -42,7 +42,7 @@ static inline bool fxl_submit_convex(const fxl_traversal *traversal,
     const fxl_face *faces = traversal->renderer->scene->faces;
     const bool reverse = traversal->near_first;
     const uint32_t first = traversal->resume->faces, step = reverse ? UINT32_MAX : 1;
-    const bool drops = !FXL_WALKS_FACES && model->kind == FXL_MODEL_SORTED &&
+    const bool drops = !FXL_WALKS_SORTED && model->kind == FXL_MODEL_SORTED &&
                        fxl_drops_outside(traversal, model_view, model);
     uint32_t left = model->face_count - first, backfacing = 0, outside = 0;
     uint32_t at = reverse ? left - 1 : first;
@@ -75,7 +75,7 @@ static inline bool fxl_walks_faces(const fxl_traversal *traversal, const fxl_mod
                                    const fxl_model *model)
 {
     const fxl_shader *shader = model_view->shader;
-    return shader != NULL &&
+    return shader != NULL && (FXL_WALKS_SORTED || shader->code->faces != NULL) &&
            (model->kind == FXL_MODEL_SORTED ||
             (shader->code->faces != NULL && model->face_count != 0 &&
              (shader->code->walk != NULL ||

@@ -175,13 +175,15 @@ static inline int32_t extent_of(uint32_t a, uint32_t b, uint32_t c, int32_t *fir
 
 /* fxl_clip_by_view of a triangle, less the colour, which is the face's. It also finds the box of its
  * centres; columns is 0 of one that does not lie inside, and of one of more than TINY_ROWS. */
-static inline fxl_clip_result clip_triangle(const fxl_model_view *model_view, const fxl_face *face,
-                                            const fxl_traversal *traversal, fxl_tiny *box)
+static inline __attribute__((always_inline)) fxl_clip_result
+clip_triangle(const fxl_model_view *model_view, const fxl_face *face,
+              const fxl_traversal *traversal, fxl_tiny *box)
 {
     fxl_screen_polygon *screen = &traversal->workspace->screen;
     uint32_t states[3];
+    FXL_EACH_CORNER
     for (uint32_t i = 0; i < 3; i++) {
-        fxl_cached_vertex *vertex = fxl_fetch_vertex(model_view, face->indices[i]);
+        fxl_cached_vertex *vertex = fxl_fetch_placed(model_view, face->indices[i]);
         uint32_t state = vertex->clip_flags;
         if ((state & FXL_VERTEX_OUTSIDE) != 0) {
             if (state != FXL_VERTEX_UNPROJECTED ||
@@ -207,21 +209,25 @@ static inline fxl_clip_result clip_triangle(const fxl_model_view *model_view, co
     return box->rows == 0 || box->columns == 0 ? FXL_CLIP_BETWEEN : FXL_CLIP_INSIDE;
 }
 
-/* fxl_tiny_cover, on a core of few registers apart from what the caller has in them. */
-FXL_APART bool cover(const fxl_screen_point *points, fxl_tiny *tiny)
+/* fxl_tiny_cover, apart from what the caller has in registers; a walk has it in place. */
+static __attribute__((noinline, flatten)) bool cover(const fxl_screen_point *points,
+                                                     fxl_tiny *tiny)
 {
     return fxl_tiny_cover(points, tiny);
 }
 
 /* Draws a triangle in a box by the pixels that it covers. False: it is not drawn. */
-static bool draw_tiny(const fxl_model_view *model_view, const fxl_face *face,
-                      const fxl_traversal *traversal, fxl_tiny *tiny)
+static inline __attribute__((always_inline)) bool draw_tiny(const fxl_model_view *model_view,
+                                                            const fxl_face *face,
+                                                            const fxl_traversal *traversal,
+                                                            bool in_walk, fxl_tiny *tiny)
 {
     fxl_workspace *workspace = traversal->workspace;
     const fxl_band *band = traversal->band;
     const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
     fxl_depth_plane plane;
-    if (!cover(workspace->screen.points, tiny)) {
+    if (!(in_walk ? fxl_tiny_cover(workspace->screen.points, tiny)
+                  : cover(workspace->screen.points, tiny))) {
         return false;
     }
     if (tiny->pixels == 0) {
@@ -240,30 +246,42 @@ static bool draw_tiny(const fxl_model_view *model_view, const fxl_face *face,
 
 #endif
 
-/* fxl_submit_polygons and fxl_count_outcome of such a face. */
-static bool draw_face(const fxl_model_view *model_view, const fxl_face *face,
-                      const fxl_traversal *traversal)
+/* fxl_submit_polygons and fxl_count_outcome of such a face. usual: as of find_depth. */
+static inline __attribute__((always_inline)) void draw_face_here(const fxl_model_view *model_view,
+                                                                 const fxl_face *face,
+                                                                 const fxl_traversal *traversal,
+                                                                 bool usual, bool in_walk)
 {
-    fxl_counters *counters = traversal->counters;
     fxl_clip_result cut;
-    const bool usual = !FXL_IS_COMPACT && traversal->clipper->by_clip_flags &&
-                       model_view->view->lens.off_centre == NULL;
     bool is_drawn = false;
+    (void)in_walk;
 #if DRAWS_TINY
     if (usual && face->count == 3 && traversal->workspace->draws_outlines) {
         fxl_tiny box;
         cut = clip_triangle(model_view, face, traversal, &box);
         is_drawn = cut == FXL_CLIP_INSIDE && fxl_tiny_fits(&box, traversal->band) &&
-                   draw_tiny(model_view, face, traversal, &box);
+                   draw_tiny(model_view, face, traversal, in_walk, &box);
     } else
 #endif
     {
         cut = fxl_first_polygon(model_view, face, traversal);
     }
     if (cut > FXL_CLIP_CUT) {
-        return fxl_count_outcome(traversal, (fxl_outcome)1 << cut, 0);
+        (void)fxl_count_outcome(traversal, (fxl_outcome)1 << cut, 0);
+        return;
     }
-    fxl_count_drawn(counters, cut, is_drawn || draw_polygon(model_view, face, traversal, usual));
+    fxl_count_drawn(traversal->counters, cut,
+                    is_drawn || draw_polygon(model_view, face, traversal, usual));
+}
+
+/* The same of any face. */
+static bool draw_face(const fxl_model_view *model_view, const fxl_face *face,
+                      const fxl_traversal *traversal)
+{
+    draw_face_here(model_view, face, traversal,
+                   !FXL_IS_COMPACT && traversal->clipper->by_clip_flags &&
+                       model_view->view->lens.off_centre == NULL,
+                   false);
     return true;
 }
 
@@ -279,6 +297,30 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face,
 }
 
 #if FXL_WALKS_FACES && FXL_TARGET_DEPTH_BITS == 16
+
+#if !FXL_KERNELS_ARMV7M
+
+/* fxl_shader_code.faces: the next one is found, and drawn, in one loop. */
+static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *traversal,
+                         fxl_face_walk *walk)
+{
+    const bool is_front_face = walk->next == fxl_next_front_face;
+    uint32_t submitted = 0;
+    const fxl_face *face;
+    if (!traversal->draws_one || !traversal->workspace->draws_outlines ||
+        !traversal->clipper->by_clip_flags || model_view->view->lens.off_centre != NULL) {
+        return false;
+    }
+    while ((face = is_front_face ? fxl_next_face_by(model_view, walk, fxl_model_view_face_is_front)
+                                 : walk->next(model_view, walk)) != NULL) {
+        submitted++;
+        draw_face_here(model_view, face, traversal, true, true);
+    }
+    walk->submitted = submitted;
+    return true;
+}
+
+#else
 
 #if FXL_PIXEL_BITS == 16
 
@@ -382,6 +424,7 @@ static bool submit_faces(const fxl_model_view *model_view, const fxl_traversal *
     return true;
 }
 
+#endif
 #endif
 
 static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,

@@ -95,7 +95,7 @@ static FXL_COLD uint32_t project(const fxl_model_view *model_view, fxl_cached_ve
 static inline uint32_t transform(const fxl_model_view *model_view, uint32_t number,
                                  fxl_cached_vertex *vertex)
 {
-#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+#if FXL_TRANSFORMS_AND_PROJECTS
     const int32_t status =
         fxl_transform_and_project(model_view, number, vertex, model_view->tag + number);
     if (status == FXL_OK) {

@@ -169,7 +169,7 @@ typedef struct {
 /* Finds them. The octave is one, if the first value of the box, less all that the others change along
  * both sides, has that of their sum. Upper words: a change is rounded up. Values on the screen are
  * below 2^62, so both changes are below 2^30 + 8, and their sum is below 2^30 by the comparison. */
-static inline bool fxl_tiny_codes_find(const fxl_depth_plane *plane, const fxl_tiny *tiny,
+FXL_ONCE bool fxl_tiny_codes_find(const fxl_depth_plane *plane, const fxl_tiny *tiny,
                                        fxl_depth_scale scale, fxl_tiny_codes *codes)
     FXL_REQUIRES(FXL_OBJECT(plane) && FXL_OBJECT(tiny) && FXL_OBJECT(codes))
         FXL_REQUIRES(FXL_BELOW(plane->gradient.at, (int64_t)1 << 60) &&

@@ -203,8 +203,8 @@ static inline bool fxl_starts_inside(const fxl_model_view *model_view, const fxl
 }
 
 /* fxl_next_face by a test of facing. */
-static inline const fxl_face *fxl_next_face_by(const fxl_model_view *model_view,
-                                               fxl_face_walk *walk, fxl_facing_test *is_front)
+static inline __attribute__((always_inline)) const fxl_face *
+fxl_next_face_by(const fxl_model_view *model_view, fxl_face_walk *walk, fxl_facing_test *is_front)
 {
     const fxl_face *next = walk->face;
     while (walk->left != 0) {

@@ -68,9 +68,14 @@ static inline fxl_point fxl_model_view_vertex(const fxl_model_view *model_view, 
 void fxl_transform_vertex(const fxl_model_view *model_view, uint32_t number,
                           fxl_cached_vertex *entry);
 
-#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+/* Whether one function transforms and projects: a kernel, or C where products are long. Not on a host, where
+ * make predict counts both. */
+#define FXL_TRANSFORMS_AND_PROJECTS \
+    (!FXL_IS_COMPACT && FXL_HAS_LONG_PRODUCT && !FXL_HAS_LONG_DIVIDER)
+
+#if FXL_TRANSFORMS_AND_PROJECTS
 /* The same, with its tag, and fxl_project_inside of a vertex that is inside all planes: FXL_OK or
- * FXL_E_RANGE, and then its clip flags are not those that it has. -1: it is outside of one. */
+ * FXL_E_RANGE, and of FXL_OK its clip flags are not those that it has. -1: it is outside of one. */
 int32_t fxl_transform_and_project(const fxl_model_view *model_view, uint32_t number,
                                   fxl_cached_vertex *entry, uint32_t tag);
 #endif

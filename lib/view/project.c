@@ -2,6 +2,8 @@
 
 #include "../math/family.h"
 #include "../math/arith.h"
+#include "model_view.h"
+#include "outcode.h"
 #include "project.h"
 
 /* The kernels' fast path requires a focal length below this: 1024 pixels. It also requires that no
@@ -211,5 +213,39 @@ fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_p
     screen->y = projection->centre_y - offset_of(&by, view->y);
     return FXL_OK;
 }
+
+#if FXL_TRANSFORMS_AND_PROJECTS
+
+/* fxl_transform_and_project of a vertex that slopes do not show to be inside, or that is not deep enough for
+ * fxl_project_inside. Apart, and called last: what a call leaves intact would else be saved at each vertex. */
+static __attribute__((noinline)) int32_t project_other(const fxl_model_view *model_view,
+                                                       uint32_t number, fxl_cached_vertex *entry)
+{
+    fxl_transform_vertex(model_view, number, entry);
+    return entry->clip_flags != FXL_VERTEX_UNPROJECTED
+               ? -1
+               : (int32_t)fxl_project_inside(&model_view->view->projection, &entry->position,
+                                             &entry->screen);
+}
+
+__attribute__((flatten)) int32_t fxl_transform_and_project(const fxl_model_view *model_view,
+                                                           uint32_t number,
+                                                           fxl_cached_vertex *entry, uint32_t tag)
+{
+    const fxl_view *view = model_view->view;
+    fxl_view_point position;
+    fxl_model_view_position(model_view, number, &position);
+    if ((model_view->planes & FXL_MODEL_VIEW_SCALED) != 0 ||
+        (model_view->planes != 0 && !fxl_is_within_slopes(&view->view_frustum, &position)) ||
+        (int32_t)(position.z >> 32) < view->projection.depth_min) {
+        return project_other(model_view, number, entry);
+    }
+    entry->position = position;
+    (void)fxl_project_inside(&view->projection, &position, &entry->screen);
+    entry->tag = tag;
+    return FXL_OK;
+}
+
+#endif
 
 #endif
