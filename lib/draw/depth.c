@@ -120,11 +120,11 @@ static void clear(const fxl_target *target, uint8_t *bytes, uint32_t count)
     const uint32_t pixel_bytes = target->pixel_bits / 8u;
     const uint32_t rows = count / CLEARED_AT_ONCE, remaining = count % CLEARED_AT_ONCE;
     fxl_band band = {.pixels = bytes,
-                     .palette = colours,
                      .width = (uint16_t)(CLEARED_AT_ONCE / pixel_bytes),
                      .stride = (uint16_t)(CLEARED_AT_ONCE / pixel_bytes),
                      .first_row = 0,
-                     .rows = (uint16_t)rows};
+                     .rows = (uint16_t)rows,
+                     .palette = colours};
     if (rows > 0) {
         target->fill(NULL, &band, 0);
     }
