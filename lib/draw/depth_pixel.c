@@ -145,7 +145,6 @@ bool fxl_depth_draw_pixel(const fxl_model_view *model_view, const fxl_face *face
     uint16_t *cell = (uint16_t *)(uintptr_t)(head + 1) + place;
     if (code > *cell) {
         *cell = fxl_low_16(code);
-        /* place pixel-format: the one pixel of a tiny triangle */
         if (pixel_bytes == 2) {
             ((uint16_t *)(uintptr_t)band->pixels)[place] = fxl_low_16(filling);
         } else {
