@@ -11,8 +11,6 @@
 
 #include "../view/view.h"
 
-#if FXL_HAS_TINY /* other cores have it for tests alone */
-
 /* 2^32 times what a depth below 1 is off by. */
 #define DEPTH_ERROR 6144u
 
@@ -153,5 +151,3 @@ bool fxl_depth_draw_pixel(const fxl_model_view *model_view, const fxl_face *face
     }
     return code != 0;
 }
-
-#endif
