@@ -216,6 +216,21 @@ static __attribute__((noinline, flatten)) bool cover(const fxl_screen_point *poi
     return fxl_tiny_cover(points, tiny);
 }
 
+/* fxl_depth_draw_pixel of a copy, so that other triangles keep what they have in registers. */
+FXL_APART bool draw_pixel(const fxl_model_view *model_view, const fxl_face *face,
+                          const fxl_traversal *traversal, const fxl_tiny *tiny)
+{
+    fxl_workspace *workspace = traversal->workspace;
+    const fxl_band *band = traversal->band;
+    fxl_tiny pixel = *tiny;
+    fxl_depth_clear_rest(workspace, band, &FXL_TARGET);
+    return fxl_depth_draw_pixel(
+        model_view, face, traversal, &pixel,
+        fxl_filling_of(band, face->material, FXL_PIXEL_IS_MIXED ? workspace->screen.shade : 0,
+                       workspace->dark),
+        FXL_PIXEL_BITS / 8);
+}
+
 /* Draws a triangle in a box by the pixels that it covers. False: it is not drawn. */
 static inline __attribute__((always_inline)) bool draw_tiny(const fxl_model_view *model_view,
                                                             const fxl_face *face,
@@ -233,14 +248,14 @@ static inline __attribute__((always_inline)) bool draw_tiny(const fxl_model_view
     if (tiny->pixels == 0) {
         return true;
     }
-    fxl_depth_clear_rest(workspace, band, &FXL_TARGET);
-    const fxl_filling filling = fxl_filling_of(
-        band, face->material, FXL_PIXEL_IS_MIXED ? workspace->screen.shade : 0, workspace->dark);
     if ((tiny->pixels & (tiny->pixels - 1u)) == 0 &&
-        fxl_depth_draw_pixel(model_view, face, traversal, tiny, filling, FXL_PIXEL_BITS / 8)) {
+        draw_pixel(model_view, face, traversal, tiny)) {
         return true;
     }
     find_depth(model_view, face, traversal, true, &plane);
+    fxl_depth_clear_rest(workspace, band, &FXL_TARGET);
+    const fxl_filling filling = fxl_filling_of(
+        band, face->material, FXL_PIXEL_IS_MIXED ? workspace->screen.shade : 0, workspace->dark);
     return fxl_depth_tiny_draw(&plane, tiny, head, band, filling, FXL_PIXEL_BITS);
 }
 
