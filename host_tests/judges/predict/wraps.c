@@ -230,19 +230,22 @@ WRAPPED(const fxl_trapezoid *, fxl_scan_next_trapezoid, (fxl_scan * scan))
 WRAPPED_COUNT(fxl_rows, fxl_scan_rows, (const fxl_screen_polygon *polygon, uint16_t height),
               (polygon, height), counted.row_searches += 1)
 
-WRAPPED(void, fxl_fill_band, (const fxl_band *band, uint8_t colour))
+/* Cells of a depth buffer that are cleared: what fills a band of a frame has a renderer. */
+WRAPPED(void, fxl_fill_band_palette,
+        (const fxl_renderer *renderer, const fxl_band *band, uint8_t colour))
 {
-    counted.bands += !has_depth_buffer; /* its cells are cleared by this too */
-    counted.cleared += (double)band->rows * band->width;
-    __real_fxl_fill_band(band, colour);
+    if (renderer == NULL) {
+        counted.cleared += (double)band->rows * band->width;
+    }
+    __real_fxl_fill_band_palette(renderer, band, colour);
 }
 
-/* A band that is cleared: a pixel of 16 bits takes as long as two of 8. */
+/* The same, or a band that is cleared: a pixel of 16 bits takes as long as two of 8. */
 WRAPPED(void, fxl_fill_trapezoid_rgb565,
         (const fxl_band *band, const fxl_trapezoid *trapezoid, uint16_t colour))
 {
     if (!draws_outline) {
-        counted.bands += 1;
+        counted.bands += !has_depth_buffer;
         counted.cleared += 2.0 * band->rows * band->width;
     }
     __real_fxl_fill_trapezoid_rgb565(band, trapezoid, colour);
