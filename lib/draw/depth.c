@@ -113,7 +113,7 @@ void fxl_find_exact_depth(const fxl_model_view *model_view, const fxl_face *face
 #define CLEARED_BY_FACES 16
 
 /* Sets so many bytes to 0, by what fills a band: so a program has no kernel for pixels that it does not
- * draw. Cells have at least as many bytes as pixels, but for pixels of 16 bits none is at an odd address. */
+ * draw. A cell has 2 or 4 bytes, so cells are whole pixels of either size, at even addresses. */
 static void clear(const fxl_target *target, uint8_t *bytes, uint32_t count)
 {
     static const uint16_t colours[1] = {0};

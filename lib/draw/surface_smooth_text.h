@@ -297,8 +297,8 @@ draw_inside_light(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
 
 #if FXL_PIXEL_IS_MIXED
 
-/* What a face with colours at its corners has of its own but for these, where it has some. Not inline: other faces
- * would keep for it what they need not. */
+/* Finds the light at the corners of a lit face with colours, and how far an affine one may bend. Not inline:
+ * other faces would keep for it what they need not. */
 static __attribute__((noinline)) void
 set_colours(const fxl_surfaces *surfaces, const fxl_corner *const of[3],
             const fxl_inside_corners *corners, const fxl_model_view *model_view,
